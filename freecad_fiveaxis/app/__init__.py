@@ -19,7 +19,7 @@ def tessellate(obj: Any, stl_path: Any = None, *, overwrite: bool = False, **set
 
     ``obj``: a solid, body, compound, mesh or Tessellation (then it is only written). ``stl_path``: write the mesh there as
     well; a file with content is replaced only with ``overwrite``. Settings: ``linear_deflection`` mm (0.02),
-    ``angular_deflection`` deg (15), ``faces`` as ("Face3",): what a toolpath of it will mill.
+    ``angular_deflection`` deg (15), ``faces`` as ("Face3",): what a toolpath of it will mill, and ``avoid``: what not.
     Raises SelectionError, SettingsError, FileError, Cancelled; then neither an object nor a file is left behind.
     """
     from . import arguments
@@ -46,10 +46,11 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
 
     ``base``: a solid, body, compound, mesh or Tessellation object, or ``(object, ["Face3"])``. Settings as in job files:
     ``machine="trunnion_ac", cutter="bull:10:2", holder="40x25,63x50", gouge="report", scallop=0.01, feed=1000, ...``; also
-    ``work_zero=(x, y, z)`` mm, ``faces``, ``linear_deflection`` mm, ``angular_deflection`` deg; ``holder_diameter`` and
-    ``holder_length`` mm are a holder of one cylinder. ``setup``: a Setup, whose machine, controller and work zero the path takes;
-    in a document with just one Setup it takes that where it is given nothing of the kind; None: none. ``fixtures``: solids and
-    meshes of the document that hold the part; the path goes around them.
+    ``work_zero=(x, y, z)`` mm, ``faces``, ``avoid``: faces that are left alone, ``linear_deflection`` mm,
+    ``angular_deflection`` deg; ``holder_diameter`` and ``holder_length`` mm are a holder of one cylinder. ``setup``: a Setup,
+    whose machine, controller and work zero the path takes; in a document with just one Setup it takes that where it is given
+    nothing of the kind; None: none. ``fixtures``: solids and meshes of the document that hold the part; the path goes around
+    them.
     Raises FiveAxisError; then the document is as it was.
     """
     from . import arguments

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -15,6 +15,7 @@ from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 
 from . import auditing, compared, job_setup, markers, selection, tessellation, toolpath
+from .arguments import names
 from .convert import stl_bytes
 from .long_work import take_back
 from .properties import drawn_tool, property_name
@@ -35,11 +36,12 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
                 known=", ".join(sorted(_OF_MESH)),
             )
         )
-    base, faces = _base(obj, settings.get("faces"))
+    base, faces, avoid = _base(obj, settings)
     if stl_path is not None:
         _check_new(stl_path, overwrite)
     with _all_or_nothing(base.Document) as added:
-        made = base if _is_tessellation(base) and not settings else tessellation.make(base.Document, base, faces, **mesh)
+        ready = _is_tessellation(base) and not settings
+        made = base if ready else tessellation.make(base.Document, base, faces, **mesh, avoid=avoid)
         added += [made] * (made is not base)
         if stl_path is not None:
             write_whole(stl_path, stl_bytes(made))
@@ -54,7 +56,7 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
     build_settings(MILL, "mesh", options)
-    chosen, faces = _base(base, settings.get("faces"))
+    chosen, faces, avoid = _base(base, settings)
     if chosen.Document.Name != doc.Name:
         raise selection.SelectionError(
             say("{label} is in another document: select something in {document}.", label=chosen.Label, document=doc.Label),
@@ -62,8 +64,8 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
         )
     with _all_or_nothing(doc) as added:
         mesh = chosen
-        if not selection.is_mesh(chosen) or faces:
-            mesh = tessellation.make(doc, chosen, faces, **_deflections(settings))
+        if not selection.is_mesh(chosen) or faces or avoid:
+            mesh = tessellation.make(doc, chosen, faces, **_deflections(settings), avoid=avoid)
             added.append(mesh)
         elif unused := {"linear_deflection", "angular_deflection"} & set(settings):
             raise SettingsError(
@@ -105,7 +107,7 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
     return made
 
 
-_OF_MESH = {"linear_deflection", "angular_deflection", "faces"}
+_OF_MESH = {"linear_deflection", "angular_deflection", "faces", "avoid"}
 _EXTRA = {"work_zero"}
 _OLD_HOLDER = {"holder_diameter": 40.0, "holder_length": 60.0}
 """mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if one was given."""
@@ -161,17 +163,18 @@ def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
     return read
 
 
-def _base(given: Any, faces: Sequence[str] | None) -> tuple[Any, tuple[str, ...]]:
-    """The base and its faces, recomputed where it waits for that. Raises SelectionError."""
+def _base(given: Any, settings: Mapping[str, Any]) -> tuple[Any, tuple[str, ...], tuple[str, ...]]:
+    """The base, its faces and those to avoid, recomputed where it waits for that. Raises SelectionError."""
     base, named = (given[0], given[1]) if isinstance(given, (tuple, list)) and len(given) == 2 else (given, ())
     if base is None or not hasattr(base, "Document"):
         raise selection.SelectionError(say("Nothing is selected: {what}.", what=selection.WHAT), None)
     if base.State != ["Up-to-date"] or base.MustExecute:
         base.Document.recompute([base])
-    names = (faces,) if isinstance(faces, str) else tuple(faces or named or ())
+    faces = names(settings.get("faces") or named or ())
+    avoid = names(settings.get("avoid") or ())
     if not selection.is_mesh(base):  # a mesh is looked at where its facets are taken
-        selection.solids(base, names)
-    return base, names
+        selection.solids(base, faces, avoid)
+    return base, faces, avoid
 
 
 def _is_tessellation(obj: Any) -> bool:

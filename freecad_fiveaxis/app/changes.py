@@ -13,7 +13,8 @@ from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text
 
-from . import convert, properties, toolpath
+from . import convert, properties, tessellation, toolpath
+from .arguments import names
 from .auditing import audit_options, compare_with
 from .job_setup import follow
 from .properties import default_value, property_name
@@ -25,10 +26,11 @@ _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "Angu
 def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     """Give a Toolpath all of these settings, as ``create_toolpath`` takes them, and compute it; returns it.
 
-    An option that is not among them goes back to its default; ``work_zero``, ``fixtures`` and the deflections stay
+    An option that is not among them goes back to its default; ``work_zero``, ``fixtures``, ``avoid`` and the deflections stay
     unless they are given. Raises FiveAxisError; the caller's transaction then takes back what was done.
     """
-    options = {name: value for name, value in settings.items() if name not in (*_OF_MESH, "work_zero", "setup", "fixtures")}
+    apart = (*_OF_MESH, "avoid", "work_zero", "setup", "fixtures")
+    options = {name: value for name, value in settings.items() if name not in apart}
     options = toolpath.with_strategies(options)
     if obj.Mesh is None:
         raise toolpath.mesh_is_gone(obj)
@@ -87,8 +89,9 @@ def _put(obj: Any, task: str, options: Mapping[str, Any], work_zero: Any) -> Non
 
 
 def _put_mesh(mesh: Any, settings: Mapping[str, Any]) -> None:
-    """Other deflections make another mesh; the same ones leave it."""
-    changed = False
+    """Other deflections and faces to avoid make another mesh, the same ones leave it; one that could not be made is tried
+    again, so that the user hears why."""
+    changed = _avoid(mesh, settings.get("avoid")) or (hasattr(mesh, "LinearDeflection") and "Invalid" in mesh.State)
     for option, name in _OF_MESH.items():
         if settings.get(option) is not None and getattr(mesh, name).Value != settings[option]:
             setattr(mesh, name, settings[option])
@@ -96,6 +99,16 @@ def _put_mesh(mesh: Any, settings: Mapping[str, Any]) -> None:
     if changed:
         mesh.Proxy.build(mesh)
         mesh.Document.recompute([mesh])
+
+
+def _avoid(mesh: Any, given: Any) -> bool:
+    """Leave these faces alone, where it is said which; whether that is a change. Raises SelectionError for a mesh without any."""
+    if given is None:
+        return False
+    faces = names(given)
+    if faces and not hasattr(mesh, "LinearDeflection"):
+        raise tessellation.no_names(mesh)
+    return hasattr(mesh, "LinearDeflection") and tessellation.leave_alone(mesh, faces)
 
 
 def compute(obj: Any) -> Any:

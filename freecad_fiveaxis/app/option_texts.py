@@ -61,6 +61,9 @@ TEXTS = {
         "App::Property", "How far the tool axis may leave the surface normal, for the least deviation or to keep out of the part"
     ),
     "order": QT_TRANSLATE_NOOP("App::Property", "Zigzag cuts in both directions, one way in one direction only"),
+    "spiral": QT_TRANSLATE_NOOP(
+        "App::Property", "Closed passes round one another become one long pass, without links between them"
+    ),
     "links": QT_TRANSLATE_NOOP(
         "App::Property", "How the tool goes from one pass to the next: near the part where it is free, or over it"
     ),

@@ -28,12 +28,14 @@ def scale_part(path: Any, factor: float) -> Any:
         raise toolpath.mesh_is_gone(path)
     mesh, doc = path.Mesh, path.Document
     base, faces = tessellation.chosen(mesh) if hasattr(mesh, "LinearDeflection") else (mesh, ())
-    copy, names = _scaled(doc, base, faces, factor)
+    avoid = tessellation.avoided(mesh)
+    copy, names = _scaled(doc, base, (*faces, *avoid), factor)
     copy.Label = f"{base.Label} x {factor:g}"
     if base is mesh:
         path.Mesh = copy
     else:
-        mesh.Base = (copy, names)
+        mesh.Base = (copy, names[: len(faces)])
+        tessellation.leave_alone(mesh, names[len(faces) :])
         mesh.Proxy.build(mesh)
     path.WorkZero = path.WorkZero * factor
     doc.recompute([copy, mesh])
@@ -54,7 +56,7 @@ def _scaled(doc: Any, base: Any, faces: tuple[str, ...], factor: float) -> tuple
     whole, rows = selection.solids(base, faces)
     copy = doc.addObject("Part::Feature", "Scaled")
     copy.Shape = whole.copy().scale(factor, FreeCAD.Vector())
-    return copy, [f"Face{row + 1}" for row in sorted(set(rows))]
+    return copy, [f"Face{row + 1}" for row in rows]
 
 
 def _matrix(factor: float) -> Any:

@@ -19,14 +19,24 @@ import Mesh
 import Part
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.sentences import Template, say
 
 from .facets import kernel_of
 
 WHAT = say("select a solid, faces of a solid, a body, a compound of solids, or a mesh")
+SAME_PLACE = 1e-6
+"""mm between the middles of a face and of itself, where two objects have it."""
 CHECKED = 100
 """Faces of a shape that is looked at for being valid as soon as it is selected: some 0.1 s."""
 _FACE = re.compile(r"Face[1-9]\d*")
+_LOST = Template("{label} has no {name} on a solid: select its faces again.")
+_LOST_AVOIDED = Template(
+    "{label} has no {name} on a solid, which was to be left alone: choose anew which of its faces are not machined."
+)
+
+
+GONE = "?"
+"""What FreeCAD 1.0 and later put before the name of a face that a link still asks for and the object has no more."""
 
 
 class SelectionError(FiveAxisError, ValueError):
@@ -60,6 +70,44 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
         return base, faces if len(faces) == len(names) else ()
     checked_mesh(base)
     return base, ()
+
+
+def faces_of(base: Any, chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[str, ...]:
+    """The faces' names on ``base`` out of selected ``(object, names of its elements)``. Raises SelectionError that says what to
+    select where anything else is among them."""
+    rows = [(_leaf(obj, name), name.rsplit(".", 1)[-1]) for obj, names in chosen for name in (tuple(names) or ("",))]
+    if not rows:
+        text = say("Nothing is selected: click faces of {label} in the 3D view, several with Ctrl.", label=base.Label)
+        raise SelectionError(text, None)
+    return tuple(dict.fromkeys(_name_on(base, obj, name) for obj, name in rows))
+
+
+def _name_on(base: Any, obj: Any, name: str) -> str:
+    """What a face ``name`` of an object is called on ``base``: the same, or as it is counted there, of a solid in a part."""
+    if not _FACE.fullmatch(name):
+        text = say("{name} is no face: select faces of {label}.", name=name or obj.Label, label=base.Label)
+        raise SelectionError(text, name or obj.Label)
+    found = name if _tip(obj) is _tip(base) else _same_face(base, obj, name)
+    if not found:
+        text = say("{name} is a face of {other}: select faces of {label}.", name=name, other=obj.Label, label=base.Label)
+        raise SelectionError(text, name)
+    return found
+
+
+def _tip(obj: Any) -> Any:
+    """The feature whose shape a body has, which FreeCAD copies; any other object itself."""
+    return obj.Tip or obj if obj.isDerivedFrom("PartDesign::Body") else obj
+
+
+def _same_face(base: Any, obj: Any, name: str) -> str:
+    """The name of that face of an object on ``base``; empty where it is none of its."""
+    try:
+        face, faces = _face(_shape(obj), name), _shape(base).Faces
+    except SelectionError:
+        return ""
+    alike = (i for i, one in enumerate(faces) if face is not None and one.isPartner(face))
+    row = next((i for i in alike if (faces[i].CenterOfMass - face.CenterOfMass).Length < SAME_PLACE), None)
+    return "" if row is None else f"Face{row + 1}"
 
 
 def _leaf(obj: Any, name: str) -> Any:
@@ -96,9 +144,9 @@ def empty(label: str) -> SelectionError:
     return SelectionError(say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=label), label)
 
 
-def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:
+def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tuple[Any, list[int]]:
     """The object's solids as one shape in the document's coordinates, and which of its Faces (counted from 0) the names of the
-    object's ``faces`` mean. Raises SelectionError.
+    object's ``faces``, and behind them of those to ``avoid``, mean. Raises SelectionError.
 
     A shape of very many faces is not looked at for being valid: that takes seconds, and the mesher does it.
     """
@@ -110,7 +158,8 @@ def solids(obj: Any, faces: Sequence[str] = ()) -> tuple[Any, list[int]]:
         text = say("{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT)
         raise SelectionError(text, obj.Label)
     whole = found[0] if len(found) == 1 else Part.makeCompound(found)
-    return whole, [_face_row(obj.Label, shape, whole, name) for name in faces]
+    asked = [(name, text) for names, text in ((faces, _LOST), (avoid, _LOST_AVOIDED)) for name in names]
+    return whole, [_face_row(obj.Label, shape, whole, name, text) for name, text in asked]
 
 
 def invalid(label: str) -> SelectionError:
@@ -122,11 +171,11 @@ def invalid(label: str) -> SelectionError:
     return SelectionError(text, label)
 
 
-def _face_row(label: str, shape: Any, whole: Any, name: str) -> int:
+def _face_row(label: str, shape: Any, whole: Any, name: str, lost: Template) -> int:
     face = _face(shape, name)
     row = next((i for i, one in enumerate(whole.Faces) if face is not None and one.isSame(face)), None)
     if row is None:
-        raise SelectionError(say("{label} has no {name} on a solid: select its faces again.", label=label, name=name), name)
+        raise SelectionError(lost.say(label=label, name=name.lstrip(GONE)), name)
     return row
 
 

@@ -2,7 +2,8 @@
 """The Tessellation object: the mesh of a solid, with the facets of the chosen faces.
 
 linear deflection    mm; no facet is further than this from the surface.   angular deflection   deg between neighbouring facets.
-facet runs           start, stop, start, stop ...: which facets lie on the chosen faces; none where all are to be milled.
+facet runs           start, stop, start, stop ...: which facets lie on the faces that are milled: the chosen ones, or all, without
+                     those that are left alone; none where all are to be milled.
 
 The mesher is MeshPart's, which keeps the facets of a face together and in the order of the faces; ``shape.tessellate`` takes
 many times as long and makes more facets.
@@ -18,7 +19,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.base.sentences import Angle, Length, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
 
 from . import meshing, selection
 from .long_work import check_open, listening, take_back
@@ -33,6 +34,10 @@ PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "The solid, body, compound or mesh, and the faces of it that are milled"),
     ),
     Property(
+        "Avoid", "App::PropertyLinkSubGlobal", "Base",
+        QT_TRANSLATE_NOOP("App::Property", "Faces of the base that are left alone: they are not milled"),
+    ),
+    Property(
         "LinearDeflection", "App::PropertyLength", "Tessellation",
         QT_TRANSLATE_NOOP("App::Property", "Largest distance of a facet from the surface"), LINEAR,
     ),
@@ -43,7 +48,7 @@ PROPERTIES = (
     Property("Facets", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Facets of the mesh"), 0, RESULT),
     Property(
         "FacetRuns", "App::PropertyIntegerList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets on the chosen faces"), [], RESULT | HIDDEN | OUTPUT,
+        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are milled"), [], RESULT | HIDDEN | OUTPUT,
     ),
     Property(
         "MadeOf", "App::PropertyString", "Result",
@@ -65,7 +70,7 @@ class Tessellation(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The base, both deflections, and which facets are to be milled."""
+        """The base, the faces left alone, both deflections, and which facets are to be milled."""
         return PROPERTIES
 
     def build(self, obj: Any) -> None:
@@ -74,7 +79,9 @@ class Tessellation(Proxy):
         with listening() as progress:
             progress("tessellate", 0.0)
             check_open(doc)
-            mesh, runs = meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress)
+            _check_avoid(obj)
+            deflections = obj.LinearDeflection.Value, obj.AngularDeflection.Value
+            mesh, runs = meshed(base, faces, *deflections, progress, avoided(obj))
             progress("tessellate", 1.0)
         check_open(doc)
         obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
@@ -82,7 +89,7 @@ class Tessellation(Proxy):
 
     def onChanged(self, obj: Any, name: str) -> None:
         """A change of the input asks for a new mesh."""
-        if name in ("Base", "LinearDeflection", "AngularDeflection"):
+        if name in ("Base", "Avoid", "LinearDeflection", "AngularDeflection"):
             self.built = False
 
     def execute(self, obj: Any) -> None:
@@ -93,7 +100,8 @@ class Tessellation(Proxy):
 
 
 def made_of(obj: Any) -> str:
-    """A checksum of the base, as far as its vertices tell, the chosen faces and the deflections; empty without a base."""
+    """A checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the deflections; empty without
+    a base."""
     base, faces = chosen(obj)
     if base is None:
         return ""
@@ -104,6 +112,7 @@ def made_of(obj: Any) -> str:
         whole = selection.solids(base)[0]
         box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
     said = (shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+    said += (avoided(obj),) if avoided(obj) else ()  # documents that know of none keep their checksums
     return hashlib.sha256(repr(said).encode()).hexdigest()
 
 
@@ -115,10 +124,39 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
     return base, tuple(name for name in names if name)
 
 
-def meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]]:
-    """The mesh of a base, and the runs of its facets on the faces. ``linear`` mm, ``angular`` deg. Raises FiveAxisError."""
+def avoided(obj: Any) -> tuple[str, ...]:
+    """The names of the faces that a Tessellation leaves alone."""
+    link = getattr(obj, "Avoid", None)
+    return () if link is None else tuple(name for name in link[1] if name)
+
+
+def _is_of_base(obj: Any) -> bool:
+    """Whether the faces left alone, if there are any, are the base's."""
+    return not avoided(obj) or (obj.Base is not None and obj.Avoid[0] is obj.Base[0])
+
+
+def _check_avoid(obj: Any) -> None:
+    if obj.Base is not None and not _is_of_base(obj):
+        base, other, names = obj.Base[0].Label, obj.Avoid[0].Label, ", ".join(avoided(obj))
+        text = say("{names} to be left alone is of {other}: choose faces of {label}.", names=names, other=other, label=base)
+        raise selection.SelectionError(text, names)
+
+
+def leave_alone(obj: Any, names: Sequence[str]) -> bool:
+    """Have a Tessellation leave these faces of its base alone, and no others; whether that is a change. The mesh is not made."""
+    if tuple(names) == avoided(obj) and _is_of_base(obj):
+        return False
+    obj.Avoid = (obj.Base[0], list(names)) if names else None
+    return True
+
+
+def meshed(
+    base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress, avoid: Sequence[str] = ()
+) -> tuple[Any, list[int]]:
+    """The mesh of a base, and the runs of its facets that are milled: those on the faces, all where none is named, without those
+    on faces to ``avoid``; no runs where all are. ``linear`` mm, ``angular`` deg. Raises FiveAxisError."""
     if base is not None and selection.is_mesh(base):
-        return _copied(base, faces), []
+        return _copied(base, faces, avoid), []
     if linear <= 0.0 or angular <= 0.0:
         raise SettingsError(
             say(
@@ -126,7 +164,8 @@ def meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progr
             ),
             (linear, angular),
         )
-    whole, rows = selection.solids(base, faces)
+    whole, rows = selection.solids(base, faces, avoid)
+    rows = _milled(base.Label, rows, len(faces), avoid, len(whole.Faces))
     made = meshing.meshed(whole, linear, math.radians(angular), progress)
     if made is None:
         raise selection.invalid(base.Label)
@@ -136,10 +175,25 @@ def meshed(base: Any, faces: Sequence[str], linear: float, angular: float, progr
             say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base
         )
     stop = list(accumulate(counts))
-    return mesh, [bound for row in sorted(set(rows)) for bound in (stop[row] - counts[row], stop[row])]
+    return mesh, [bound for row in rows for bound in (stop[row] - counts[row], stop[row])]
 
 
-def _copied(base: Any, faces: Sequence[str]) -> Any:
+def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], count: int) -> list[int]:
+    """The faces, of ``count``, that are milled: the first ``chosen`` rows, all where there are none of these, without the others.
+    None where all are. Raises SelectionError where nothing is left, which would be taken for all."""
+    left = set(rows[:chosen] or range(count)) - set(rows[chosen:])
+    if not left:
+        text = say(
+            "All that is to be milled of {label} is to be left alone too: take {names}, or some of them, out of {option}.",
+            label=label, names=", ".join(avoid), option=Option("avoid", flag=False),
+        )  # fmt: skip
+        raise selection.SelectionError(text, ", ".join(avoid))
+    return sorted(left) if rows else []
+
+
+def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
+    if avoid:
+        raise no_names(base)
     if faces:
         raise selection.SelectionError(
             say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label), base.Label
@@ -149,7 +203,18 @@ def _copied(base: Any, faces: Sequence[str]) -> Any:
     return mesh
 
 
-def make(doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR, angular: float = ANGULAR) -> Any:
+def no_names(base: Any) -> selection.SelectionError:
+    """What to say where faces of a mesh are to be left alone."""
+    text = say(
+        "{label} is a mesh, whose faces have no names: choose the solid it is of, or mill it on the command line with {option}.",
+        label=base.Label, option="--avoid FACES.stl",
+    )  # fmt: skip
+    return selection.SelectionError(text, base.Label)
+
+
+def make(
+    doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR, angular: float = ANGULAR, avoid: Sequence[str] = ()
+) -> Any:
     """A Tessellation object with its mesh. ``linear`` mm, ``angular`` deg. Raises as :meth:`Tessellation.build`.
 
     Where it fails, no object is left behind.
@@ -158,6 +223,7 @@ def make(doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR,
     try:
         Tessellation(obj)
         obj.Base = (base, list(faces))
+        leave_alone(obj, avoid)
         obj.LinearDeflection, obj.AngularDeflection = linear, angular
         obj.Proxy.build(obj)
         doc.recompute([obj])

@@ -52,6 +52,9 @@ class Toolpath(Proxy):
             raise SelectionError(
                 say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
             )
+        if "Invalid" in obj.Mesh.State:  # its facets are those of before: of another solid, or of other faces
+            text = say("{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString())
+            raise SelectionError(text, obj.Mesh.Label)
         fixtures = check_fixtures(obj)
         named = {"fixture": [f"{one.Label}.stl" for one in fixtures]} if fixtures else {}
         settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | named)

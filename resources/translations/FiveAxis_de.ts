@@ -44,6 +44,10 @@
         <translation>Flächen</translation>
     </message>
     <message>
+        <source>Avoid</source>
+        <translation>Aussparen</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -126,6 +130,10 @@
     <message>
         <source>Clearance</source>
         <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Closed passes round one another become one long pass, without links between them</source>
+        <translation>Geschlossene Bahnen umeinander werden zu einer langen Bahn, ohne Verbindungen dazwischen</translation>
     </message>
     <message>
         <source>Coedge Tolerance</source>
@@ -302,6 +310,10 @@
     <message>
         <source>F words as inverse time (G93), or as feed per minute (G94)</source>
         <translation>F-Worte zeitreziprok (G93) oder als Vorschub je Minute (G94)</translation>
+    </message>
+    <message>
+        <source>Faces of the base that are left alone: they are not milled</source>
+        <translation>Flächen der Basis, die ausgespart bleiben: sie werden nicht gefräst</translation>
     </message>
     <message>
         <source>Facet Runs</source>
@@ -988,8 +1000,12 @@
         <translation>Spindeldrehzahl, 1/min; ohne Angabe (0): das Programm schaltet die Spindel nicht ein</translation>
     </message>
     <message>
-        <source>Start and stop of the facets on the chosen faces</source>
-        <translation>Anfang und Ende der Facetten auf den gewählten Flächen</translation>
+        <source>Spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>Start and stop of the facets that are milled</source>
+        <translation>Anfang und Ende der Facetten, die gefräst werden</translation>
     </message>
     <message>
         <source>Stepover</source>
@@ -1347,6 +1363,10 @@
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
+        <source>Add selected faces</source>
+        <translation>Ausgewählte Flächen dazu</translation>
+    </message>
+    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -1515,6 +1535,10 @@
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
     </message>
     <message>
+        <source>Click faces of the part in the 3D view first, several with Ctrl</source>
+        <translation>Zuerst in der 3D-Ansicht Flächen des Werkstücks anklicken, mehrere mit Strg</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -1667,8 +1691,8 @@
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Faces to avoid</source>
-        <translation>Auszulassende Flächen</translation>
+        <source>Faces to leave alone</source>
+        <translation>Auszusparende Flächen</translation>
     </message>
     <message>
         <source>Feed</source>
@@ -2211,6 +2235,10 @@
         <translation>Maschine zurückgewinnen</translation>
     </message>
     <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
@@ -2331,6 +2359,10 @@
         <translation>Drehzahl fehlt: das Programm schaltet die Spindel nicht ein.</translation>
     </message>
     <message>
+        <source>Spiral passes</source>
+        <translation>Spiralbahnen</translation>
+    </message>
+    <message>
         <source>Start through the part</source>
         <translation>Start durch das Werkstück</translation>
     </message>
@@ -2437,6 +2469,10 @@
     <message>
         <source>The cutter goes {depth} too deep into the part.</source>
         <translation>Der Fräser geht {depth} zu tief ins Werkstück.</translation>
+    </message>
+    <message>
+        <source>The faces of a mesh have no names: choose a solid, or {option} on the command line.</source>
+        <translation>Die Flächen eines Netzes haben keine Namen: einen Volumenkörper wählen, oder {option} auf der Kommandozeile.</translation>
     </message>
     <message>
         <source>The head of a machine that is ticked turns: give the tool length.</source>
@@ -3335,6 +3371,10 @@
         <translation>in der Toleranz</translation>
     </message>
     <message>
+        <source>without {faces}</source>
+        <translation>ohne {faces}</translation>
+    </message>
+    <message>
         <source>writing NC blocks</source>
         <translation>NC-Sätze schreiben</translation>
     </message>
@@ -3626,6 +3666,10 @@
     <message>
         <source>All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.</source>
         <translation>Alle Drehworte liegen innerhalb von {most}, und als Bogenmaß gelesen legt die Spitze {radians} zurück statt {degrees}: Sie scheinen Bogenmaß zu sein, Steuerungen nehmen Grad. Den Postprozessor Grad schreiben lassen.</translation>
+    </message>
+    <message>
+        <source>All that is to be milled of {label} is to be left alone too: take {names}, or some of them, out of {option}.</source>
+        <translation>Alles, was von {label} gefräst werden soll, soll auch ausgespart bleiben: {names}, oder einige davon, aus „{option}“ herausnehmen.</translation>
     </message>
     <message>
         <source>All {count} facets looked inward and were turned outward; check the export if only some of them should.</source>
@@ -3938,6 +3982,10 @@
     <message>
         <source>Nothing here holds {tolerance} within the limits of its machine.</source>
         <translation>Nichts hier hält {tolerance} innerhalb der Grenzen seiner Maschine ein.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected: click faces of {label} in the 3D view, several with Ctrl.</source>
+        <translation>Nichts ist ausgewählt: in der 3D-Ansicht Flächen von {label} anklicken, mehrere mit Strg.</translation>
     </message>
     <message>
         <source>Nothing is selected: {what}.</source>
@@ -6436,8 +6484,8 @@
         <translation>{count} NC-Sätze würden {letter} um mehr als eine halbe Umdrehung drehen (davon {cutting} Vorschubsätze); die Steuerung nimmt dort den kürzeren Weg (wrap_strategy modulo), und so die Wörter hier. Sätze teilen oder wrap_strategy auf unwound setzen.</translation>
     </message>
     <message>
-        <source>{count} corners (,R ,C, RND=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
-        <translation>{count} Ecken (,R ,C, RND=, CHR=, CHF=) bleiben scharf, erste NC-Zeile {line}: sie stehen zwischen anderen Bewegungen als Geraden (bei Rundungen auch Bögen) in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
+        <source>{count} corners (,R ,C, RND=, RNDM=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.</source>
+        <translation>{count} Ecken (,R ,C, RND=, RNDM=, CHR=, CHF=) bleiben scharf, erste NC-Zeile {line}: sie stehen zwischen anderen Bewegungen als Geraden (bei Rundungen auch Bögen) in der Arbeitsebene, oder diese sind zu kurz. Ihre Bögen und Geraden ausgeben.</translation>
     </message>
     <message>
         <source>{count} corners lie on a side of another facet, the first at {at}; that facet was divided there.</source>
@@ -6764,6 +6812,10 @@
         <translation>{label} hat kein Modell; im Editor des Auftrags eines hinzufügen oder das Werkstück selbst auswählen</translation>
     </message>
     <message>
+        <source>{label} has no {name} on a solid, which was to be left alone: choose anew which of its faces are not machined.</source>
+        <translation>{label} hat kein {name} an einem Volumenkörper, das ausgespart bleiben sollte: neu wählen, welche seiner Flächen nicht bearbeitet werden.</translation>
+    </message>
+    <message>
         <source>{label} has no {name} on a solid: select its faces again.</source>
         <translation>{label} hat kein {name} an einem Volumenkörper: die Flächen neu auswählen.</translation>
     </message>
@@ -6778,6 +6830,10 @@
     <message>
         <source>{label} is a mesh and has no faces to choose: select the whole of it.</source>
         <translation>{label} ist ein Netz und hat keine Flächen zur Wahl: das Ganze auswählen.</translation>
+    </message>
+    <message>
+        <source>{label} is a mesh, whose faces have no names: choose the solid it is of, or mill it on the command line with {option}.</source>
+        <translation>{label} ist ein Netz, dessen Flächen keine Namen haben: den Volumenkörper wählen, von dem es stammt, oder es auf der Kommandozeile mit {option} fräsen.</translation>
     </message>
     <message>
         <source>{label} is an empty mesh: select a mesh with facets, or a solid.</source>
@@ -6932,6 +6988,10 @@
         <translation>{names} (mit ihrer ersten Zeile) stehen in {count} Zeilen: {said}.</translation>
     </message>
     <message>
+        <source>{names} to be left alone is of {other}: choose faces of {label}.</source>
+        <translation>{names}, auszusparen, gehört zu {other}: Flächen von {label} wählen.</translation>
+    </message>
+    <message>
         <source>{name} = {value} is certain within {certainty} only; give rows with larger turns.</source>
         <translation>{name} = {value} ist nur auf {certainty} sicher; Zeilen mit größeren Drehungen angeben.</translation>
     </message>
@@ -6980,8 +7040,16 @@
         <translation>{name} hat {asked}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
     </message>
     <message>
+        <source>{name} is a face of {other}: select faces of {label}.</source>
+        <translation>{name} ist eine Fläche von {other}: Flächen von {label} auswählen.</translation>
+    </message>
+    <message>
         <source>{name} is a tool of the shape {shape}; {remedy}</source>
         <translation>{name} ist ein Werkzeug der Form {shape}; {remedy}</translation>
+    </message>
+    <message>
+        <source>{name} is no face: select faces of {label}.</source>
+        <translation>{name} ist keine Fläche: Flächen von {label} auswählen.</translation>
     </message>
     <message>
         <source>{name} is no setting of a document object; it is not one of {fields}</source>

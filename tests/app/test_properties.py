@@ -69,7 +69,7 @@ GIVEN = {
     "feed": 1234.5, "plunge_feed": "12in/min", "passes": "planes", "direction": -30, "scallop": 0.003, "max_axis_angle": 70, "lead": 3, "tilt": "-0.1rad",
     "tool": 7, "spindle": 12000, "coolant": "on", "feed_mode": "g94", "work_offset": "G55", "tool_axis": "fixed", "axis": "1,0,2",
     "control_point": "centre", "order": "one_way", "tolerance": "0.0005in", "blend": 0.02, "method": "so2008",
-    "lead_in": 2.5, "linearize": "on", "singularity": "linearize", "high_speed": "on", "gouge": "lift", "shank": "8x20", "holder": "1inx2in,63x50.5",
+    "lead_in": 2.5, "spiral": "on", "linearize": "on", "singularity": "linearize", "high_speed": "on", "gouge": "lift", "shank": "8x20", "holder": "1inx2in,63x50.5",
 }  # fmt: skip
 
 

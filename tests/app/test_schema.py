@@ -288,3 +288,17 @@ def test_a_path_of_before_lead_ins_has_none_and_keeps_its_program(doc, ball, reo
     path.LeadIn = "3 mm"
     path.Document.recompute()
     assert path.State == ["Up-to-date"] and results.nc_of(path) != nc
+
+
+def test_a_path_of_before_spirals_has_none_and_keeps_its_program(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST | {"passes": "zlevel", "stepover": 1})
+    nc = results.nc_of(path)
+    assert path.Spiral == "off" and path.removeProperty("Spiral")
+    path = reopen(doc).Toolpath
+    assert path.Spiral == "off"
+    path.touch()
+    path.Document.recompute()
+    assert results.nc_of(path) == nc
+    path.Spiral = "on"
+    path.Document.recompute()
+    assert path.State == ["Up-to-date"] and results.nc_of(path) != nc

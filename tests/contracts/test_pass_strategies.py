@@ -181,6 +181,17 @@ def test_wider_passes_would_be_noticed(strategy):
     assert left(mesh, wide, point[inside]).max() > 1.3 * SCALLOP
 
 
+@pytest.mark.parametrize("name", ["scallop", "zlevel"])
+def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
+    mesh, strategy = ball(), PASS_STRATEGIES[name]
+    point, _ = samples(mesh, np.arange(len(mesh.face)))
+    found = strategy.field(region(mesh), OPTIONS)
+    loops, spiral = (cut(region(mesh), found, "zigzag", on) for on in (False, True))
+    assert spiral.polyline.max() < 0.3 * loops.polyline.max()
+    assert np.quantile(left(mesh, spiral, point), 0.98) <= 1.02 * SCALLOP
+    assert left(mesh, spiral, point).max() <= 1.1 * left(mesh, loops, point).max()
+
+
 @pytest.mark.parametrize("turn", [0.7, 2.5])
 def test_passes_turn_with_the_part(strategy, turn):
     here, there = (passes(strategy, slope(angle), options=PassOptions(angle, None, SCALLOP)) for angle in (0.0, turn))

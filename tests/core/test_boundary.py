@@ -15,6 +15,7 @@ from plain import PLAIN_WORDS, build_settings
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.cl.coedge import close_gaps
 from freecad_fiveaxis.core.cl.cut_at_boundary import cut_at_boundary
 from freecad_fiveaxis.core.cli import main
@@ -377,6 +378,17 @@ def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
     assert not [one for one in found.findings if one.code == "uncut"]
     whole = job.run(replace_left(replace(found.made.settings, boundary=type(found.made.settings.boundary)())))
     assert whole.left.area.sum() == pytest.approx(40 * 30)
+
+
+@pytest.mark.parametrize("by", ["contact", "centre"])
+def test_links_over_an_island_that_is_narrower_than_the_cutter_are_lifted(tmp_path, by):
+    curves = RECTANGLE, ((19, 10), (21, 10), (21, 20), (19, 20))
+    path = made(tmp_path, curves, boundary_by=by, order="one_way").path
+    end = np.flatnonzero(path.motion != Motion.RAPID)[1:]
+    share = np.linspace(0, 1, 21)[:, None, None]
+    way = (path.tip[end - 1] + share * (path.tip[end] - path.tip[end - 1])).reshape(-1, 3)
+    low = way[way[:, 2] < 0.5]
+    assert len(low) > 1000 and (wound(curves, low[:, :2]) | (off(curves, low[:, :2]) < 1e-6)).all()
 
 
 def replace_left(settings):

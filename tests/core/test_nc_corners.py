@@ -74,7 +74,43 @@ def test_any_other_corner_is_an_error_with_its_line(text: str) -> None:
 
 def test_what_is_no_plain_number_is_refused_or_an_error() -> None:
     assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 CHF=2.5.5 F100\nY10\nM30\n", "siemens840d"))
-    assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 RNDM=2 F100\nY10\nM30\n", "siemens840d"))
+    assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 RNDM=2.5.5 F100\nY10\nM30\n", "siemens840d"))
+    assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 RNDM=2000000 F100\nY10\nM30\n", "siemens840d"))
+
+
+CONTOUR = "G1 X20 {0} F100\nY10 {0}\nG3 X0 Y10 I-10 J0 {1}\nG1 Y0 {0}\n"
+
+
+@pytest.mark.parametrize("scale", ["G710", "G700"])
+def test_rounding_of_every_corner_is_that_of_each_of_them(scale: str) -> None:
+    """The same words, as RND= in each line; a corner of its own goes before it, RNDM=0 ends it."""
+    head = f"{scale} G90 G17\nG0 X0 Y0 Z0 A0 C0\n"
+    every = read(head + "RNDM=2\n" + CONTOUR.format("", "RND=1") + "RNDM=0\nX-10\nY-10\nM30\n", "siemens840d")
+    each = read(head + CONTOUR.format("RND=2", "RND=1") + "X-10\nY-10\nM30\n", "siemens840d")
+    assert not errors(every) and not errors(each)
+    assert (every.words == each.words).all() and len(every.words) > 20
+    sharp = read(head + CONTOUR.format("", "RND=1") + "X-10\nY-10\nM30\n", "siemens840d")
+    assert len(sharp.words) < len(every.words)
+
+
+def test_rounding_of_every_corner_takes_its_length_off_a_square() -> None:
+    path = places("G1 X10 RNDM=2 F100\nY10\nX0\nY0\nX10\n", "siemens")
+    length = np.linalg.norm(np.diff(path, axis=0, prepend=0.0), axis=1).sum()
+    assert length == pytest.approx(50.0 - 4 * (2 * 2.0 - np.pi), abs=0.01) and length < 50.0 - 4 * (2 * 2.0 - np.pi)
+
+
+@pytest.mark.parametrize("text", ["G1 X10 RNDM=2 F100\nZ5\nX0\n", "G1 Z5 RNDM=2 F100\nX10 Y1 Z6\nG0 Z9\n"])
+def test_a_corner_that_leaves_the_plane_has_no_rounding_of_every_corner(text: str) -> None:
+    """6FC5398: no rounding is inserted where there is no contour in the plane; alone, RND= there stays an error."""
+    assert places(text, "siemens").tolist() == places(text.replace("RNDM=2", ""), "siemens").tolist()
+    assert "corner-not-interpreted" in errors(read(SIEMENS + text.replace("RNDM", "RND") + "M30\n", "siemens840d"))
+
+
+@pytest.mark.parametrize("text", ["G1 X10 RNDM=2 F100\nG0 Y10\n", "G1 X10 RNDM=2 F100\nY1\n"])
+def test_rounding_of_every_corner_beside_a_rapid_or_a_short_move_is_an_error(text: str) -> None:
+    program = read(SIEMENS + text + "M30\n", "siemens840d")
+    (found,) = [one for one in program.findings if one.code == "corner-not-interpreted"]
+    assert found.line == 3
 
 
 def rounded(path: np.ndarray, centre: tuple[float, float], radius: float) -> np.ndarray:

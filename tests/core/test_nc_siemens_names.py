@@ -53,7 +53,7 @@ def test_an_arc_with_turns_goes_round_and_ends_where_it_says(turn: str, turns: f
 
 @pytest.mark.parametrize(
     ("line", "code"),
-    [("X5 RNDM=2", "corner-not-interpreted"), ("X5 CHF=2.5.5", "corner-not-interpreted"), ("X5 ANG=3.0.0", "corner-not-interpreted"),
+    [("X5 RNDM=2.0.0", "corner-not-interpreted"), ("X5 CHF=2.5.5", "corner-not-interpreted"), ("X5 ANG=3.0.0", "corner-not-interpreted"),
      ("DIAMON", "offset-not-interpreted"), ("G54\nX1\nG500\nX2", "offset-not-interpreted")],
 )  # fmt: skip
 def test_words_that_move_otherwise_are_errors(line: str, code: str) -> None:

@@ -75,12 +75,13 @@ def test_auto_and_links_over_the_part_by_clicks_give_the_bytes_of_the_command_li
     type_into(field("linear_deflection"), "0.1 mm")
     choose(field("tool_axis"), "free of the part (auto)")
     choose(field("links"), "always over the part")
+    choose(field("spiral"), "on")
     calculate(field, click, until)
     screenshot("panel_auto")
     panel_button("OK", 500)
     panel_closed()
     path = doc.Toolpath
-    assert (path.ToolAxis, path.Links) == ("auto", "over") and path.Proven
+    assert (path.ToolAxis, path.Links, path.Spiral) == ("auto", "over", "on") and path.Proven
     assert results.nc_of(path) == command_line(path, tmp_path)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import one_line
+from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.cl.cut_at_boundary import cut_at_boundary
 from freecad_fiveaxis.core.corrections.order_with_axes import order_with_axes
@@ -18,6 +19,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes.boundary import Boundary, facets_within, read_boundary
 
 from .context import MillContext
+from .options import driven_to_hub
 from .settings import Settings
 
 CENTRE = "centre"
@@ -72,6 +74,18 @@ def counted_places(context: MillContext) -> Callable[[Floats, Ints], Bools] | No
     stand = context.settings.cutter.cutter.corner if context.settings.boundary.boundary_by == CENTRE else 0.0
     normal, curves, seen = context.mesh.normal, boundary.curves, boundary.seen
     return lambda point, facet: curves.inside(seen(point + stand * normal[facet]))
+
+
+def leads_outside(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
+    """Find the straight ways from rows ``begin`` to rows ``end`` (w,) of the path that leave the boundary."""
+    boundary, settings = context.boundary, context.settings
+    if boundary is None:
+        return np.zeros(len(begin), np.bool_)
+    by_centre = settings.boundary.boundary_by == CENTRE
+    place = boundary.seen(path.tip + driven_to_hub(settings) * path.axis if by_centre else path.contact)
+    found = ~boundary.curves.inside(0.5 * (place[begin] + place[end]))
+    found[boundary.curves.crossings(place[begin], place[end])[0]] = True
+    return found
 
 
 def _by_hub(context: MillContext) -> bool:

@@ -38,6 +38,7 @@ from freecad_fiveaxis.core.collision.table_check import check_table
 from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, divide_rapids
 from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
+from freecad_fiveaxis.core.corrections.left_alone import lead_over_others
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
 from freecad_fiveaxis.core.corrections.near_links import stay_near
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
@@ -48,7 +49,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 
-from .bounded import counted_places
+from .bounded import counted_places, leads_outside
 from .context import MillContext
 from .driving import drive
 from .options import (
@@ -131,7 +132,16 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     radius, limit = settings.cutter.cutter.radius, AIM * settings.proof.tolerance
     tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
-    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics)
+    spared = None if context.chosen is None else lambda begin, end: _leads_where_nothing_is_cut(context, path, begin, end)
+    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared)
+
+
+def _leads_where_nothing_is_cut(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
+    """Which straight ways from rows ``begin`` to rows ``end`` (w,) of the path lead over facets that are not machined, or out of
+    the boundary."""
+    chosen = np.ones(len(context.mesh.face), np.bool_) if context.chosen is None else context.chosen
+    over = lead_over_others(path.contact[begin], path.contact[end], context.mesh, chosen)
+    return np.asarray(over | leads_outside(context, path, begin, end))
 
 
 def led_in(context: MillContext, path: CLPath) -> CLPath:

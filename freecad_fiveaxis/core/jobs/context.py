@@ -37,12 +37,13 @@ class JobContext:
 class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
     axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some;
-    ``boundary``: within which the passes are kept."""
+    ``chosen`` (f,): the facets that may be machined at all, where not all may; ``boundary``: within which the passes are kept."""
 
     mesh: Mesh
     keep: Bools
     field: AxisField | None = None
     joined: Mesh | None = None
+    chosen: Bools | None = None
     boundary: Boundary | None = None
 
     @property

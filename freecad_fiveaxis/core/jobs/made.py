@@ -77,7 +77,7 @@ class Milled(Posted):
             self.keep,
             None,
             joined,
-            self.boundary,
+            boundary=self.boundary,
         )
 
 

@@ -81,9 +81,9 @@ def mill_context(
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all.
     ``fixtures``: what is kept clear of as the rest of the part is."""
     joined, box = join_obstacles(mesh, fixtures), box_with(mesh.box, fixtures)
-    boundary = boundary_of(settings)
+    boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
     inside, said = facets_inside(settings, boundary, mesh, faces)
-    most = largest_axis_angle(settings, machine, mesh)
+    chosen = faces if boundary is None else inside
     if settings.tool_axis.tool_axis == AUTO:
         standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
         faces = (~standing if faces is None else faces) & inside
@@ -94,11 +94,15 @@ def mill_context(
         keep, left_out = select_facets(field, joined, to_cut, most)
         keep = keep[: len(faces)]
         left_out = (*said, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh), *left_out)
-        return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, boundary), left_out
+        return MillContext(
+            settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary
+        ), left_out  # fmt: skip
     followed = None if keeps_its_axis(settings, machine) else kinematics
-    keep, left_out = facets_within_limits(mesh, followed, most, faces if boundary is None else inside)
+    keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     left_out = (*said, *left_out)
-    return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, boundary), left_out
+    return MillContext(
+        settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary
+    ), left_out
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
@@ -132,7 +136,7 @@ def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
     strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
     region = find_region(context.settings, context.mesh, context.keep, context.progress)
     field = strategy.field(region, options)
-    contact = cut(region, field, context.settings.links.order)
+    contact = cut(region, field, context.settings.links.order, context.settings.links.spiral == "on")
     return contact, strategy.untouched(region, options, field, contact.face)
 
 

@@ -9,8 +9,10 @@ surface   a finer copy of the region that carries the field, where the facets of
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
+
+import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -19,8 +21,13 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .passes import ContactPath, slice_field, slice_mesh
 from .piece_order import order_pieces
+from .refine import Copy, copy_facets
+from .spirals import carry, find_spirals, has_loops, merge_passes, without_loops
 
 Vector = tuple[float, float, float]
+
+BEND = 0.03
+"""Of the interval on a flat: a spiral may be straighter by that inside a facet of the part."""
 
 ALL_ROUND = (0.0, 0.25 * math.pi, 0.5 * math.pi, 0.75 * math.pi)
 """rad: travels that stand for all, of a strategy whose passes run in every direction."""
@@ -57,17 +64,6 @@ class Region:
     progress: Progress = field(default=silent, repr=False)
 
 
-class Surface(Protocol):
-    """A finer copy of the region: its ``mesh``, and the way back to the part's."""
-
-    @property
-    def mesh(self) -> Mesh:
-        """Its facets."""
-
-    def on_part(self, contact: ContactPath, part: Mesh) -> ContactPath:
-        """The contact path with the part's facets, co-edges and normals."""
-
-
 @dataclass(frozen=True, eq=False)
 class PassField:
     """``value`` (v,) at the vertices of the mesh, or of ``surface`` where there is one; ``levels`` (k,) of it, ascending, that
@@ -77,7 +73,7 @@ class PassField:
     levels: Floats
     findings: tuple[Finding, ...] = ()
     upright: float | None = None
-    surface: Surface | None = None
+    surface: Copy | None = None
 
     def __post_init__(self) -> None:
         freeze(self, None, value="f")
@@ -108,18 +104,43 @@ class PassStrategy(Protocol):
         """The field's findings, and what no pass touches; ``touched`` (n,): facets that passes touch."""
 
 
-def cut(region: Region, found: PassField, order: str) -> ContactPath:
+def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> ContactPath:
     """The passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to and fro, in one that spares
-    air, where there is one (:func:`.piece_order.order_pieces`). Raises SettingsError."""
+    air, where there is one (:func:`.piece_order.order_pieces`). ``spiral``: closed passes round one another become one long open
+    one (:mod:`.spirals`). Raises SettingsError."""
     contact = _sliced(region, found, {"order": order, "progress": region.progress})
+    made = _spirals(region, found, contact) if spiral else None
+    if made is not None:
+        contact, spirals = made
+    if found.surface is not None:
+        contact = found.surface.on_part(contact, region.mesh)
+    if made is not None:
+        contact = merge_passes(contact, spirals)
     return order_pieces(contact) if order == "zigzag" else contact
 
 
 def _sliced(region: Region, found: PassField, plain: dict[str, Any]) -> ContactPath:
-    """The passes one after the other."""
+    """The passes one after the other, on the surface of the field where it has one."""
     if found.surface is not None:
-        contact = slice_field(found.surface.mesh, found.value, found.levels, **plain)
-        return found.surface.on_part(contact, region.mesh)
+        return slice_field(found.surface.mesh, found.value, found.levels, **plain)
     if found.upright is not None:
         return slice_mesh(region.mesh, found.levels, found.upright, plain=~region.keep, **plain)
     return slice_field(region.mesh, found.value, found.levels, plain=~region.keep, **plain)
+
+
+def _spirals(region: Region, found: PassField, contact: ContactPath) -> tuple[ContactPath, ContactPath] | None:
+    """The passes without the loops of which spirals are made, and the spirals, on the part; None where there is none."""
+    if not has_loops(contact):
+        return None
+    rows = np.flatnonzero(region.keep)
+    copy, value = found.surface, found.value
+    if copy is None:
+        copy = replace(copy_facets(region.mesh, rows), bend=BEND * region.interval)
+        value = carry(copy.mesh, value[region.mesh.face[rows]])
+    made = find_spirals(region.mesh, copy, value, found.levels)
+    if made is None:
+        return None
+    spirals, face, pass_ = made
+    if found.surface is None:
+        face = rows[face]
+    return without_loops(contact, face, pass_), spirals

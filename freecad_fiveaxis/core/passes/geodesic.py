@@ -140,10 +140,10 @@ def distance(vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: 
     heat.setdiag(heat.diagonal() + mass)
     warmth = np.zeros(count)
     warmth[source] = np.exp(-known / step)
-    warmth[inner] = np.maximum(_Factored(heat, inner).solve(-(heat @ warmth)), 0.0)
+    warmth[inner] = np.maximum(Factored(heat, inner).solve(-(heat @ warmth)), 0.0)
     value = np.zeros(count)
     value[source] = known
-    way, poisson = -gradient(frame, face, warmth), _Factored(stiff, inner)
+    way, poisson = -gradient(frame, face, warmth), Factored(stiff, inner)
     lost = ~(np.hypot(*way) > TINY)
     way[:, lost] = gradient(frame, face, bound)[:, lost]
     for _ in range(1 + ROUNDS):
@@ -165,7 +165,7 @@ def spread_between(face: Ints, frame: Frames, metric: Floats, low: Ints, high: I
     value[~np.isin(component, component[low])] = 0.0
     inner = np.flatnonzero(free)
     if len(inner):
-        value[inner] = np.clip(_Factored(stiff, inner).solve(-(stiff @ value)), 0.0, 1.0)
+        value[inner] = np.clip(Factored(stiff, inner).solve(-(stiff @ value)), 0.0, 1.0)
     return value
 
 
@@ -208,7 +208,7 @@ def _outflow(face: Ints, frame: Frames, metric: Floats, weight: Floats, way: Flo
     return np.asarray(np.bincount(face.T.reshape(-1), np.concatenate(flows), count), np.float64)
 
 
-class _Factored:
+class Factored:
     """A symmetric system in some of its unknowns, factored once and solved often."""
 
     def __init__(self, matrix: csc_matrix, inner: Ints) -> None:

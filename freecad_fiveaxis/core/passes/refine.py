@@ -103,12 +103,17 @@ def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
         parent = parent[owner]
     vertex, face, side, owner = _split_across(vertex, face, side)
     parent = parent[owner]
-    return _assembled(part, vertex, face, side, rows[parent])
+    return assembled(part, vertex, face, side, rows[parent])
+
+
+def copy_facets(part: Mesh, rows: Ints) -> Copy:
+    """Copy the facets ``rows`` (k,) of the part as they are."""
+    return assembled(part, np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], rows)
 
 
 def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     """Some facets (k,) of a copy as a copy of their own."""
-    made = _assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
+    made = assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
     return replace(made, bend=copy.bend, short=copy.short)
 
 
@@ -123,7 +128,7 @@ def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
     share = one[marked] / (one[marked] - two[marked])
     top = marked[side].argmax(axis=1)
     vertex, face, label, owner = _split(np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share)
-    return replace(_assembled(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short)
+    return replace(assembled(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short)
 
 
 def joined(one: Copy, two: Copy) -> Copy:
@@ -228,9 +233,9 @@ def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
     return corners, sides, np.concatenate([np.flatnonzero(which) for which, _, _ in pieces])
 
 
-def _assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
-    """The copy of facets, sides labelled with co-edges of the part. A side that the part does not join is joined nowhere: of two
-    half-edges of one side and one label, in opposite senses, a co-edge is made."""
+def assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
+    """Assemble the copy of facets, sides labelled with co-edges of the part. A side that the part does not join is joined
+    nowhere: of two half-edges of one side and one label, in opposite senses, a co-edge is made."""
     count, half = len(face), _sides(face).reshape(-1)
     start, end = face.reshape(-1), np.roll(face, -1, axis=1).reshape(-1)
     order = np.lexsort((start > end, label.reshape(-1), half))

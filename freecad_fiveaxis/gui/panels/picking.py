@@ -8,7 +8,8 @@ pick      begins with a button and ends with the first point, with a second pres
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, ClassVar
+from weakref import WeakSet
 
 import FreeCAD
 import FreeCADGui
@@ -25,8 +26,11 @@ Point = tuple[float, float, float]
 class Pick:
     """Waits for one point. ``found`` gets it (document coordinates, mm); ``ended`` is called in any case."""
 
+    made: ClassVar[WeakSet[Pick]] = WeakSet()
+
     def __init__(self, found: Callable[[Point], None], ended: Callable[[], None]) -> None:
         self.found, self.ended, self.running = found, ended, False
+        Pick.made.add(self)
         self.keys = _Escape(self.stop)
 
     def start(self) -> None:
@@ -56,6 +60,11 @@ class Pick:
             self.stop()
             FreeCADGui.Selection.clearSelection()
             self.found(point)
+
+
+def is_picking() -> bool:
+    """Whether what is selected now is taken for a point."""
+    return any(one.running for one in Pick.made)
 
 
 class _Escape(QtCore.QObject):

@@ -14,6 +14,7 @@ from freecad_fiveaxis.gui.messages import telling
 from freecad_fiveaxis.gui.qt import QtCore, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
+from .avoid import AvoidField
 from .fields import QuantityField
 from .fixtures import FixturesField
 from .form import SPACING, Form, Section
@@ -37,7 +38,8 @@ class ToolpathPanel(PathPanel):
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         part = base if obj is None else obj.Mesh
-        extras = [self.setup, FixturesField(doc, _milled(part)), *self._extras(not meshed)]
+        solid = _milled(part)
+        extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer = ScaleOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
@@ -140,6 +142,10 @@ class ToolpathPanel(PathPanel):
             QuantityField("angular_deflection", "angle", translate("FiveAxis", "How far two neighbouring facets may lean apart")),
         ]
 
+    def is_current(self) -> bool:
+        """Not where the mesh could not be made anew: the result is that of another part."""
+        return super().is_current() and self.obj.Mesh is not None and "Invalid" not in self.obj.Mesh.State
+
     def compute(self) -> Any:
         """A new Toolpath, or the one that is there with other settings."""
         from freecad_fiveaxis import app
@@ -196,13 +202,14 @@ def preferred() -> dict[str, Any]:
 
 def edit(obj: Any) -> ToolpathPanel:
     """Open the panel for a Toolpath that is there."""
-    from freecad_fiveaxis.app import changes
+    from freecad_fiveaxis.app import changes, tessellation
 
     panel = ToolpathPanel(obj.Document, obj=obj)
     values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup, "fixtures": obj.Fixtures}
     mesh = _tessellation(obj)
     if mesh is not None:
         values |= {"linear_deflection": mesh.LinearDeflection.Value, "angular_deflection": mesh.AngularDeflection.Value}
+        values["avoid"] = tessellation.avoided(mesh)
     panel.fill(values)
     return show(panel)
 
@@ -219,9 +226,9 @@ def _tessellation(obj: Any) -> Any:
     return obj.Mesh if base and hasattr(obj.Mesh, "LinearDeflection") and not is_mesh(base[0]) else None
 
 
-ORDERING = ("order", "links", "lead_in", "boundary", "boundary_axis", "boundary_by")
+ORDERING = ("order", "spiral", "links", "lead_in", "boundary", "boundary_axis", "boundary_by")
 SECTIONS = {
-    "Part": ("work_zero", "linear_deflection", "angular_deflection"),
+    "Part": ("avoid", "work_zero", "linear_deflection", "angular_deflection"),
     "Machine": ("setup", "machine", "controller", "tool_length"),
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
     "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", SPACING, "direction", *ORDERING),
@@ -231,7 +238,7 @@ SECTIONS = {
 }
 """The fields of each group; what is not here stands under More settings."""
 TOLD = {
-    "Part": ("work_zero",),
+    "Part": ("avoid", "work_zero"),
     "Machine": ("setup", "machine", "controller"),
     "Tool": ("cutter", "spindle", "feed"),
     "Passes": ("passes", SPACING, "direction"),

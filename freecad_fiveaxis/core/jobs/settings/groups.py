@@ -150,6 +150,10 @@ class LinkSettings:
     order: Literal["zigzag", "one_way"] = option(
         "zigzag", "choice", "passes run to and fro, or all in one direction", choices=("zigzag", "one_way")
     )
+    spiral: Literal["on", "off"] = option(
+        "off", "choice", "closed passes round one another become one long pass, without links between them",
+        choices=("on", "off"),
+    )  # fmt: skip
     links: Literal["near", "over"] = option(
         "near", "choice", "between passes the tool stays near the part where it is free there, or always goes over it",
         choices=("near", "over"),

@@ -3,6 +3,7 @@
 NC programming, 6FC5398-2EP40, chamfer, rounding: CHR is the width in the direction of motion, CHF the length of the chamfer).
 
 ,R2  RND=2     an arc of that radius, tangent to both pieces, which are lines or arcs (:mod:`.tangent`).
+     RNDM=2    the same in every corner from here on, until RNDM=0; a corner that leaves the working plane has none.
 ,C2  CHR=2     a chamfer that leaves and meets two lines so far from the corner.
      CHF=2     a chamfer of that length between two lines, as far from the corner on both.
 
@@ -25,33 +26,44 @@ from .arcs import ARC_TOLERANCE, AXES, Chords
 from .codes import ANGLE
 from .tangent import BACK, STRAIGHT, Piece, corner, rounding
 
-ISO = re.compile(rb", *([RC]) *(?=\+?[0-9.])")
+ISO = re.compile(rb", *([RC]) *(?=\+?[0-9.])(?!\+?[0-9]{7})")
 """As Fanuc, Haas and others write them."""
-SIEMENS = re.compile(rb"(?<![A-Z0-9_$])(RND|CHR|CHF) *= *(\+?[0-9.]+)(?= |$)", re.MULTILINE)
+SIEMENS = re.compile(rb"(?<![A-Z0-9_$])(RNDM?|CHR|CHF) *= *(\+?[0-9.]+)(?= |$)", re.MULTILINE)
 ISO_ANGLE = re.compile(rb", *A *(?=[-+]?[0-9.])")
 SIEMENS_ANGLE = re.compile(rb"(?<![A-Z0-9_$])ANG *= *(?=[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?: |$))", re.MULTILINE)
 """Of a line (:mod:`.contour_angles`)."""
 LETTER = "\x7f"
-"""Private: the radius, above 0, or less the chamfer's legs, or less :data:`BY_LENGTH` and its own length. No text has it."""
-BY_LENGTH = 1_000_000
-"""No leg is as long as this, mm or inch."""
+"""Private: the radius, above 0, or less the chamfer's legs, or less :data:`BEYOND` and its own length; :data:`BEYOND` and the
+radius of every corner from here on. No text has it."""
+BEYOND = 1_000_000
+"""No leg or radius is as long as this, mm or inch."""
 
 
 @dataclass(frozen=True, eq=False)
 class Corners:
     """``size`` (m,) of each move's end, mm: radius, or less the chamfer's size; 0 for none. ``length`` (m,): the size is the
-    chamfer's own length, not that of its legs. ``plane`` (m,) 0 XY, 1 ZX, 2 YZ; ``cut`` (m,) whether it is a feed move."""
+    chamfer's own length, not that of its legs; ``modal`` (m,): it is that of every corner (RNDM=). ``plane`` (m,) 0 XY, 1 ZX,
+    2 YZ; ``cut`` (m,) whether it is a feed move."""
 
     size: Floats
     length: Bools
+    modal: Bools
     plane: Ints
     cut: Bools
 
 
-def sizes(value: Floats) -> tuple[Floats, Bools]:
-    """What the private words (m,), 0 for none, say: sizes in the program's unit, and which are lengths of chamfers."""
-    length = np.asarray(value <= -BY_LENGTH)
-    return np.where(length, value + BY_LENGTH, value), length
+def sizes(column: Floats, at: Ints) -> tuple[Floats, Bools, Bools]:
+    """Read the private words ``column`` (n,) of all lines, NaN for none, at the lines ``at`` (m,) of the moves.
+
+    Return the sizes (m,) in the program's unit, 0 for none, which of them are lengths of chamfers, and which are of all corners.
+    """
+    every = np.asarray(column >= BEYOND)
+    last = np.maximum.accumulate(np.where(every, np.arange(len(column)), 0))
+    held = np.where(every[last], column[last] - BEYOND, 0.0)
+    modal = np.isnan(column) | every
+    value = np.where(modal, held, column)
+    length = np.asarray(value <= -BEYOND)
+    return np.where(length, value + BEYOND, value)[at], length[at], modal[at]
 
 
 def marked(text: bytes, siemens: bool = False) -> bytes:
@@ -65,13 +77,15 @@ def marked(text: bytes, siemens: bool = False) -> bytes:
 
 
 def _siemens(found: re.Match[bytes]) -> bytes:
-    """The private word of RND=, CHR= or CHF=; as it stands where its number is none."""
+    """The private word of RND=, RNDM=, CHR= or CHF=; as it stands where its number is none, or too large."""
     try:
         number = float(found[2])
     except ValueError:
         return found[0]
-    if found[1] == b"CHF":
-        return b"\x7f-%.6f" % (BY_LENGTH + number) if number < BY_LENGTH else found[0]
+    if number >= BEYOND:
+        return found[0]
+    if found[1] in (b"CHF", b"RNDM"):
+        return b"\x7f%s%.6f" % (b"-" if found[1] == b"CHF" else b"", BEYOND + number)
     sign = b"\x7f" if found[1] == b"RND" else b"\x7f-"
     return sign.ljust(found.start(2) - found.start()) + found[2].replace(b"+", b" ")
 
@@ -112,14 +126,18 @@ class _Contour:
         rows = slice(int(self.first[move]), int(self.first[move] + self.chords.count[move]))
         return np.concatenate([self.before[move][None], self.chords.said[rows]])
 
+    def lies_in(self, move: int, plane: int) -> bool:
+        """Tell whether there is such a move, and it moves nothing but the two axes of the plane."""
+        if move >= len(self.before):
+            return False
+        others = np.setdiff1d(np.arange(5), AXES[plane, :2])
+        return not np.ptp(self.places(move)[:, others], axis=0).any()
+
     def piece(self, move: int, plane: int) -> Piece | None:
         """A move as a line or an arc in the plane; None where it is neither, or does not feed."""
-        if move >= len(self.before) or not self.corners.cut[move]:
+        if not self.lies_in(move, plane) or not self.corners.cut[move]:
             return None
         places, axes = self.places(move), AXES[plane, :2]
-        others = np.setdiff1d(np.arange(5), axes)
-        if np.abs(places[:, others] - places[0, others]).max() > 0.0:
-            return None
         return _line(places[:, axes]) if len(places) == 2 else _arc(places[:, axes])
 
 
@@ -149,6 +167,8 @@ def _arc(places: Floats) -> Piece | None:
 def _corner(contour: _Contour, made: _Made, move: int) -> bool:
     """Make the corner at the end of a move; False where there is no such corner."""
     plane, size = int(contour.corners.plane[move]), float(contour.corners.size[move])
+    if contour.corners.modal[move] and not (contour.lies_in(move, plane) and contour.lies_in(move + 1, plane)):
+        return True  # 6FC5398: none is inserted where there is no contour in the plane
     one, two = contour.piece(move, plane), contour.piece(move + 1, plane)
     if one is None or two is None or (contour.places(move)[-1] != contour.before[move + 1]).any():
         return False  # the last: X Y Z mean something else from here on
@@ -221,8 +241,8 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
     if not lost:
         return []
     text = say(
-        "{count} corners (,R ,C, RND=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves than "
-        "lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.",
+        "{count} corners (,R ,C, RND=, RNDM=, CHR=, CHF=) are left sharp, first NC line {line}: they stand between other moves "
+        "than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and lines.",
         count=len(lost),
         line=int(line[lost[0]]),
     )

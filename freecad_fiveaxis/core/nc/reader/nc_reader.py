@@ -311,9 +311,9 @@ def _corners(
     if corners.LETTER not in lines.letters:
         return chords, []
     at = told.at
-    size, length = corners.sizes(np.nan_to_num(lines.column(corners.LETTER)[at]))
+    size, length, modal = corners.sizes(lines.column(corners.LETTER), at)
     scale = np.where(lines.inch(grammar)[at], INCH, 1.0)
-    found = corners.Corners(size * scale, length, lines.mode(codes.PLANES, 0)[at], mode != codes.RAPID)
+    found = corners.Corners(size * scale, length, modal, lines.mode(codes.PLANES, 0)[at], mode != codes.RAPID)
     return corners.with_corners(found, told.before, told.said, chords, at)
 
 
