@@ -33,6 +33,13 @@ TEXTS = {
         "App::Property", "Point of the axis that radial passes radiate from: middle (of what is cut), or X,Y,Z"
     ),
     "pass_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K of the axis that radial passes radiate from"),
+    "boundary": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line "
+        "between two",
+    ),
+    "boundary_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K along which the boundary is seen"),
+    "boundary_by": QT_TRANSLATE_NOOP("App::Property", "What stays inside the boundary: the contact, or the cutter's centre"),
     "direction": QT_TRANSLATE_NOOP("App::Property", "Angle of the passes to the X axis, counter-clockwise seen from above"),
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),

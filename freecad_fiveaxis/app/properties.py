@@ -71,6 +71,7 @@ _ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRAT
 
 _GROUPS = {
     "PassSettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),
+    "BoundarySettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),
     "CutterSettings": QT_TRANSLATE_NOOP("App::Property", "Tool"),
     "ToolAxisSettings": QT_TRANSLATE_NOOP("App::Property", "Axis"),
     "LinkSettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),

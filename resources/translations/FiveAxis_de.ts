@@ -88,8 +88,24 @@
         <translation>NC-Sätze unter RTCP: nachgewiesen sind nur ihre Endpunkte, dazwischen führt die Steuerung die Spitze</translation>
     </message>
     <message>
+        <source>Boundary</source>
+        <translation>Begrenzung</translation>
+    </message>
+    <message>
+        <source>Boundary Axis</source>
+        <translation>Achse der Begrenzung</translation>
+    </message>
+    <message>
+        <source>Boundary By</source>
+        <translation>Begrenzung hält</translation>
+    </message>
+    <message>
         <source>CL file (.apt, .cl) or part (.stl) that the program is compared with</source>
         <translation>CL-Datei (.apt, .cl) oder Werkstück (.stl), womit das Programm verglichen wird</translation>
+    </message>
+    <message>
+        <source>CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line between two</source>
+        <translation>CSV-Datei geschlossener Kurven, an denen die Bahnen enden: je Zeile X,Y,Z in mm, im Koordinatensystem des Werkstücknullpunkts, eine Leerzeile zwischen zwei</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -274,6 +290,10 @@
     <message>
         <source>Direction I, J, K across the planes of the passes; 0, 0, 0: upright planes along the direction</source>
         <translation>Richtung I, J, K quer zu den Ebenen der Bahnen; 0, 0, 0: senkrechte Ebenen längs der Richtung</translation>
+    </message>
+    <message>
+        <source>Direction I, J, K along which the boundary is seen</source>
+        <translation>Richtung I, J, K, entlang derer die Begrenzung gesehen wird</translation>
     </message>
     <message>
         <source>Direction I, J, K of the axis that radial passes radiate from</source>
@@ -1220,6 +1240,10 @@
         <translation>Was empfohlen wird, in einem einfachen Satz</translation>
     </message>
     <message>
+        <source>What stays inside the boundary: the contact, or the cutter's centre</source>
+        <translation>Was innerhalb der Begrenzung bleibt: der Berührpunkt oder die Fräsermitte</translation>
+    </message>
+    <message>
         <source>What the result says about itself, in plain sentences</source>
         <translation>Was das Ergebnis über sich selbst sagt, in einfachen Sätzen</translation>
     </message>
@@ -1379,6 +1403,10 @@
         <translation>Achse der Bahnen I, J, K</translation>
     </message>
     <message>
+        <source>Axis of the boundary I, J, K</source>
+        <translation>Achse der Begrenzung I, J, K</translation>
+    </message>
+    <message>
         <source>Axis tolerance</source>
         <translation>Achstoleranz</translation>
     </message>
@@ -1421,6 +1449,14 @@
     <message>
         <source>Blocks over tolerance</source>
         <translation>NC-Sätze über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Boundary</source>
+        <translation>Begrenzung</translation>
+    </message>
+    <message>
+        <source>Boundary holds</source>
+        <translation>Begrenzung hält</translation>
     </message>
     <message>
         <source>CL file</source>
@@ -2907,6 +2943,10 @@
         <translation>gleiche Kuppenhöhe</translation>
     </message>
     <message>
+        <source>contact</source>
+        <translation>Berührpunkt</translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>Schnitt</translation>
     </message>
@@ -4208,6 +4248,10 @@
         <translation>Die tiefste Stelle des Teils läge {depth} unter dem Tisch: Der Tisch wird nicht beachtet. Geben Sie den Werkstücknullpunkt mit {origin} an oder die Höhe des Tischs mit {table_height}.</translation>
     </message>
     <message>
+        <source>The passes end at boundary {name}: {left} of {whole} lie inside.</source>
+        <translation>Die Bahnen enden an der Begrenzung {name}: {left} von {whole} liegen innerhalb.</translation>
+    </message>
+    <message>
         <source>The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.</source>
         <translation>Der Werkzeugweg selbst ist dort frei vom Werkstück, aber die Maschine verlässt ihn zwischen den Enden der NC-Sätze: {way}.</translation>
     </message>
@@ -4736,6 +4780,14 @@
         <translation>sowohl Zeilensprung {stepover} als auch Kuppenhöhe {scallop}</translation>
     </message>
     <message>
+        <source>boundary {name} crosses itself at {place}, seen along {axis}; give curves that do not</source>
+        <translation>Begrenzung {name} kreuzt sich bei {place}, entlang {axis} gesehen; Kurven angeben, die das nicht tun</translation>
+    </message>
+    <message>
+        <source>boundary {name} is no file of closed curves: give X,Y,Z in mm on a line each, a blank line between two curves, at most {most} points, none beyond {farthest}</source>
+        <translation>Begrenzung {name} ist keine Datei geschlossener Kurven: je Zeile X,Y,Z in mm angeben, eine Leerzeile zwischen zwei Kurven, höchstens {most} Punkte, keiner jenseits von {farthest}</translation>
+    </message>
+    <message>
         <source>calls, whose moves are missing here; post one program without them</source>
         <translation>Aufrufe, deren Bewegungen hier fehlen; ein Programm ohne sie ausgeben</translation>
     </message>
@@ -4766,6 +4818,18 @@
     <message>
         <source>counter-clockwise</source>
         <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>curve {number} of boundary {name} has no area when it is seen along {axis}; give another {option}</source>
+        <translation>Kurve {number} der Begrenzung {name} hat entlang {axis} gesehen keine Fläche; {option} anders angeben</translation>
+    </message>
+    <message>
+        <source>curve {number} of boundary {name} has {count} points; give three or more, and the first again at the end</source>
+        <translation>Kurve {number} der Begrenzung {name} hat {count} Punkte; drei oder mehr angeben und den ersten am Ende noch einmal</translation>
+    </message>
+    <message>
+        <source>curve {number} of boundary {name} is not closed: its ends are {gap} apart; repeat the first point at the end</source>
+        <translation>Kurve {number} der Begrenzung {name} ist nicht geschlossen: ihre Enden liegen {gap} auseinander; den ersten Punkt am Ende wiederholen</translation>
     </message>
     <message>
         <source>cuts too deep</source>
@@ -5402,6 +5466,10 @@
     <message>
         <source>no machines given; name them with {machines} ({list} shows them)</source>
         <translation>keine Maschinen gegeben; mit {machines} nennen ({list} zeigt sie)</translation>
+    </message>
+    <message>
+        <source>no part of the surface that is to be machined lies inside boundary {name}, which reaches from {low} to {high}; its points are in mm, in the frame of the part</source>
+        <translation>nichts von der zu bearbeitenden Oberfläche liegt innerhalb der Begrenzung {name}, die von {low} bis {high} reicht; ihre Punkte sind in mm, im Koordinatensystem des Werkstücks</translation>
     </message>
     <message>
         <source>no piece of the surface that is to be cut has both guides on it; give {from_} and {to} on one piece</source>
@@ -6460,6 +6528,10 @@
         <translation>{count} Facetten mit {area} ({share} % des Werkstücks) brauchen {limits} jenseits der Grenzen und sind ausgelassen; das Werkstück drehen oder eine andere Maschine nehmen, um sie zu fräsen.</translation>
     </message>
     <message>
+        <source>{count} facets of {area} ({share} % of what was to be machined) lie outside boundary {name} and are not machined; {gouge} keeps the tool out of them.</source>
+        <translation>{count} Facetten von {area} ({share} % des zu Bearbeitenden) liegen außerhalb der Begrenzung {name} und werden nicht bearbeitet; {gouge} hält das Werkzeug aus ihnen heraus.</translation>
+    </message>
+    <message>
         <source>{count} facets were there twice, the first at {at}; one of each was kept.</source>
         <translation>{count} Facetten waren doppelt vorhanden, die erste bei {at}; je eine wurde behalten.</translation>
     </message>
@@ -7136,8 +7208,16 @@
         <translation>{option} nennt eine Datei eines einzelnen Auftrags; weglassen: eine Serie benennt sie selbst</translation>
     </message>
     <message>
+        <source>{option} needs the part (.stl), {source} is none; leave it out</source>
+        <translation>{option} braucht das Werkstück (.stl), {source} ist keines; weglassen</translation>
+    </message>
+    <message>
         <source>{option} {given} has no direction; give I,J,K along the axis, as 0,0,1</source>
         <translation>{option} {given} hat keine Richtung; I,J,K entlang der Achse angeben, etwa 0,0,1</translation>
+    </message>
+    <message>
+        <source>{option} {given} has no direction; give I,J,K along which the boundary is seen, as 0,0,1</source>
+        <translation>{option} {given} hat keine Richtung; I,J,K angeben, entlang derer die Begrenzung gesehen wird, etwa 0,0,1</translation>
     </message>
     <message>
         <source>{option} {given} is neither {middle} nor X,Y,Z; give one of them</source>

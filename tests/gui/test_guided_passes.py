@@ -56,3 +56,32 @@ def test_passes_that_are_led_are_computed_and_edited_again(ball, pump, unfold, s
         assert not again.calculate() and path.Passes > 10, "what cannot be used is said, and nothing is lost"
     screenshot(f"passes_{passes}_edited")
     assert again.reject()
+
+
+def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(ball, pump, unfold, screenshot, tmp_path):
+    panel, more = toolpath.create(ball), ("boundary_axis", "boundary_by")
+    panel.options.show_options({**COARSE, "passes": "planes"})
+    pump(200)
+    unfold()
+    assert not any(panel.options.fields[name].editor.isVisible() for name in more)
+    curve = tmp_path / "square.csv"
+    curve.write_text("-4,-4,0\n4,-4,0\n4,4,0\n-4,4,0\n-4,-4,0\n")
+    panel.options.show_options({"boundary": str(curve)})
+    pump(200)
+    assert all(panel.options.fields[name].editor.isVisible() for name in more)
+    assert panel.calculate()
+    pump(600)
+    screenshot("passes_boundary")
+    path = panel.obj
+    assert path.Boundary == str(curve) and tuple(path.BoundaryAxis) == (0, 0, 1) and path.BoundaryBy == "contact"
+    less = path.CutLength
+    assert panel.accept()
+    again = toolpath.edit(path)
+    pump(200)
+    unfold()
+    assert again.options.fields["boundary"].value() == str(curve)
+    again.options.show_options({"boundary_by": "centre"})
+    assert again.calculate() and path.BoundaryBy == "centre" and path.CutLength < less
+    curve.write_text("-4,-4,0\n4,-4,0\n4,4,0\n")
+    assert not again.calculate(), "a curve that is open is said"
+    assert again.reject()

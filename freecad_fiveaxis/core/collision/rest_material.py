@@ -14,6 +14,7 @@ way, are followed to their least height. Every height found is that of a real po
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -96,15 +97,20 @@ def find_rest_material(
     facets: Bools | None = None,
     progress: Progress = silent,
     enough: float = -np.inf,
+    counts: Callable[[Floats, Ints], Bools] | None = None,
 ) -> RestMaterial:
     """Find the heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh (None: all).
 
     ``body``: the cutter; ``blocks`` (b,): those of the swept motion that cut. A height of at most ``enough`` mm may be smaller in
-    truth: who asks only where more is left need not wait for the rest. Raises SettingsError where no block cuts.
+    truth: who asks only where more is left need not wait for the rest. ``counts``: which places (k, 3), of facets (k,), are
+    looked at, None: all. Raises SettingsError where no block cuts.
     """
     if not len(blocks):
         raise SettingsError(say("no block cuts, so nothing can be said of what is left"), 0)
     point, facet, area = surface_samples(mesh, spacing, facets)
+    if counts is not None:
+        some = counts(point, facet)
+        point, facet, area = point[some], facet[some], area[some]
     progress("what is left", 0.0)
     way, near = _sampled_enough(body, swept, blocks, point)
     height, nearest = np.empty(len(point)), np.empty(len(point), np.int64)

@@ -51,13 +51,13 @@ class Gaps(NamedTuple):
 
 def stay_near(
     path: CLPath, tree: FacetTree, body: Body, radius: float, limit: float, driven: float, above: float,
-    progress: Progress = silent, kinematics: Chain | None = None, spared: Callable[[Floats, Floats], Bools] | None = None,
+    progress: Progress = silent, kinematics: Chain | None = None, spared: Callable[[Ints, Ints], Bools] | None = None,
 ) -> CLPath:  # fmt: skip
     """Replace the rapids between polylines by near links where the tool enters the part by no more than ``limit`` mm on them.
 
     ``radius`` mm of the cutter; ``driven`` and ``above`` mm: how far above the tip the points lie that the path's tips are
     and that goes straight; ``kinematics``: the machine that must take up the axes on the way, None: any will do; ``spared``:
-    tells of ways (w,) between contacts (w, 3) and (w, 3) which must not be gone on the surface, None: all may. Gives the very
+    tells of ways from rows (w,) to rows (w,) of the path which must not be gone on the surface, None: all may. Gives the very
     path where nothing is replaced.
     """
     gaps = _within_limits(find_gaps(path), path, kinematics)
@@ -66,7 +66,7 @@ def stay_near(
         progress("linking passes", part / len(HEIGHTS))
         rows = np.flatnonzero(np.isnan(height) & _worthwhile(path, gaps, lift, radius))
         if spared is not None and lift == 0.0:
-            rows = rows[~spared(path.contact[gaps.last[rows]], path.contact[gaps.first[rows] + 1])]
+            rows = rows[~spared(gaps.last[rows], gaps.first[rows] + 1)]
         free = _free(path, gaps.last[rows], gaps.first[rows], lift, tree, with_margin(body), limit, driven, above)
         height[rows[free]] = lift
     chosen = np.flatnonzero(np.isfinite(height))

@@ -49,6 +49,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 
+from .bounded import counted_places, leads_outside
 from .context import MillContext
 from .driving import drive
 from .options import (
@@ -131,9 +132,16 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     radius, limit = settings.cutter.cutter.radius, AIM * settings.proof.tolerance
     tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
-    chosen = context.chosen
-    spared = None if chosen is None else lambda begin, end: lead_over_others(begin, end, context.mesh, chosen)
+    spared = None if context.chosen is None else lambda begin, end: _leads_where_nothing_is_cut(context, path, begin, end)
     return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared)
+
+
+def _leads_where_nothing_is_cut(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
+    """Which straight ways from rows ``begin`` to rows ``end`` (w,) of the path lead over facets that are not machined, or out of
+    the boundary."""
+    chosen = np.ones(len(context.mesh.face), np.bool_) if context.chosen is None else context.chosen
+    over = lead_over_others(path.contact[begin], path.contact[end], context.mesh, chosen)
+    return np.asarray(over | leads_outside(context, path, begin, end))
 
 
 def led_in(context: MillContext, path: CLPath) -> CLPath:
@@ -208,7 +216,8 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     cutter = settings.cutter.cutter
     swept = _commanded(settings, path)
     spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
-    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above)
+    within = counted_places(context)
+    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above, within)
     return uncut_finding(left, above)
 
 
@@ -294,7 +303,8 @@ def find_left(context: MillContext, program: Program) -> RestMaterial:
     cutter, swept = settings.cutter.cutter, program_motion(context.kinematics, program, tip_to_driven(settings))
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
-    return find_rest_material(mesh, body_of(cutter), swept, cutting(program.motion), spacing, keep, context.progress)
+    blocks, within = cutting(program.motion), counted_places(context)
+    return find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, counts=within)
 
 
 def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:

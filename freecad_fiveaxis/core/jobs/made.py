@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.singularity import Singularity
 from freecad_fiveaxis.core.passes import ContactPath
+from freecad_fiveaxis.core.passes.boundary import Boundary
 
 from .context import MillContext
 from .settings import Settings
@@ -53,19 +54,30 @@ class Posted(Made):
 @dataclass(frozen=True, eq=False)
 class Milled(Posted):
     """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``;
-    ``keep`` (f,): the facets that are machined."""
+    ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is one."""
 
     mesh: Mesh
     contact: ContactPath
     offset: OffsetPath
     axis: Floats
     keep: Bools
+    boundary: Boundary | None = field(default=None, kw_only=True)
 
     def context(self, progress: Progress) -> MillContext:
         """What the stages took that made it, with another progress to tell."""
         box, joined = box_with(self.mesh.box, self.fixtures), join_obstacles(self.mesh, self.fixtures)
         return MillContext(
-            self.settings, self.machine, self.kinematics, self.dialect, box, progress, self.mesh, self.keep, None, joined
+            self.settings,
+            self.machine,
+            self.kinematics,
+            self.dialect,
+            box,
+            progress,
+            self.mesh,
+            self.keep,
+            None,
+            joined,
+            boundary=self.boundary,
         )
 
 

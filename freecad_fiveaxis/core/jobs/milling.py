@@ -47,6 +47,7 @@ from freecad_fiveaxis.core.passes import (
     turns_within_limits,
 )
 
+from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
 from .collision_avoidance import (
     drive_free,
     keep_rapids_clear,
@@ -80,21 +81,28 @@ def mill_context(
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all.
     ``fixtures``: what is kept clear of as the rest of the part is."""
     joined, box = join_obstacles(mesh, fixtures), box_with(mesh.box, fixtures)
-    most, chosen = largest_axis_angle(settings, machine, mesh), faces
+    boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
+    inside, said = facets_inside(settings, boundary, mesh, faces)
+    chosen = faces if boundary is None else inside
     if settings.tool_axis.tool_axis == AUTO:
         standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
-        faces = ~standing if faces is None else faces
+        faces = (~standing if faces is None else faces) & inside
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
         field = find_axis_field(joined, to_cut, reacher, progress)
         keep, left_out = select_facets(field, joined, to_cut, most)
         keep = keep[: len(faces)]
-        left_out = (*report_standing(mesh, standing), *report_part_in_table(settings, machine, mesh), *left_out)
-        return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen), left_out
+        left_out = (*said, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh), *left_out)
+        return MillContext(
+            settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary
+        ), left_out  # fmt: skip
     followed = None if keeps_its_axis(settings, machine) else kinematics
-    keep, left_out = facets_within_limits(mesh, followed, most, faces)
-    return MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen), left_out
+    keep, left_out = facets_within_limits(mesh, followed, most, chosen)
+    left_out = (*said, *left_out)
+    return MillContext(
+        settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary
+    ), left_out
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
@@ -108,7 +116,7 @@ def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
 def mill(context: MillContext) -> Milled:
     """From a mesh to a program: passes, CL offset, tool axes, links, the tool kept out of the part, joints, NC blocks."""
     contact, untouched = laid(context)
-    offset, axis, held = oriented(context, closed(context, contact))
+    offset, axis, held = oriented(context, bounded(context, closed(context, contact)))
     led, said = rerouted(context, offset, axis)
     turned, led = tilted(context, offset, led)
     path, entering = lifted(context, linked(context, turned, led))
@@ -117,7 +125,10 @@ def mill(context: MillContext) -> Milled:
     joints = keep_rapids_clear(context, joints)
     found = untouched + contact.findings + turned.findings + held + said + path.findings + uncut_by_cure(context, path)
     program = posted(context, path, joints, found)
-    return Milled(**vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep)
+    return Milled(
+        **vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep,
+        boundary=context.boundary,
+    )  # fmt: skip
 
 
 def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
@@ -211,6 +222,7 @@ def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
         control_point=settings.machine.control_point,
     )  # fmt: skip
     sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
+    sat, axis = bounded_by_hub(context, sat, axis)
     sat, axis = left_out_rows(context, sat, axis)
     path = link_passes(sat, axis, cutter, *context.box, options, context.progress, kept_off(settings))
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)

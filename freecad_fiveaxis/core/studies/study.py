@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined,
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.jobs.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.jobs.job import chosen_faces, make
 from freecad_fiveaxis.core.jobs.made import Milled, Posted
@@ -95,6 +96,9 @@ def try_reach(
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
     faces, said = chosen_faces(settings, mesh, faces, progress)
+    boundary = boundary_of(settings)
+    inside, outside = facets_inside(settings, boundary, mesh, faces)
+    faces, said = faces if boundary is None else inside, said + outside
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
     reacher = Reacher(settings.cutter.cutter, tool.shank, tool.holder, chain(machine, setup), settings.proof.tolerance, table)

@@ -101,6 +101,24 @@ class FacesSettings:
 
 
 @dataclass(frozen=True)
+class BoundarySettings:
+    """Within which closed curves the passes are kept."""
+
+    boundary: str | None = option(
+        None,
+        "path",
+        "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two: passes end at them [none]",
+        (*FROM_SOLID, REACH),
+    )
+    boundary_axis: Vector = option(
+        (0.0, 0.0, 1.0), "vector", "I,J,K along which the boundary is seen", (*FROM_SOLID, REACH), least=-LONGEST, most=LONGEST
+    )
+    boundary_by: Literal["contact", "centre"] = option(
+        "contact", "choice", "what stays inside the boundary: the contact, or the cutter's centre", choices=("contact", "centre")
+    )
+
+
+@dataclass(frozen=True)
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 

@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.jobs.option_values import read_option, read_text, wri
 
 from .groups import (
     AuditSettings,
+    BoundarySettings,
     CompareSettings,
     CureSettings,
     CutterSettings,
@@ -72,6 +73,7 @@ class Settings:
     cutter: CutterSettings = group(CutterSettings)
     faces: FacesSettings = group(FacesSettings)
     passes: PassSettings = group(PassSettings)
+    boundary: BoundarySettings = group(BoundarySettings)
     tool_axis: ToolAxisSettings = group(ToolAxisSettings)
     links: LinkSettings = group(LinkSettings)
     feeds: FeedSettings = group(FeedSettings)
@@ -216,9 +218,26 @@ def _check_together(settings: Settings) -> None:
     if (faces := settings.faces.faces or settings.faces.avoid) and settings.task != MILL and not is_part(settings.source):
         text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
         raise SettingsError(text, faces)
+    _check_boundary(settings)
     if settings.task in (SETUP, COMPARE) and is_part(settings.source):
         _refuse_of_cl_file(settings)
     _check_tool_axis(settings.tool_axis)
+
+
+def _check_boundary(settings: Settings) -> None:
+    bounds = settings.boundary
+    if bounds.boundary and settings.task != MILL and not is_part(settings.source):
+        text = say(
+            "{option} needs the part (.stl), {source} is none; leave it out", option=Option("boundary"), source=settings.source
+        )
+        raise SettingsError(text, bounds.boundary)
+    if math.hypot(*bounds.boundary_axis) < SHORTEST:
+        given = ",".join(f"{number:g}" for number in bounds.boundary_axis)
+        text = say(
+            "{option} {given} has no direction; give I,J,K along which the boundary is seen, as 0,0,1",
+            option=Option("boundary_axis"), given=given,
+        )  # fmt: skip
+        raise SettingsError(text, bounds.boundary_axis)
 
 
 def _check_tool_axis(tool: ToolAxisSettings) -> None:
