@@ -36,12 +36,14 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import (
     ContactPath,
+    Division,
     Region,
-    cut,
     facets_under_axes,
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
+    lay_by_slope,
+    lay_whole,
     report_standing,
     standing_facets,
     turns_within_limits,
@@ -72,6 +74,7 @@ from .options import (
 )
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .settings import Settings
+from .settings.settings import STEEP
 
 
 def mill_context(
@@ -133,11 +136,12 @@ def mill(context: MillContext) -> Milled:
 
 def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
     """The passes on the facets, and what they do not touch."""
-    strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
-    region = find_region(context.settings, context.mesh, context.keep, context.progress)
-    field = strategy.field(region, options)
-    contact = cut(region, field, context.settings.links.order, context.settings.links.spiral == "on")
-    return contact, strategy.untouched(region, options, field, contact.face)
+    settings = context.settings
+    strategy, options, links = find_pass_strategy(settings.passes.passes), pass_options(settings), settings.links
+    region = find_region(settings, context.mesh, context.keep, context.progress)
+    if (bound := settings.passes.steep_shallow) is None:
+        return lay_whole(region, options, strategy, links.order, links.spiral == "on")
+    return lay_by_slope(region, options, Division(bound, find_pass_strategy(STEEP), strategy, links.order, links.spiral == "on"))
 
 
 def find_region(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> Region:

@@ -48,6 +48,8 @@ SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
+STEEP = "zlevel"
+"""The pass strategy of what is steep, where the others are divided from it."""
 OVER_SURFACE = ("morph", "radial", "scallop")
 """Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
 
@@ -214,6 +216,12 @@ def _check_together(settings: Settings) -> None:
             ),
             "rtcp",
         )
+    if settings.passes.steep_shallow is not None and settings.passes.passes == STEEP:
+        text = say(
+            "{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out",
+            option=Option("steep_shallow"), passes=Choice("passes", (STEEP,)),
+        )  # fmt: skip
+        raise SettingsError(text, STEEP)
     _check_gouge(settings)
     if (faces := settings.faces.faces or settings.faces.avoid) and settings.task != MILL and not is_part(settings.source):
         text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
