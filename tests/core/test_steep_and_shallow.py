@@ -139,7 +139,7 @@ def test_facets_at_the_bound_belong_to_the_shallow_side_alone():
     box = filleted_box()
     upright = np.abs(box.normal[:, 2]) < 1e-9
     assert not divide_by_slope(box, math.pi / 2, STEP).steep.any()
-    slopes = divide_by_slope(box, 0.0, STEP)
+    slopes = divide_by_slope(box, math.radians(0.1), STEP)
     assert slopes.steep[upright[slopes.copy.parent]].all()
     assert not slopes.steep[box.normal[slopes.copy.parent, 2] < -0.9].any()
 
@@ -175,7 +175,9 @@ def cut_of(name):
     return mesh, mesh.normal[:, 2] > -0.5
 
 
-@pytest.mark.parametrize("strategy", ["scallop", *(pytest.param(one, marks=pytest.mark.thorough) for one in ("planes", "radial"))])
+@pytest.mark.parametrize(
+    "strategy", ["scallop", *(pytest.param(one, marks=pytest.mark.thorough) for one in ("planes", "radial"))]
+)
 @pytest.mark.parametrize("name", PARTS)
 def test_every_place_is_as_near_to_a_pass_as_with_the_worse_of_both_alone(name, strategy):
     mesh, keep = cut_of(name)
@@ -212,6 +214,16 @@ def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
         assert len(rest) == len(lines(contact)) - 1 and off(contact, beside).max() <= 0.55 * STEP
         left = cKDTree(np.concatenate(rest)).query(beside)[0].max() / STEP
         assert left <= 0.6 if overlap else left > 0.7
+
+
+def test_nothing_is_told_of_what_the_other_strategy_cuts():
+    """Pieces of facets between two passes are no facets without a pass, and the rim of a strip is no steep wall."""
+    mesh, keep = cut_of("box with a fillet")
+    assert laid(mesh, 40, keep=keep)[1] == ()
+    mesh, keep = cut_of("hemisphere")
+    codes = [one.code for one in alone(mesh, "zlevel", keep)[1]]
+    assert "side-not-machined" in codes  # the plate, of which nothing is told where another strategy cuts it
+    assert laid(mesh, 40, keep=keep)[1] == ()
 
 
 # ------------------------------------------------------------------------------------------------ order, length, contract
@@ -382,7 +394,7 @@ def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
 
 
 BAD = [
-    (["--steep-shallow", "-1"], "steep-shallow"), (["--steep-shallow", "91"], "steep-shallow"),
+    (["--steep-shallow", "-1"], "steep-shallow"), (["--steep-shallow", "0"], "above 0 deg and at most 90 deg"), (["--steep-shallow", "91"], "steep-shallow"),
     (["--steep-shallow", "nan"], "steep-shallow"), (["--steep-shallow", "steep"], "steep-shallow"),
     (["--steep-shallow", "40", "--passes", "zlevel"], "leave one of them out"),
 ]  # fmt: skip

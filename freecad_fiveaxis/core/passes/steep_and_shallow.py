@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.records import Bools, Ints
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 from .field import PassOptions, PassStrategy, Region, cut
 from .passes import ContactPath
@@ -82,9 +82,25 @@ def _laid(
     part = replace(region, mesh=copy.mesh, keep=kept[rows])
     field = strategy.field(part, options)
     contact = cut(part, field, division.order, division.spiral)
-    said = strategy.untouched(replace(part, keep=kept[rows] & own[rows]), options, field, contact.face)
+    mostly = replace(region, keep=_mostly(slopes, kept & own, region.keep))
+    said = strategy.untouched(mostly, options, field, np.unique(copy.parent[contact.face]))
+    said = tuple(one for one in said if not _at_rim(one, copy.mesh.vertex[copy.mesh.face[slopes.strip[rows]]], region))
     contact = _without_stubs(contact, slopes.strip[rows], STUB * region.interval)
     return replace(copy, bend=BEND * region.interval).on_part(contact, region.mesh), said
+
+
+def _mostly(slopes: Slopes, own: Bools, keep: Bools) -> Bools:
+    """The facets (f,) of the part that are to be cut and lie at least half in the pieces ``own`` (n,)."""
+    area, parent, count = slopes.copy.mesh.area, slopes.copy.parent, len(keep)
+    return np.asarray(keep & (np.bincount(parent, area * own, count) >= 0.5 * np.bincount(parent, area, count)))
+
+
+def _at_rim(found: Finding, strip: Floats, region: Region) -> bool:
+    """Whether a finding tells of planes far apart at the rim of the strip, corners (n, 3, 3): behind it the other strategy's
+    passes lie, and the next level plane is nowhere near."""
+    if found.code != "least-interval" or found.place is None or not len(strip) or (found.value or 0.0) <= region.radius:
+        return False
+    return float(np.linalg.norm(strip.reshape(-1, 3) - np.asarray(found.place), axis=1).min()) <= region.interval
 
 
 def _without_stubs(contact: ContactPath, strip: Bools, short: float) -> ContactPath:

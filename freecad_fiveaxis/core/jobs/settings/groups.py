@@ -78,7 +78,7 @@ class PassSettings:
     steep_shallow: float | None = option(
         None, "angle", "level planes where the surface is steeper than this from the horizontal, the passes only where it is not "
         "[the passes everywhere]",
-        least=0.0, most=math.pi / 2,
+        above=0, most=math.pi / 2,
     )  # fmt: skip
     max_axis_angle: float | None = option(
         None, "angle", "facets (auto: axes) that lean more from Z are left out; beyond 90 they look down "
