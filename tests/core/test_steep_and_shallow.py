@@ -218,8 +218,6 @@ def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
 
 def test_nothing_is_told_of_what_the_other_strategy_cuts():
     """Pieces of facets between two passes are no facets without a pass, and the rim of a strip is no steep wall."""
-    mesh, keep = cut_of("box with a fillet")
-    assert laid(mesh, 40, keep=keep)[1] == ()
     mesh, keep = cut_of("hemisphere")
     codes = [one.code for one in alone(mesh, "zlevel", keep)[1]]
     assert "side-not-machined" in codes  # the plate, of which nothing is told where another strategy cuts it
