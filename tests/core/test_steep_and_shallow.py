@@ -16,7 +16,16 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
-from freecad_fiveaxis.core.passes import PASS_STRATEGIES, Division, PassOptions, Region, flat_interval, lay_by_slope, lay_whole
+from freecad_fiveaxis.core.passes import (
+    PASS_STRATEGIES,
+    Division,
+    PassOptions,
+    Region,
+    flat_interval,
+    lay_by_slope,
+    lay_whole,
+    steep_and_shallow,
+)
 from freecad_fiveaxis.core.passes.slopes import corner_slopes, divide_by_slope
 
 BALL, SCALLOP = 3.0, 0.05
@@ -222,6 +231,17 @@ def test_nothing_is_told_of_what_the_other_strategy_cuts():
     codes = [one.code for one in alone(mesh, "zlevel", keep)[1]]
     assert "side-not-machined" in codes  # the plate, of which nothing is told where another strategy cuts it
     assert laid(mesh, 40, keep=keep)[1] == ()
+
+
+def test_at_the_rim_of_a_strip_no_planes_are_too_far_apart(monkeypatch):
+    """Behind the rim of the fillet's strip the next level plane is on the ends of the box, 20 mm off."""
+    mesh = filleted_box(20.0, 12.0, 4.0, 12)
+    keep, options = mesh.normal[:, 2] > -0.5, PassOptions(scallop=0.02)
+    found = Region(mesh, keep, BALL, flat_interval(BALL, 0.02))
+    assert "least-interval" not in [one.code for one in lay_by_slope(found, options, of_scallop(40))[1]]
+    monkeypatch.setattr(steep_and_shallow, "_at_rim", lambda *_: False)
+    told = next(one for one in lay_by_slope(found, options, of_scallop(40))[1] if one.code == "least-interval")
+    assert told.value > BALL
 
 
 # ------------------------------------------------------------------------------------------------ order, length, contract
