@@ -159,12 +159,15 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
     settings, joints = context.settings, drive(context, path, entering)
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
+    asked = np.arange(len(path.tip))
     for _ in range(HALVINGS):
-        rows = _entering(context, path, joints)
+        rows = _entering(context, path, joints, asked)
         if not len(rows):
             break
         path = _halved(path, rows, driven_to_surface(settings))
         joints = drive(context, path, entering)
+        fresh = rows + np.arange(len(rows))
+        asked = np.union1d(fresh, fresh + 1)  # both halves; of all else the machine goes the way that was clear
     return path, joints
 
 
@@ -179,12 +182,13 @@ def keep_rapids_clear(context: MillContext, joints: JointPath) -> JointPath:
     return divide_rapids(joints, context.kinematics, context.dialect, clearance)
 
 
-def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
-    """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
+def _entering(context: MillContext, path: CLPath, joints: JointPath, asked: Ints) -> Ints:
+    """Find the rows (k,) of the path, of those ``asked`` (n,) for, to which the machine leads the cutter through the part, and the
+    path itself does not."""
     settings, progress = context.settings, context.progress
     cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.obstacles), settings.proof.tolerance
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
-    fed = np.flatnonzero(joints.path.motion[1:] != Motion.RAPID)  # links near the part too
+    fed = np.flatnonzero((joints.path.motion[1:] != Motion.RAPID) & np.isin(joints.row[1:], asked))  # links near the part too
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
