@@ -183,8 +183,8 @@ def keep_rapids_clear(context: MillContext, joints: JointPath) -> JointPath:
 
 
 def _entering(context: MillContext, path: CLPath, joints: JointPath, asked: Ints) -> Ints:
-    """Find the rows (k,) of the path, of those ``asked`` (n,) for, to which the machine leads the cutter through the part, and the
-    path itself does not."""
+    """Find the rows (k,) of the path, of those ``asked`` (n,) for, to which the machine leads the cutter through the part, and
+    the path itself does not."""
     settings, progress = context.settings, context.progress
     cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.obstacles), settings.proof.tolerance
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
