@@ -55,9 +55,7 @@ class AvoidField(Field):
         if self.base is None:
             self.show_note(_gone())
         elif is_mesh(self.base):
-            text = translate(
-                "FiveAxis", "The faces of a mesh have no names: choose a solid, or {option} on the command line."
-            )
+            text = translate("FiveAxis", "The faces of a mesh have no names: choose a solid, or {option} on the command line.")
             self.show_note(text.format(option="--avoid"))
 
     def _fit(self) -> None:
