@@ -187,7 +187,14 @@ def report_view(window):
 def hanging(dome, doc, until, tmp_path):
     """A path with all that may hang on one: setup, NC file, markers, both maps, and an audit that is compared with the part."""
     setup = app.create_setup(doc, machine="trunnion_ac")
-    plain = {"passes": "planes", "tool_axis": "facet_mean", "stepover": 5.0, "spindle": 8000, "setup": setup, "cutter": "ball:6:30"}
+    plain = {
+        "passes": "planes",
+        "tool_axis": "facet_mean",
+        "stepover": 5.0,
+        "spindle": 8000,
+        "setup": setup,
+        "cutter": "ball:6:30",
+    }
     path = app.create_toolpath(doc, dome, **plain)
     nc = tmp_path / "dome.ngc"
     app.post_process(path, nc)
