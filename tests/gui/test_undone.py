@@ -4,7 +4,9 @@
 import FreeCAD
 import FreeCADGui
 import pytest
-from conftest import QtCore, QtWidgets
+from conftest import LEFT, QtCore, QtWidgets
+from conftest import _mouse as mouse
+from conftest import _tool_button as tool_button
 from test_clicks import look
 
 from freecad_fiveaxis import app
@@ -245,3 +247,28 @@ def test_an_error_that_nobody_foresaw_keeps_its_trace(dome, doc, planned, monkey
     doc.recompute()
     until(lambda: "ZeroDivisionError" in report_view.toPlainText(), 20000, "the error")
     assert "Traceback" in report_view.toPlainText()
+
+
+def test_refresh_pressed_again_while_freecad_recomputes_recomputes_nothing_within(
+    dome, doc, planned, report_view, press, real_key, until
+):
+    """By the mouse and by its key, once the recompute shows its dialog: FreeCAD would say *Recursive calling of recompute*."""
+    planned(dome, "OK")
+    doc.Toolpath.Stepover = 0.3
+    doc.recompute()
+    dome.Radius = 22
+    button, pressed = tool_button("Std_Refresh"), []
+
+    def again():
+        real_key(FreeCADGui.getMainWindow(), "F5")
+        for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
+            mouse(button, kind, button.rect().center(), LEFT, LEFT, ms=0)
+        pressed.append(doc.Recomputing)
+
+    timer = when_computing(again)
+    press("Std_Refresh")
+    until(lambda: pressed and not doc.Recomputing, 60000, "the recompute over, with Refresh pressed meanwhile")
+    timer.stop()
+    assert pressed == [True], "while FreeCAD recomputed"
+    until(lambda: results.out_of_date(doc.Toolpath) == "", 20000, "the path current")
+    assert "Recursive" not in report_view.toPlainText() and "Traceback" not in report_view.toPlainText()
