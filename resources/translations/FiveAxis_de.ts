@@ -2879,8 +2879,8 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
-        <source>beyond limits, or below the table</source>
-        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
+        <source>beyond limits, or below the table: {count} places</source>
+        <translation>außerhalb der Grenzen oder unter dem Tisch: {count} Stellen</translation>
     </message>
     <message>
         <source>bull nose mill</source>
@@ -3045,6 +3045,10 @@
     <message>
         <source>joining facets</source>
         <translation>Facetten verbinden</translation>
+    </message>
+    <message>
+        <source>larger deviation</source>
+        <translation>größere Abweichung</translation>
     </message>
     <message>
         <source>least deviation (minimax)</source>
@@ -3283,6 +3287,10 @@
         <translation>Stellen auslassen</translation>
     </message>
     <message>
+        <source>smaller deviation</source>
+        <translation>kleinere Abweichung</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
     </message>
@@ -3369,6 +3377,10 @@
     <message>
         <source>within tolerance</source>
         <translation>in der Toleranz</translation>
+    </message>
+    <message>
+        <source>within tolerance: {count} places</source>
+        <translation>in der Toleranz: {count} Stellen</translation>
     </message>
     <message>
         <source>without {faces}</source>
