@@ -39,6 +39,9 @@ RAPID_WORTH = 0.25
 MOST_TURN = np.pi / 2
 """rad; where the axis turns by more the tool goes over the part."""
 
+LOCKED = 1e-6
+"""rad: the same where rotary axes are to be locked as long as the tool is near the part."""
+
 
 class Gaps(NamedTuple):
     """``last``, ``first`` (g,) rows: the end of a polyline and the start of the next; ``worth`` (g,) mm of feed that a near link
@@ -52,19 +55,21 @@ class Gaps(NamedTuple):
 def stay_near(
     path: CLPath, tree: FacetTree, body: Body, radius: float, limit: float, driven: float, above: float,
     progress: Progress = silent, kinematics: Chain | None = None, spared: Callable[[Floats, Floats], Bools] | None = None,
+    most_turn: float = MOST_TURN,
 ) -> CLPath:  # fmt: skip
     """Replace the rapids between polylines by near links where the tool enters the part by no more than ``limit`` mm on them.
 
     ``radius`` mm of the cutter; ``driven`` and ``above`` mm: how far above the tip the points lie that the path's tips are
     and that goes straight; ``kinematics``: the machine that must take up the axes on the way, None: any will do; ``spared``:
-    tells of ways (w,) between contacts (w, 3) and (w, 3) which must not be gone on the surface, None: all may. Gives the very
+    tells of ways (w,) between contacts (w, 3) and (w, 3) which must not be gone on the surface, None: all may; ``most_turn`` rad: where the axis turns
+    by more the tool goes over the part. Gives the very
     path where nothing is replaced.
     """
     gaps = _within_limits(find_gaps(path), path, kinematics)
     height = np.full(len(gaps.last), np.nan)
     for part, lift in enumerate(HEIGHTS):
         progress("linking passes", part / len(HEIGHTS))
-        rows = np.flatnonzero(np.isnan(height) & _worthwhile(path, gaps, lift, radius))
+        rows = np.flatnonzero(np.isnan(height) & _worthwhile(path, gaps, lift, radius, most_turn))
         if spared is not None and lift == 0.0:
             rows = rows[~spared(path.contact[gaps.last[rows]], path.contact[gaps.first[rows] + 1])]
         free = _free(path, gaps.last[rows], gaps.first[rows], lift, tree, with_margin(body), limit, driven, above)
@@ -95,10 +100,10 @@ def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
     return Gaps(gaps.last[rows], gaps.first[rows], gaps.worth[rows])
 
 
-def _worthwhile(path: CLPath, gaps: Gaps, lift: float, radius: float) -> Bools:
+def _worthwhile(path: CLPath, gaps: Gaps, lift: float, radius: float, most_turn: float) -> Bools:
     """Which gaps (g,) a near link so high bridges sooner than the rapids do; on the surface only the nearest."""
     apart = np.linalg.norm(path.tip[gaps.first] - path.tip[gaps.last], axis=1)
-    turned = (path.axis[gaps.first] * path.axis[gaps.last]).sum(axis=1) < np.cos(MOST_TURN)
+    turned = (path.axis[gaps.first] * path.axis[gaps.last]).sum(axis=1) < np.cos(most_turn)
     return np.asarray((apart + 2.0 * lift < gaps.worth) & ~turned & ((lift > 0.0) | (apart <= radius)))
 
 

@@ -40,7 +40,7 @@ from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.left_alone import lead_over_others
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
-from freecad_fiveaxis.core.corrections.near_links import stay_near
+from freecad_fiveaxis.core.corrections.near_links import LOCKED, MOST_TURN, stay_near
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -82,7 +82,7 @@ CURED = frozenset({"lifted", "left-out"})
 JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
-NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis")
+NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames")
 """The codes of findings on facets that are not among those to be cut."""
 
 HALVINGS = 6
@@ -133,7 +133,8 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     body, kinematics = tool_body(settings), context.kinematics
     chosen = context.chosen
     spared = None if chosen is None else lambda begin, end: lead_over_others(begin, end, context.mesh, chosen)
-    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared)
+    turned = MOST_TURN if context.frames is None else LOCKED
+    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared, turned)
 
 
 def led_in(context: MillContext, path: CLPath) -> CLPath:
