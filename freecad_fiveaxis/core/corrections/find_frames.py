@@ -33,6 +33,9 @@ MOST = 12
 WELL = 0.35
 """Cosine to the normal of directions that stand well on a place."""
 
+BETTER = 0.1
+"""Of a place: so much more it counts for a direction flat on it, and for an upright one."""
+
 FEW = 0.004
 """Of the places: a frame that sees no more than that besides is not worth its turn."""
 
@@ -59,7 +62,7 @@ def find_frames(
     freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress)
     freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
     keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most)
-    axis = freedom.direction[find_cover(freedom.free, nodes.normal @ freedom.direction.T, count)]
+    axis = freedom.direction[find_cover(freedom.free, nodes.normal @ freedom.direction.T, freedom.direction[:, 2], count)]
     places = surface_nodes(mesh, keep, reacher, tree, PLACES)
     frames = _given(places, in_order(axis), wide, tree, progress)
     seen, rows = np.zeros_like(keep), np.flatnonzero(keep)
@@ -77,16 +80,17 @@ def candidates(mesh: Mesh, kinematics: Chain | None) -> Floats:
     return forward(kinematics, words)[1]
 
 
-def find_cover(free: Bools, cosine: Floats, most: int) -> Ints:
+def find_cover(free: Bools, cosine: Floats, up: Floats, most: int) -> Ints:
     """Choose at most ``most`` directions (c,) that free most places, of what is ``free`` (n, d) of directions whose ``cosine``
-    (n, d) to the places' normals is known."""
+    (n, d) to the places' normals and height ``up`` (d,) are known: of those that free about as many the flatter and more upright.
+    """
+    better = 1.0 + BETTER * (cosine + up)
     well, chosen = free & (cosine > WELL), list[int]()
     for frees in (well, free):
         left = free.any(axis=1) & ~_freed(frees, chosen)
         while len(chosen) < most and frees.shape[1]:
-            gain = frees[left].sum(axis=0) + np.where(frees[left], cosine[left], 0.0).sum(axis=0) * SOONER
-            best = int(gain.argmax())
-            if gain[best] < max(1.0, FEW * len(free)):
+            best = int(np.where(frees[left], better[left], 0.0).sum(axis=0).argmax())
+            if frees[left, best].sum() < max(1.0, FEW * len(free)):
                 break
             chosen.append(best)
             left &= ~frees[:, best]

@@ -61,9 +61,8 @@ def stay_near(
 
     ``radius`` mm of the cutter; ``driven`` and ``above`` mm: how far above the tip the points lie that the path's tips are
     and that goes straight; ``kinematics``: the machine that must take up the axes on the way, None: any will do; ``spared``:
-    tells of ways (w,) between contacts (w, 3) and (w, 3) which must not be gone on the surface, None: all may; ``most_turn`` rad: where the axis turns
-    by more the tool goes over the part. Gives the very
-    path where nothing is replaced.
+    tells of ways (w,) between contacts (w, 3) and (w, 3) which must not be gone on the surface, None: all may; ``most_turn``
+    rad: where the axis turns by more the tool goes over the part. Gives the very path where nothing is replaced.
     """
     gaps = _within_limits(find_gaps(path), path, kinematics)
     height = np.full(len(gaps.last), np.nan)
