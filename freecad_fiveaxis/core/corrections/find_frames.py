@@ -13,13 +13,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
 from freecad_fiveaxis.core.collision.obstacles import Reacher
-from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.passes.frames import Frames
@@ -45,6 +46,9 @@ PLACES = 8000
 SOONER = 1e-3
 """Of a cosine: by that the earlier of two frames is taken that see a place alike, so that a plane is not cut in both."""
 
+NEIGHBOURS, ROUNDS, TOGETHER = 8, 4, 0.2
+"""Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in one frame with all of them."""
+
 STEPS = 72
 """Positions of a single rotary axis that are tried."""
 
@@ -62,13 +66,22 @@ def find_frames(
     freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress)
     freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
     keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most)
-    axis = freedom.direction[find_cover(freedom.free, nodes.normal @ freedom.direction.T, freedom.direction[:, 2], count)]
+    direction = freedom.direction
+    chosen = find_cover(freedom.free, nodes.normal @ direction.T, direction[:, 2], count)
     places = surface_nodes(mesh, keep, reacher, tree, PLACES)
-    frames = _given(places, in_order(axis), wide, tree, progress)
+    free = find_freedom(places, wide, tree, direction[chosen], progress).free
+    rest = np.flatnonzero(~free.any(axis=1))
+    others = find_freedom(_nodes_of(places, rest), wide, tree, direction, progress).free
+    more = find_cover(others, places.normal[rest] @ direction.T, direction[:, 2], count - len(chosen), FEW * len(free))
+    axis = in_order(direction[np.concatenate([chosen, more])])
+    free = find_freedom(places, wide, tree, axis, progress).free
+    frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
     seen, rows = np.zeros_like(keep), np.flatnonzero(keep)
     seen[rows] = frames.at(mesh.vertex[mesh.face[rows]].mean(axis=1), mesh.normal[rows]) >= 0
     seen[places.facet[frames.frame >= 0]] = True
-    return frames, seen, (*left_out, *_unseen(frames, mesh, keep), _told(frames))
+    elsewhere = np.zeros(len(free), np.bool_)
+    elsewhere[rest] = others.any(axis=1)
+    return frames, seen, (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _told(frames))
 
 
 def candidates(mesh: Mesh, kinematics: Chain | None) -> Floats:
@@ -80,33 +93,34 @@ def candidates(mesh: Mesh, kinematics: Chain | None) -> Floats:
     return forward(kinematics, words)[1]
 
 
-def find_cover(free: Bools, cosine: Floats, up: Floats, most: int) -> Ints:
+def find_cover(free: Bools, cosine: Floats, up: Floats, most: int, least: float | None = None) -> Ints:
     """Choose at most ``most`` directions (c,) that free most places, of what is ``free`` (n, d) of directions whose ``cosine``
-    (n, d) to the places' normals and height ``up`` (d,) are known: of those that free about as many the flatter and more upright.
-    """
+    (n, d) to the places' normals and height ``up`` (d,) are known: of those that free about as many the flatter and more
+    upright. One that frees fewer than ``least`` places besides, None: FEW of all, is not taken."""
+    least = max(1.0, FEW * len(free) if least is None else least)
     better = 1.0 + BETTER * (cosine + up)
     well, chosen = free & (cosine > WELL), list[int]()
     for frees in (well, free):
         left = free.any(axis=1) & ~_freed(frees, chosen)
         while len(chosen) < most and frees.shape[1]:
             best = int(np.where(frees[left], better[left], 0.0).sum(axis=0).argmax())
-            if frees[left, best].sum() < max(1.0, FEW * len(free)):
+            if frees[left, best].sum() < least:
                 break
             chosen.append(best)
             left &= ~frees[:, best]
-    return np.array(_needed(free, well, chosen), np.int64)
+    return np.array(_needed(free, well, chosen, least), np.int64)
 
 
 def _freed(free: Bools, chosen: list[int]) -> Bools:
     return np.asarray(free[:, chosen].any(axis=1))
 
 
-def _needed(free: Bools, well: Bools, chosen: list[int]) -> list[int]:
+def _needed(free: Bools, well: Bools, chosen: list[int], least: float) -> list[int]:
     """Those chosen without each that frees hardly anything that the others do not free as well."""
     for one in list(chosen):
         rest = [other for other in chosen if other != one]
         alone = (free[:, one] & ~_freed(free, rest)).sum(), (well[:, one] & ~_freed(well, rest)).sum()
-        if rest and max(alone) < max(1.0, FEW * len(free)):
+        if rest and max(alone) < least:
             chosen = rest
     return chosen
 
@@ -121,33 +135,45 @@ def in_order(axis: Floats) -> Floats:
     return axis[order]
 
 
-def _given(nodes: Nodes, axis: Floats, reacher: Reacher, tree: FacetTree, progress: Progress) -> Frames:
-    """The places with the frame in which each is cut."""
-    free = find_freedom(nodes, reacher, tree, axis, progress).free
-    worth = np.where(free, nodes.normal @ axis.T - SOONER * np.arange(len(axis)), -np.inf)
-    frame = np.where(free.any(axis=1), worth.argmax(axis=1), -1) if len(axis) else np.full(len(nodes.point), -1)
-    return Frames(axis, nodes.point, nodes.normal, frame, nodes.spacing)
+def assign(free: Bools, places: Nodes, axis: Floats) -> Ints:
+    """Give each place the frame (n,), of unit ``axis`` (k, 3), that sees it flattest of those in which it is ``free`` (n, k), and
+    that places beside it have; -1 where it is free in none."""
+    if not len(axis):
+        return np.full(len(free), -1)
+    flat = np.where(free, places.normal @ axis.T - SOONER * np.arange(len(axis)), -np.inf)
+    frame, none = flat.argmax(axis=1), ~free.any(axis=1)
+    near = cKDTree(places.places()).query(places.places(), k=min(NEIGHBOURS + 1, len(free)))[1].reshape(len(free), -1)[:, 1:]
+    for _ in range(ROUNDS if near.shape[1] else 0):
+        alike = (frame[near][:, :, None] == np.arange(len(axis))) & ~none[near][:, :, None]
+        frame = (flat + TOGETHER * alike.mean(axis=1)).argmax(axis=1)
+    return np.where(none, -1, frame)
 
 
-def _unseen(frames: Frames, mesh: Mesh, keep: Bools) -> tuple[Finding, ...]:
-    """The area that no frame sees, of what any direction would see, by the share of the places; nothing where it is no more than
-    a single place."""
-    out = np.flatnonzero(frames.frame < 0)
-    if len(out) < 2:
+def _nodes_of(nodes: Nodes, rows: Ints) -> Nodes:
+    return Nodes(nodes.point[rows], nodes.facet[rows], nodes.normal[rows], nodes.stand[rows], nodes.fits[rows], nodes.spacing)
+
+
+def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: int) -> tuple[Finding, ...]:
+    """The area that no frame sees, by the share of the places, and what of it is free under another direction (``elsewhere``
+    (n,)); nothing where it is no more than a single place."""
+    out = frames.frame < 0
+    if np.count_nonzero(out) < 2:
         return ()
-    lost = float(mesh.area[keep].sum()) * len(out) / len(frames.frame)
-    x, y, z = frames.point[out[0]].tolist()
+    one = float(mesh.area[keep].sum()) / len(out)
+    lost, could = one * np.count_nonzero(out), one * np.count_nonzero(out & elsewhere)
+    x, y, z = frames.point[int((out & (elsewhere == elsewhere[out].any())).argmax())].tolist()
+    more = say("allow more frames") if len(frames.axis) == count < MOST else say("cut that with other passes")
     text = say(
-        "{area} ({share} % of the part), the first at {place}, are left out: none of the {count} frames sees them with the tool "
-        "free. Allow more frames where there are fewer than {most}, use a smaller tool, or cut the rest with other passes.",
+        "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} "
+        "frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.",
         area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"), place=Point((x, y, z)),
-        count=len(frames.axis), most=MOST,
+        count=len(frames.axis), could=Area(could, ".4g"), more=more,
     )  # fmt: skip
     return (Finding(Severity.WARNING, "outside-frames", text, lost, 0.0, "mm2", place=(x, y, z)),)
 
 
 def _told(frames: Frames) -> Finding:
     """How many frames there are, and their axes."""
-    shown = "; ".join(",".join(f"{number + 0.0:.3f}" for number in np.round(axis, 3)) for axis in frames.axis)
+    shown = "; ".join(",".join(f"{number:g}" for number in (np.round(axis, 3) + 0.0).tolist()) for axis in frames.axis)
     text = say("The part is cut in {count} frames, each with a tool axis of its own: {axes}.", count=len(frames.axis), axes=shown)
     return Finding(Severity.NOTE, "frames", text, float(len(frames.axis)), None, "1")

@@ -19,6 +19,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.collision.search import which_enter
 from freecad_fiveaxis.core.collision.swept_motion import straight_motion
@@ -64,11 +65,11 @@ def stay_near(
     tells of ways (w,) between contacts (w, 3) and (w, 3) which must not be gone on the surface, None: all may; ``most_turn``
     rad: where the axis turns by more the tool goes over the part. Gives the very path where nothing is replaced.
     """
-    gaps = _within_limits(find_gaps(path), path, kinematics)
+    gaps = _within_limits(_turning_less(find_gaps(path), path, most_turn), path, kinematics)
     height = np.full(len(gaps.last), np.nan)
     for part, lift in enumerate(HEIGHTS):
         progress("linking passes", part / len(HEIGHTS))
-        rows = np.flatnonzero(np.isnan(height) & _worthwhile(path, gaps, lift, radius, most_turn))
+        rows = np.flatnonzero(np.isnan(height) & _worthwhile(path, gaps, lift, radius))
         if spared is not None and lift == 0.0:
             rows = rows[~spared(path.contact[gaps.last[rows]], path.contact[gaps.first[rows] + 1])]
         free = _free(path, gaps.last[rows], gaps.first[rows], lift, tree, with_margin(body), limit, driven, above)
@@ -91,6 +92,12 @@ def find_gaps(path: CLPath) -> Gaps:
     return Gaps(last[by_rapid], first[by_rapid], (worth[first] - worth[last])[by_rapid])
 
 
+def _turning_less(gaps: Gaps, path: CLPath, most: float) -> Gaps:
+    """The gaps over which the axis turns by no more than ``most`` rad."""
+    rows = np.flatnonzero(dot(path.axis[gaps.last].T, path.axis[gaps.first].T) >= np.cos(most))
+    return gaps if len(rows) == len(gaps.last) else Gaps(gaps.last[rows], gaps.first[rows], gaps.worth[rows])
+
+
 def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
     """The gaps over which the axis turns straight without leaving the machine's limits."""
     if kinematics is None:
@@ -99,11 +106,10 @@ def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
     return Gaps(gaps.last[rows], gaps.first[rows], gaps.worth[rows])
 
 
-def _worthwhile(path: CLPath, gaps: Gaps, lift: float, radius: float, most_turn: float) -> Bools:
+def _worthwhile(path: CLPath, gaps: Gaps, lift: float, radius: float) -> Bools:
     """Which gaps (g,) a near link so high bridges sooner than the rapids do; on the surface only the nearest."""
     apart = np.linalg.norm(path.tip[gaps.first] - path.tip[gaps.last], axis=1)
-    turned = (path.axis[gaps.first] * path.axis[gaps.last]).sum(axis=1) < np.cos(most_turn)
-    return np.asarray((apart + 2.0 * lift < gaps.worth) & ~turned & ((lift > 0.0) | (apart <= radius)))
+    return np.asarray((apart + 2.0 * lift < gaps.worth) & ((lift > 0.0) | (apart <= radius)))
 
 
 def with_margin(body: Body) -> Body:
