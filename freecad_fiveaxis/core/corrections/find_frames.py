@@ -10,6 +10,7 @@ frame      a direction of the cover. A place is cut in the frame that sees it fl
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -47,7 +48,7 @@ SOONER = 1e-3
 """Of a cosine: by that the earlier of two frames is taken that see a place alike, so that a plane is not cut in both."""
 
 NEIGHBOURS, ROUNDS, TOGETHER = 8, 4, 0.2
-"""Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in one frame with all of them."""
+"""Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in the frame of all of them."""
 
 STEPS = 72
 """Positions of a single rotary axis that are tried."""
@@ -66,22 +67,30 @@ def find_frames(
     freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress)
     freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
     keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most)
-    direction = freedom.direction
-    chosen = find_cover(freedom.free, nodes.normal @ direction.T, direction[:, 2], count)
-    places = surface_nodes(mesh, keep, reacher, tree, PLACES)
-    free = find_freedom(places, wide, tree, direction[chosen], progress).free
-    rest = np.flatnonzero(~free.any(axis=1))
-    others = find_freedom(_nodes_of(places, rest), wide, tree, direction, progress).free
-    more = find_cover(others, places.normal[rest] @ direction.T, direction[:, 2], count - len(chosen), FEW * len(free))
+    chosen = _cover_of(nodes, freedom, count)
+    places, direction = surface_nodes(mesh, keep, reacher, tree, PLACES), freedom.direction
+    rest = np.flatnonzero(~find_freedom(places, wide, tree, direction[chosen], progress).free.any(axis=1))
+    looked = find_freedom(_nodes_of(places, rest), wide, tree, direction, progress)
+    more = _cover_of(_nodes_of(places, rest), looked, count - len(chosen), FEW * len(places.point))
     axis = in_order(direction[np.concatenate([chosen, more])])
     free = find_freedom(places, wide, tree, axis, progress).free
     frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
+    elsewhere = np.zeros(len(free), np.bool_)
+    elsewhere[rest] = looked.free.any(axis=1)
+    said = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _told(frames))
+    return frames, _facets_seen(frames, places, mesh, keep), said
+
+
+def _cover_of(nodes: Nodes, freedom: Freedom, most: int, least: float | None = None) -> Ints:
+    return find_cover(freedom.free, nodes.normal @ freedom.direction.T, freedom.direction[:, 2], most, least)
+
+
+def _facets_seen(frames: Frames, places: Nodes, mesh: Mesh, keep: Bools) -> Bools:
+    """Those of the facets ``keep`` (f,) of which a frame sees a place, or one beside their middle."""
     seen, rows = np.zeros_like(keep), np.flatnonzero(keep)
     seen[rows] = frames.at(mesh.vertex[mesh.face[rows]].mean(axis=1), mesh.normal[rows]) >= 0
     seen[places.facet[frames.frame >= 0]] = True
-    elsewhere = np.zeros(len(free), np.bool_)
-    elsewhere[rest] = others.any(axis=1)
-    return frames, seen, (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _told(frames))
+    return seen
 
 
 def candidates(mesh: Mesh, kinematics: Chain | None) -> Floats:
@@ -108,7 +117,7 @@ def find_cover(free: Bools, cosine: Floats, up: Floats, most: int, least: float 
                 break
             chosen.append(best)
             left &= ~frees[:, best]
-    return np.array(_needed(free, well, chosen, least), np.int64)
+    return np.array(_paired(free, _needed(free, well, chosen, least)), np.int64)
 
 
 def _freed(free: Bools, chosen: list[int]) -> Bools:
@@ -122,6 +131,17 @@ def _needed(free: Bools, well: Bools, chosen: list[int], least: float) -> list[i
         alone = (free[:, one] & ~_freed(free, rest)).sum(), (well[:, one] & ~_freed(well, rest)).sum()
         if rest and max(alone) < least:
             chosen = rest
+    return chosen
+
+
+def _paired(free: Bools, chosen: list[int]) -> list[int]:
+    """Those chosen with one direction in place of two wherever one frees as much."""
+    for one, other in itertools.combinations(chosen, 2):
+        rest = [kept for kept in chosen if kept not in (one, other)]
+        lost = free[_freed(free, [one, other]) & ~_freed(free, rest)]
+        instead = np.flatnonzero(lost.sum(axis=0) == len(lost))
+        if len(rest) + 2 == len(chosen) and len(lost) and len(instead):
+            chosen = [*rest, int(instead[0])]
     return chosen
 
 

@@ -141,6 +141,8 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
+    if "passes" not in given and "frames" in given:
+        settings = replace(settings, passes=replace(settings.passes, passes=FRAMES))
     if settings.passes.passes == FRAMES:
         return settings
     if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
