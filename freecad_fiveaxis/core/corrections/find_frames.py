@@ -161,7 +161,7 @@ def assign(free: Bools, places: Nodes, axis: Floats) -> Ints:
     if not len(axis):
         return np.full(len(free), -1)
     flat = np.where(free, places.normal @ axis.T - SOONER * np.arange(len(axis)), -np.inf)
-    frame, none = flat.argmax(axis=1), ~free.any(axis=1)
+    frame, none = flat.argmax(axis=1), np.asarray(~free.any(axis=1))
     near = cKDTree(places.places()).query(places.places(), k=min(NEIGHBOURS + 1, len(free)))[1].reshape(len(free), -1)[:, 1:]
     for _ in range(ROUNDS if near.shape[1] else 0):
         alike = (frame[near][:, :, None] == np.arange(len(axis))) & ~none[near][:, :, None]
@@ -181,7 +181,7 @@ def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: in
         return ()
     one = float(mesh.area[keep].sum()) / len(out)
     lost, could = one * np.count_nonzero(out), one * np.count_nonzero(out & elsewhere)
-    x, y, z = frames.point[int((out & (elsewhere == elsewhere[out].any())).argmax())].tolist()
+    x, y, z = frames.point[int((out & elsewhere if could else out).argmax())].tolist()
     more = say("allow more frames") if len(frames.axis) == count < MOST else say("cut that with other passes")
     text = say(
         "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} "
