@@ -33,6 +33,10 @@ TEXTS = {
         "App::Property", "Point of the axis that radial passes radiate from: middle (of what is cut), or X,Y,Z"
     ),
     "pass_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K of the axis that radial passes radiate from"),
+    "frames": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Most positions in which the rotary axes are locked while passes are cut, 1 to 12: as many as are worth it",
+    ),
     "direction": QT_TRANSLATE_NOOP("App::Property", "Angle of the passes to the X axis, counter-clockwise seen from above"),
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),
@@ -152,7 +156,7 @@ def text_of(leaf: Any) -> str:
 EDITOR = {
     "passes": QT_TRANSLATE_NOOP(
         "App::Property", "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from "
-        "one guide curve to another; radial: about an axis"
+        "one guide curve to another; radial: about an axis; frames: constant scallop in few positions of locked rotary axes"
     ),
     "tool_axis": QT_TRANSLATE_NOOP(
         "App::Property",

@@ -236,6 +236,7 @@ SECTIONS = {
         "to",
         "pass_centre",
         "pass_axis",
+        "frames",
         SPACING,
         "direction",
         "order",
