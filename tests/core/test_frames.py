@@ -297,3 +297,14 @@ def test_a_number_of_frames_alone_asks_for_frames():
 def test_other_cutters_are_cut_in_frames_too():
     result = milled(from_triangles(sphere(12.0, 16, 24, (0, 0, 30))), cutter="bull:6:1", scallop=0.1)
     assert locked(result) >= 2
+
+
+def test_frames_keep_clear_of_fixtures(tmp_path):
+    """A jaw along one long side, as high as the part: that side's lower half is not cut, and nothing enters the jaw."""
+    jaw = from_triangles(box((-15, 12.5, 0), (15, 30, 14)))
+    write_stl(jaw, tmp_path / "jaw.stl")
+    result, free = milled(block(), fixture=[str(tmp_path / "jaw.stl")]), of("block")
+    locked(result)
+    hidden = [sum((centres(one)[:, 1] > 12.0) & (centres(one)[:, 2] < 8.0)) for one in (result, free)]
+    assert hidden[0] == 0 < hidden[1]
+    assert not [one.code for one in result.findings if one.code in ("fixture-collision", "fixture-unproven")]

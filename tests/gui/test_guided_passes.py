@@ -56,3 +56,18 @@ def test_passes_that_are_led_are_computed_and_edited_again(ball, pump, unfold, s
         assert not again.calculate() and path.Passes > 10, "what cannot be used is said, and nothing is lost"
     screenshot(f"passes_{passes}_edited")
     assert again.reject()
+
+
+def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screenshot):
+    panel = toolpath.create(ball)
+    panel.options.show_options({"cutter": "ball:6", "scallop": 0.2, "passes": "frames", "frames": 2})
+    pump(200)
+    unfold()
+    assert panel.calculate()
+    pump(600)
+    screenshot("passes_frames")
+    path = panel.obj
+    assert path.PassStrategy == "frames" and path.Frames == 2 and path.ToolAxis == "auto"
+    codes = {one.code: one for one in path.Proxy.last.result.findings}
+    assert codes["frames"].value == 2 and "outside-frames" in codes
+    assert panel.accept()
