@@ -7,7 +7,7 @@ from freecad_fiveaxis.gui.panels import toolpath
 
 COARSE = {"cutter": "ball:6", "scallop": 0.1, "max_axis_angle": 50.0, "tool_axis": "facet_mean"}
 ASKED = {
-    "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
+    "frames": {"frames"}, "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
 }  # fmt: skip
 
 
@@ -85,3 +85,18 @@ def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(ball, pump,
     curve.write_text("-4,-4,0\n4,-4,0\n4,4,0\n")
     assert not again.calculate(), "a curve that is open is said"
     assert again.reject()
+
+
+def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screenshot):
+    panel = toolpath.create(ball)
+    panel.options.show_options({"cutter": "ball:6", "scallop": 0.2, "passes": "frames", "frames": 2})
+    pump(200)
+    unfold()
+    assert panel.calculate()
+    pump(600)
+    screenshot("passes_frames")
+    path = panel.obj
+    assert path.PassStrategy == "frames" and path.Frames == 2 and path.ToolAxis == "auto"
+    codes = {one.code: one for one in path.Proxy.last.result.findings}
+    assert codes["frames"].value == 2 and "outside-frames" in codes
+    assert panel.accept()

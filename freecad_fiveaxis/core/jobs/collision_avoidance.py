@@ -40,7 +40,7 @@ from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.left_alone import lead_over_others
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
-from freecad_fiveaxis.core.corrections.near_links import stay_near
+from freecad_fiveaxis.core.corrections.near_links import LOCKED, MOST_TURN, stay_near
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -83,7 +83,7 @@ CURED = frozenset({"lifted", "left-out"})
 JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
-NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis")
+NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames")
 """The codes of findings on facets that are not among those to be cut."""
 
 HALVINGS = 6
@@ -133,7 +133,8 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
     spared = None if context.chosen is None else lambda begin, end: _leads_where_nothing_is_cut(context, path, begin, end)
-    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared)
+    turned = MOST_TURN if context.frames is None else LOCKED
+    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared, turned)
 
 
 def _leads_where_nothing_is_cut(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:

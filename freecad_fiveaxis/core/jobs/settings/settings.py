@@ -46,9 +46,11 @@ from .option import AUDIT, COMPARE, MILL, POST, RECOVER, SETUP, TASKS, WITHOUT_S
 
 SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
+FRAMES = "frames"
+"""The passes that choose their own tool axes."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
-OVER_SURFACE = ("morph", "radial", "scallop")
+OVER_SURFACE = ("frames", "morph", "radial", "scallop")
 """Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
 
 
@@ -141,6 +143,10 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
+    if "passes" not in given and "frames" in given:
+        settings = replace(settings, passes=replace(settings.passes, passes=FRAMES))
+    if settings.passes.passes == FRAMES:
+        return settings
     if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
@@ -221,6 +227,7 @@ def _check_together(settings: Settings) -> None:
     _check_boundary(settings)
     if settings.task in (SETUP, COMPARE) and is_part(settings.source):
         _refuse_of_cl_file(settings)
+    _check_frames(settings)
     _check_tool_axis(settings.tool_axis)
 
 
@@ -238,6 +245,31 @@ def _check_boundary(settings: Settings) -> None:
             option=Option("boundary_axis"), given=given,
         )  # fmt: skip
         raise SettingsError(text, bounds.boundary_axis)
+
+
+def _check_frames(settings: Settings) -> None:
+    """Locked rotary axes leave no choice of tool axes, nor one from contact to contact."""
+    if settings.passes.passes != FRAMES:
+        return
+    tool, frames = settings.tool_axis, Choice("passes", (FRAMES,))
+    refused = (
+        ("tool_axis", tool.tool_axis != "auto", tool.tool_axis), ("lead", tool.lead != 0.0, tool.lead),
+        ("tilt", tool.tilt != 0.0, tool.tilt),
+    )  # fmt: skip
+    for name, against, value in refused:
+        if against:
+            text = say(
+                "{frames} lock the rotary axes and choose the tool axes themselves; leave {option} out", frames=frames,
+                option=Option(name),
+            )  # fmt: skip
+            raise SettingsError(text, value)
+    for name, value in (("gouge", settings.gouge.gouge), ("singularity", settings.cure.singularity)):
+        if value in ("tilt", "deform"):
+            text = say(
+                "{frames} lock the rotary axes, {choice} turns them; choose another", frames=frames,
+                choice=Choice(name, (value,)),
+            )  # fmt: skip
+            raise SettingsError(text, value)
 
 
 def _check_tool_axis(tool: ToolAxisSettings) -> None:
