@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.report import Figures
 
 from . import results, wording
 from .long_work import listening, run, take_back
+from .plain_errors import told_plainly
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -99,6 +100,7 @@ class LeftMap(Proxy):
         """The toolpath and the results."""
         return PROPERTIES
 
+    @told_plainly
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         obj.UpToDate = False

@@ -40,6 +40,10 @@ TEXTS = {
     ),
     "boundary_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K along which the boundary is seen"),
     "boundary_by": QT_TRANSLATE_NOOP("App::Property", "What stays inside the boundary: the contact, or the cutter's centre"),
+    "frames": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Most positions in which the rotary axes are locked while passes are cut, 1 to 12: as many as are worth it",
+    ),
     "direction": QT_TRANSLATE_NOOP("App::Property", "Angle of the passes to the X axis, counter-clockwise seen from above"),
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),
@@ -164,7 +168,7 @@ def text_of(leaf: Any) -> str:
 EDITOR = {
     "passes": QT_TRANSLATE_NOOP(
         "App::Property", "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from "
-        "one guide curve to another; radial: about an axis"
+        "one guide curve to another; radial: about an axis; frames: constant scallop in few positions of locked rotary axes"
     ),
     "tool_axis": QT_TRANSLATE_NOOP(
         "App::Property",

@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict
 
 from . import changes, convert, wording
 from .long_work import is_open, run, take_back
+from .plain_errors import told_plainly
 from .properties import (
     FINGERPRINT,
     QT_TRANSLATE_NOOP,
@@ -168,6 +169,7 @@ class SetupMap(Proxy):
         if name in OWN:
             self.wants_trials = True
 
+    @told_plainly
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         if self.wants_trials or not obj.Fingerprint:

@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
 
 from . import compared, convert, job_setup, results
+from .plain_errors import told_plainly
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
@@ -81,6 +82,7 @@ class Toolpath(Proxy):
         if name == job_setup.LINK.name:
             job_setup.follow(obj)
 
+    @told_plainly
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)

@@ -29,6 +29,9 @@ class MarkersPicture:
         places = np.array([tuple(place) for place in self.obj.Places], float).reshape(-1, 3)
         good, bad = rgb(view.ColourGood), rgb(view.ColourBad)
         deviation, tolerance = (judged_of(path)[0], path.Tolerance.Value) if path is not None else (0.0, 0.0)
+        drawing = getattr(getattr(path.ViewObject.Proxy, "picture", None), "drawing", None) if path is not None else None
+        if drawing is not None:  # else they have their whole size
+            self.marks.stand_on(drawing.low, drawing.high)
         self.marks.show(
             places, kinds, largest_colour(deviation, tolerance, good, bad), bad, rgb(view.ColourSingular), view.MarkerSize
         )  # fmt: skip

@@ -21,7 +21,7 @@ from .view_providers import markers_of
 from .waiting import waiting
 
 SWITCHES = {
-    "cuts": "ShowCuts", "links": "ShowLinks", "rapids": "ShowRapids", "axes": "ShowAxes", "curves": "ShowCurves",
+    "cuts": "ShowCuts", "links": "ShowLinks", "rapids": "ShowRapids", "axes": "ShowAxes",
     "legend": "ShowLegend",
 }  # fmt: skip
 
@@ -100,12 +100,15 @@ class Picture:
         )  # fmt: skip
 
     def _turn(self) -> None:
-        """Markers and label belong to the Markers object where there is one."""
+        """Markers and label belong to the Markers object where there is one. What is shown of the worst blocks, label and curves,
+        goes with the markers: one switch leaves the plain path."""
         for name, prop in SWITCHES.items():
             self.nodes.turn(name, getattr(self.vobj, prop))
-        own = markers_of(self.obj) is None
-        self.nodes.turn("marks", own and self.vobj.ShowMarkers)
-        self.nodes.turn("label", own and self.vobj.ShowLabel)
+        markers = markers_of(self.obj)
+        marked = self.vobj.ShowMarkers if markers is None else markers.ViewObject.Visibility
+        self.nodes.turn("marks", markers is None and marked)
+        self.nodes.turn("label", markers is None and marked and self.vobj.ShowLabel)
+        self.nodes.turn("curves", marked and self.vobj.ShowCurves)
 
     def _write(self) -> None:
         """Label and legend."""

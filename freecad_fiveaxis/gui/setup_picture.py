@@ -58,14 +58,17 @@ class SetupPicture:
         if shown < len(self.obj.Places):
             part = translate("FiveAxis", "{shown} of {count} places: those at the recommended height")
             notes.append(part.format(shown=shown, count=len(self.obj.Places)))
+        within, beyond = int(scale.good.sum()), list(self.obj.Kinds).count(setups.BEYOND)
         keys = (
-            (good, translate("FiveAxis", "within tolerance")),
+            (good, translate("FiveAxis", "within tolerance: {count} places").format(count=within)),
             (nodes.WHITE, translate("FiveAxis", "recommended")),
             (PRESENT_COLOUR, translate("FiveAxis", "where the work zero stood")),
-            (BEYOND_COLOUR, translate("FiveAxis", "beyond limits, or below the table")),
+            (BEYOND_COLOUR, translate("FiveAxis", "beyond limits, or below the table: {count} places").format(count=beyond)),
         )
+        halves = (translate("FiveAxis", "smaller deviation"), translate("FiveAxis", "larger deviation"))
         old = translate("FiveAxis", "The tool path was changed since: double-click the map to try again")
         marks = [(level, length_text(value)) for level, value in scale.marks]
         return overlay.Legend(
-            self.obj.Label, colours.heat(bad), marks, ("", ""), keys, notes, "" if self.obj.UpToDate else old, self._best()
+            self.obj.Label, colours.heat(bad), marks, halves if len(marks) > 1 else ("", ""), keys, notes,
+            "" if self.obj.UpToDate else old, self._best(),
         )  # fmt: skip

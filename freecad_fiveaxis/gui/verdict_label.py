@@ -7,7 +7,9 @@ from typing import Any
 
 from .qt import QtWidgets
 
-COLOURS = {"red": "#b3261e", "amber": "#8a5a00", "green": "#0b6b3a"}
+ADVICE = "advice"
+"""In place of a light: what is recommended is neither safe nor unsafe."""
+COLOURS = {"red": "#b3261e", "amber": "#8a5a00", "green": "#0b6b3a", ADVICE: "#37474f"}
 """Of each light: white letters can be read on it, on a light desktop and on a dark one."""
 
 

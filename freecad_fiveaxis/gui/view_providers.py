@@ -256,8 +256,7 @@ class PathView(DrawnView):
         """Open the panel."""
         if mode:
             return False
-        panel = _panel(self.obj)
-        panel.edit(self.obj)
+        _edit(self.obj)
         return True
 
     def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
@@ -266,7 +265,7 @@ class PathView(DrawnView):
 
     def doubleClicked(self, vobj: Any) -> bool:
         """Open the panel."""
-        _panel(self.obj).edit(self.obj)
+        _edit(self.obj)
         return True
 
 
@@ -361,8 +360,11 @@ class SetupMapView(PictureView):
         return True
 
 
-def _panel(obj: Any) -> Any:
-    """The module of the object's task panel."""
-    from .panels import audit, toolpath
+def _edit(obj: Any) -> None:
+    """Open the object's task panel."""
+    from .waiting import busy
 
-    return audit if kind_of(obj) == "audit" else toolpath
+    with busy():
+        from .panels import audit, toolpath
+
+        (audit if kind_of(obj) == "audit" else toolpath).edit(obj)

@@ -148,6 +148,16 @@ def waiting(text: str) -> Iterator[Waiting]:
 
 
 @contextmanager
+def busy() -> Iterator[None]:
+    """The pointer says that a panel is on its way: its many fields take up to half a second, the first time more."""
+    QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        yield
+    finally:
+        QtWidgets.QApplication.restoreOverrideCursor()
+
+
+@contextmanager
 def recomputing() -> Iterator[Waiting]:
     """The dialog of long work that no command began, as of a recompute; short work shows none."""
     listener = Waiting(translate("FiveAxis", "Recompute"), UNSEEN)

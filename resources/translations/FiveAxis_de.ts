@@ -384,6 +384,10 @@
         <translation>Legende einklappen</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Anstellungen</translation>
+    </message>
+    <message>
         <source>From the spindle's gauge point to the tip; machines with a rotary head need it</source>
         <translation>Vom Bezugspunkt der Spindel bis zur Spitze; Maschinen mit Schwenkkopf brauchen sie</translation>
     </message>
@@ -676,6 +680,10 @@
         <translation>Verfahren</translation>
     </message>
     <message>
+        <source>Most positions in which the rotary axes are locked while passes are cut, 1 to 12: as many as are worth it</source>
+        <translation>Höchstzahl der Stellungen, in denen die Drehachsen geklemmt sind, während Bahnen geschnitten werden, 1 bis 12: so viele, wie sich lohnen</translation>
+    </message>
+    <message>
         <source>Most that is left on the machined surface</source>
         <translation>So viel bleibt auf der bearbeiteten Fläche höchstens stehen</translation>
     </message>
@@ -748,8 +756,8 @@
         <translation>Bahnstrategie</translation>
     </message>
     <message>
-        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from one guide curve to another; radial: about an axis</source>
-        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse</translation>
+        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from one guide curve to another; radial: about an axis; frames: constant scallop in few positions of locked rotary axes</source>
+        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse; frames: gleiche Kuppenhöhe in wenigen Stellungen geklemmter Drehachsen</translation>
     </message>
     <message>
         <source>Passes</source>
@@ -1753,6 +1761,10 @@
     <message>
         <source>Follow the tip</source>
         <translation>Der Spitze folgen</translation>
+    </message>
+    <message>
+        <source>Frames at most</source>
+        <translation>Anstellungen höchstens</translation>
     </message>
     <message>
         <source>From a CAM Job…</source>
@@ -2891,8 +2903,8 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
-        <source>beyond limits, or below the table</source>
-        <translation>jenseits der Grenzen, oder unter dem Tisch</translation>
+        <source>beyond limits, or below the table: {count} places</source>
+        <translation>außerhalb der Grenzen oder unter dem Tisch: {count} Stellen</translation>
     </message>
     <message>
         <source>bull nose mill</source>
@@ -3023,6 +3035,10 @@
         <translation>gefunden</translation>
     </message>
     <message>
+        <source>frames with locked rotary axes (3+2)</source>
+        <translation>Anstellungen mit geklemmten Drehachsen (3+2)</translation>
+    </message>
+    <message>
         <source>free of the part (auto)</source>
         <translation>frei vom Teil (auto)</translation>
     </message>
@@ -3057,6 +3073,10 @@
     <message>
         <source>joining facets</source>
         <translation>Facetten verbinden</translation>
+    </message>
+    <message>
+        <source>larger deviation</source>
+        <translation>größere Abweichung</translation>
     </message>
     <message>
         <source>least deviation (minimax)</source>
@@ -3295,6 +3315,10 @@
         <translation>Stellen auslassen</translation>
     </message>
     <message>
+        <source>smaller deviation</source>
+        <translation>kleinere Abweichung</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
     </message>
@@ -3381,6 +3405,10 @@
     <message>
         <source>within tolerance</source>
         <translation>in der Toleranz</translation>
+    </message>
+    <message>
+        <source>within tolerance: {count} places</source>
+        <translation>in der Toleranz: {count} Stellen</translation>
     </message>
     <message>
         <source>without {faces}</source>
@@ -3734,6 +3762,10 @@
     <message>
         <source>At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the part.</source>
         <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, wurde keine Werkzeugachse gefunden, die die Maschine einnehmen kann und die das Werkzeug aus dem Teil hält; sie werden ausgelassen. Kleineren Fräser oder Halter oder längeres Werkzeug nehmen oder das Teil drehen.</translation>
+    </message>
+    <message>
+        <source>At {count} of {all} contacts ({share} %), the first at {place}, the tool is not free with the axis of their frame; they are left out. Use a smaller cutter or holder, a longer tool, or other passes for the rest.</source>
+        <translation>An {count} von {all} Berührpunkten ({share} %), der erste bei {place}, ist das Werkzeug mit der Achse ihrer Anstellung nicht frei; sie werden ausgelassen. Einen kleineren Fräser oder Halter, ein längeres Werkzeug oder für den Rest andere Bahnen nehmen.</translation>
     </message>
     <message>
         <source>At {count} places an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.</source>
@@ -4240,6 +4272,10 @@
         <translation>Das Modell von So et al. findet in {rootless} von {blocks} NC-Sätzen keinen fernsten Punkt und nimmt dort die Mitte; die exakte Abweichung von der Geraden verwenden.</translation>
     </message>
     <message>
+        <source>The part is cut in {count} frames, each with a tool axis of its own: {axes}.</source>
+        <translation>Das Teil wird in {count} Anstellungen geschnitten, jede mit eigener Werkzeugachse: {axes}.</translation>
+    </message>
+    <message>
         <source>The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis leans below level. Give {origin} the place of the work zero, or {max_axis_angle} how far axes may lean.</source>
         <translation>Das Teil reicht {depth} unter den Tisch von {machine}; sein Ort ist also nicht bekannt, und keine Werkzeugachse neigt sich unter die Waagrechte. Mit {origin} den Ort des Nullpunkts angeben, oder mit {max_axis_angle}, wie weit sich Achsen neigen dürfen.</translation>
     </message>
@@ -4684,6 +4720,10 @@
         <translation>alles zu Bearbeitende liegt auf {name}; {option} weglassen</translation>
     </message>
     <message>
+        <source>allow more frames</source>
+        <translation>mehr Anstellungen zulassen</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
@@ -4842,6 +4882,10 @@
     <message>
         <source>curve {number} of boundary {name} is not closed: its ends are {gap} apart; repeat the first point at the end</source>
         <translation>Kurve {number} der Begrenzung {name} ist nicht geschlossen: ihre Enden liegen {gap} auseinander; den ersten Punkt am Ende wiederholen</translation>
+    </message>
+    <message>
+        <source>cut that with other passes</source>
+        <translation>das mit anderen Bahnen schneiden</translation>
     </message>
     <message>
         <source>cuts too deep</source>
@@ -6392,6 +6436,10 @@
         <translation>{area} ({share} % des Teils) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse bis {most} von Z kommt dorthin. Das Teil wenden oder den größten Achswinkel erhöhen.</translation>
     </message>
     <message>
+        <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.</source>
+        <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei. Mit anderen Achsen ist es auf {could} davon frei: {more}. Für den Rest ein kleineres Werkzeug nehmen.</translation>
+    </message>
+    <message>
         <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
         <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
@@ -6774,6 +6822,14 @@
     <message>
         <source>{first} turns {turn} and {second} {other_turn}</source>
         <translation>{first} dreht {turn} und {second} {other_turn}</translation>
+    </message>
+    <message>
+        <source>{frames} lock the rotary axes and choose the tool axes themselves; leave {option} out</source>
+        <translation>{frames} klemmen die Drehachsen und wählen die Werkzeugachsen selbst; {option} weglassen</translation>
+    </message>
+    <message>
+        <source>{frames} lock the rotary axes, {choice} turns them; choose another</source>
+        <translation>{frames} klemmen die Drehachsen, {choice} dreht sie; etwas anderes wählen</translation>
     </message>
     <message>
         <source>{given} given; give either a stepover or a scallop</source>
@@ -7214,6 +7270,10 @@
     <message>
         <source>{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out</source>
         <translation>{option} trennt waagrechte Ebenen von anderen Bahnen, {passes} sind aber überall waagrechte Ebenen; eines von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>{option} does not go together with {passes}; leave one of them out</source>
+        <translation>{option} geht nicht zusammen mit {passes}; eines von beiden weglassen</translation>
     </message>
     <message>
         <source>{option} is of a CL file, {source} is a part; leave it out</source>

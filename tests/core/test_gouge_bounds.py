@@ -12,7 +12,7 @@ from thorough import some_in_core
 from benchmarks.parts import bumpy
 from freecad_fiveaxis.core.collision import real_motion, straight_motion
 from freecad_fiveaxis.core.collision.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from freecad_fiveaxis.core.collision.deepest import deepest, toward
+from freecad_fiveaxis.core.collision.deepest import deepest, shortened, support_at, toward
 from freecad_fiveaxis.core.collision.edges import nearest_on_edges
 from freecad_fiveaxis.core.collision.swept_motion import Poses, clusters_of, segments_of, still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -331,3 +331,48 @@ def test_boxes_lie_as_the_facets_do_on_slopes_and_straight_over_walls_and_floors
     assert straight[:, :1].all()  # the whole block
     leaves = slope.boxes(np.arange(slope.leaf, len(slope.size)))
     assert (leaves.half.min(axis=0) < 1e-9).mean() > 0.9  # no thicker than a facet
+
+
+@pytest.mark.parametrize("name", STRAIGHT)
+def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
+    """All poses of real ways, bends and all, against points spread over the facets; a piece that ends at their height would not do."""
+    rng, piece, kinematics = np.random.default_rng(11), PIECES[name], chain(load_machine("fork_head_bc"), Setup(tool_length=60.0))
+    words = np.cumsum(rng.normal(0.0, [4.0, 4.0, 4.0, 8.0, 8.0], (80, 5)), axis=0)
+    swept, block = real_motion(kinematics, words), np.arange(79)
+    start, end = swept.pose(block, np.zeros(79)), swept.pose(block, np.ones(79))
+    reach = rng.uniform(-4.0, 18.0, 79) * start.axis
+    corner = start.tip + reach + rng.normal(0.0, 2.0, (3, 3, 79))
+    bend_tip, bend_axis = 0.125 * swept.bend_tip, 0.125 * swept.bend_axis
+    high = shortened(piece, start, end, corner, bend_tip, bend_axis)
+    assert (high < piece.high).sum() > 10 or piece.low == piece.high
+    differs = False
+    share = rng.dirichlet(np.ones(3), 200)
+    point = np.concatenate([np.einsum("pk,kin->pin", share, corner), corner])
+    for u in np.linspace(0.0, 1.0, 9):
+        pose = swept.pose(block, np.full(79, u))
+        arm = point - pose.tip
+        height = (arm * pose.axis).sum(axis=1)
+        radius = np.sqrt(np.maximum((arm * arm).sum(axis=1) - height * height, 0.0))
+        for k in range(79):
+            whole = -distance_off(piece, radius[:, k], height[:, k])
+            short = -distance_off(piece._replace(high=float(high[k])), radius[:, k], height[:, k])
+            inside = whole > 0.0
+            assert short[inside] == pytest.approx(whole[inside], abs=1e-9) and (short[~inside] <= 1e-9).all()
+            low = piece._replace(high=max(0.5 * (float(high[k]) + piece.low), piece.low + 1e-6))
+            differs |= bool((-distance_off(low, radius[:, k], height[:, k])[inside] < whole[inside] - 1e-3).any())
+    assert differs or piece.low_radius == 0.0 or piece.low == piece.high  # a ball's is as deep wherever it ends above the facet
+
+
+def test_the_support_of_a_shortened_piece_is_that_of_the_piece_so_short():
+    rng = np.random.default_rng(12)
+    g, axis = directions(rng, 300).T, leaning_axes(rng, 300, 0.5).T
+    pose, along = Poses(np.zeros((3, 300)), axis), (g * axis).sum(axis=0)
+    loose, share = rng.uniform(0.0, 0.01, 300), rng.uniform(0.0, 1.0, 300)
+    for name in STRAIGHT:
+        piece = PIECES[name]
+        high = piece.low + share * (piece.high - piece.low)
+        for off in (0.0, loose):
+            rows = zip(high.tolist(), along.tolist(), np.broadcast_to(off, 300).tolist(), strict=True)
+            exact = np.array([float(support(piece._replace(high=end), np.float64(a), o)) for end, a, o in rows])
+            given = support_at(piece, pose, g, off, high)
+            assert (given >= exact - 1e-9).all() and (given <= exact + 2.0 * off * piece.high + 1e-9).all()

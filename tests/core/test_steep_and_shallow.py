@@ -415,6 +415,7 @@ BAD = [
     (["--steep-shallow", "-1"], "steep-shallow"), (["--steep-shallow", "0"], "above 0 deg and at most 90 deg"), (["--steep-shallow", "91"], "steep-shallow"),
     (["--steep-shallow", "nan"], "steep-shallow"), (["--steep-shallow", "steep"], "steep-shallow"),
     (["--steep-shallow", "40", "--passes", "zlevel"], "leave one of them out"),
+    (["--steep-shallow", "40", "--passes", "frames"], "leave one of them out"),
 ]  # fmt: skip
 
 

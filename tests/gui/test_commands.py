@@ -277,3 +277,47 @@ print("opened")
     done = subprocess.run([sys.executable if "python" in Path(sys.executable).name else "python3", "-c", code],
                           capture_output=True, text=True, cwd=ROOT, timeout=60)  # fmt: skip
     assert done.stdout == "opened\n", done.stderr
+
+
+@pytest.fixture
+def pointers(monkeypatch):
+    """The shapes that the pointer has while a panel gets its fields; None: the usual one."""
+    from freecad_fiveaxis.gui.panels import form
+
+    seen, make = [], form.Form.__init__
+
+    def watched(self, *values, **named):
+        pointer = QtWidgets.QApplication.overrideCursor()
+        seen.append(None if pointer is None else pointer.shape())
+        make(self, *values, **named)
+
+    monkeypatch.setattr(form.Form, "__init__", watched)
+    return seen
+
+
+@pytest.mark.parametrize("name", ["Toolpath", "Audit", "Setup"])
+def test_the_pointer_is_busy_while_a_panel_gets_its_fields(name, box, select, press, pointers, panel_button, panel_closed):
+    select(box)
+    press(f"FiveAxis_{name}")
+    assert pointers and set(pointers) == {QtCore.Qt.WaitCursor}
+    assert QtWidgets.QApplication.overrideCursor() is None
+    panel_button("Cancel")
+    panel_closed()
+
+
+def test_the_pointer_is_busy_while_a_path_is_opened_by_a_double_click(path, pointers):
+    assert path.ViewObject.Proxy.doubleClicked(path.ViewObject)
+    assert pointers == [QtCore.Qt.WaitCursor] and QtWidgets.QApplication.overrideCursor() is None
+
+
+def test_the_pointer_is_as_ever_over_the_message_of_what_cannot_be_milled(doc, box, press, modal):
+    FreeCADGui.Selection.clearSelection()
+    over = []
+
+    def close(dialog):
+        over.append(QtWidgets.QApplication.overrideCursor())
+        dialog.close()
+
+    told = modal(close)
+    press("FiveAxis_Toolpath")
+    assert "Nothing is selected" in told.said[0] and over == [None]

@@ -9,6 +9,7 @@ from test_workshop import cut
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.gui.panels import audit, import_machine, prove_signs, recover, setup, toolpath
+from freecad_fiveaxis.gui.panels.panel_widget import LOW
 
 NARROW = 330
 """Pixels of FreeCAD 1.1's task panel over the view."""
@@ -197,7 +198,7 @@ def test_calculate_and_the_summary_stay_where_the_form_is_scrolled(panel, unfold
     screenshot("form_scrolled_down")
     for head in (panel.calculate_button, panel.summary):
         assert not head.visibleRegion().isEmpty() and head.visibleRegion().boundingRect().height() > 15
-    assert area.height() >= 160 and panel.form.visibleRegion().boundingRect().height() == panel.form.height()
+    assert area.height() >= LOW and panel.form.visibleRegion().boundingRect().height() == panel.form.height()
 
 
 @pytest.mark.usefixtures("whole_screen")
@@ -210,7 +211,7 @@ def test_a_summary_too_long_for_the_screen_scrolls_and_none_of_it_is_cut(panel, 
     until(lambda: area.verticalScrollBar().maximum() > 0, 20000, "a scroll bar for many lines")
     until(lambda: label.height() >= label.heightForWidth(label.width()) > area.height(), 20000, "none of them cut")
     screenshot("summary_long")
-    assert form_area.height() >= 160 and panel.calculate_button.visibleRegion().boundingRect().height() > 15
+    assert form_area.height() >= LOW and panel.calculate_button.visibleRegion().boundingRect().height() > 15
     assert panel.form.visibleRegion().boundingRect().height() == panel.form.height(), "the panel itself does not scroll"
     panel.summary.tell("<p>Some words that are told of the path.</p>" * 3)
     until(lambda: area.verticalScrollBar().maximum() == 0, 20000, "no scroll bar for a few lines")

@@ -7,7 +7,7 @@ from freecad_fiveaxis.gui.panels import toolpath
 
 COARSE = {"cutter": "ball:6", "scallop": 0.1, "max_axis_angle": 50.0, "tool_axis": "facet_mean"}
 ASKED = {
-    "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
+    "frames": {"frames"}, "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
 }  # fmt: skip
 
 
@@ -113,3 +113,18 @@ def test_steep_and_shallow_is_asked_for_but_for_level_planes_and_is_off_where_em
     unfold()
     assert again.options.fields["steep_shallow"].value() == 30
     assert again.reject()
+
+
+def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screenshot):
+    panel = toolpath.create(ball)
+    panel.options.show_options({"cutter": "ball:6", "scallop": 0.2, "passes": "frames", "frames": 2})
+    pump(200)
+    unfold()
+    assert panel.calculate()
+    pump(600)
+    screenshot("passes_frames")
+    path = panel.obj
+    assert path.PassStrategy == "frames" and path.Frames == 2 and path.ToolAxis == "auto"
+    codes = {one.code: one for one in path.Proxy.last.result.findings}
+    assert codes["frames"].value == 2 and "outside-frames" in codes
+    assert panel.accept()

@@ -461,3 +461,75 @@ def test_a_map_shows_each_height_where_it_is_in_the_core_s_colour(scene, screens
     ramp = left_nodes.scale_ramp() * 255.0
     for row, what in ((ramp[-40], "what is left"), (ramp[40], "what is cut too deep")):
         until(lambda: pixels(screenshot("scene-left"), row.round(), 60, view_box()) > 3000, 30000, what)  # noqa: B023
+
+
+@pytest.mark.parametrize("camera", ["Orthographic", "Perspective"])
+def test_the_line_to_a_place_behind_the_part_is_dashed(camera, scene, until, screenshot, view_box, pump):
+    """A square plate and a place on its top: seen from above and from below."""
+    one = on_screen.Labels()
+    one.show([on_screen.Label((0.0, 0.0, 1.0), "here")])
+    plate = nodes.coin.SoCube()
+    plate.width, plate.height, plate.depth = 80.0, 80.0, 2.0
+    view = scene(nodes.separate(plate, one.root))
+    view.setCameraType(camera)
+    share = {}
+    for side in ("Top", "Bottom"):
+        getattr(view, f"view{side}")()
+        view.fitAll()
+        one.boxes = np.full((1, 4), np.nan)
+        until(lambda: view.redraw() or np.isfinite(one.boxes).all(), 20000, "a label")
+        pump(300)
+        share[side] = bright_share(one, view_box(), screenshot(f"leader_{side}_{camera}"))
+    view.setCameraType("Orthographic")
+    assert share["Top"] > 0.9, share
+    assert 0.2 < share["Bottom"] < 0.9, share
+
+
+def bright_share(labels, box, path):
+    """Along the line to the only label: how much of it is bright."""
+    ends = np.array([list(end.getValue()) for end in labels.ends.vertex.getValues()])[:, :2]
+    x, y = (ends[0] + np.linspace(0.1, 0.9, 200)[:, None] * (ends[1] - ends[0])).T
+    left, top, _, height = box
+    seen = picture_of(path)
+    rows, columns = np.rint(top + height - 1 - y).astype(int), np.rint(left + x).astype(int)
+    near = [seen[rows + down, columns + right].min(axis=1) for down in (-1, 0, 1) for right in (-1, 0, 1)]
+    return float((np.max(near, axis=0) > 235).mean())
+
+
+@pytest.mark.parametrize("pixels_of_part", [10.0, 100.0, 400.0, 4000.0])
+def test_markers_have_a_size_between_bounds_and_do_not_cover_a_far_part(pixels_of_part):
+    made, rng = marks.Marks(), np.random.default_rng(1)
+    places = np.concatenate([rng.uniform(0.0, 100.0, (2000, 3)), rng.uniform(0.0, 100.0, (30, 3))])
+    made.show(places, [marks.SINGULAR] * 2000 + [marks.OVER] * 30, BAD, BAD, SINGULAR, 7.0)
+    made.stand_on(np.zeros(3), np.full(3, 100.0))
+    made.zoom_to(pixels_of_part / np.sqrt(3e4))
+    sizes = [style.pointSize.getValue() for style, _, _ in made.sizes]
+    assert min(sizes) >= marks.LEAST and max(sizes) <= 14.0 + marks.RIM
+    shown = {int(shape.numPoints.getValue()) for shape, _, _ in made.many}
+    assert len(shown) == 1 and (shown == {2000} if pixels_of_part == 4000.0 else shown.pop() >= marks.FEW)
+    (one, *_) = made.many
+    size = marks.suited_size(pixels_of_part, marks.least_size(14.0), 14.0) ** 2
+    assert one[0].numPoints.getValue() * size <= max(0.5 * marks.COVERED * pixels_of_part**2, marks.FEW * size)
+
+
+def test_a_far_part_is_seen_between_its_markers(scene, until, screenshot, pixels, view_box, pump):
+    """A ball with a thousand markers near the pole, small in the view: the more so without the bounds of their sizes."""
+    made, rng = marks.Marks(), np.random.default_rng(2)
+    places = rng.normal(size=(1000, 3))
+    places *= 20.0 / np.linalg.norm(places, axis=1)[:, None]
+    made.show(places, [marks.SINGULAR] * 1000, BAD, BAD, SINGULAR, 7.0)
+    ball, green = nodes.coin.SoSphere(), nodes.coin.SoMaterial()
+    ball.radius = 20.0
+    green.emissiveColor.setValue(0.0, 1.0, 0.0)
+    green.diffuseColor.setValue(0.0, 0.0, 0.0)
+    view = scene(nodes.separate(green, ball, made.root))
+    view.getCameraNode().height = 12.0 * view.getCameraNode().height.getValue()
+    seen = {}
+    for bounded in (False, True):
+        if bounded:
+            made.stand_on(np.full(3, -20.0), np.full(3, 20.0))
+            view.redraw()
+        pump(300)
+        path = screenshot(f"markers_of_a_far_part_{'bounded' if bounded else 'before'}")
+        seen[bounded] = pixels(path, (0, 255, 0), 40, view_box())
+    assert seen[True] > 3 * max(seen[False], 1), seen

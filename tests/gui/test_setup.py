@@ -217,3 +217,25 @@ def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
         assert made.ViewObject.Proxy.getIcon().endswith("SetupMap.svg")
     finally:
         close_all(again.Name)
+
+
+def test_the_legend_of_the_map_is_as_that_of_a_path(path, doc, until, screenshot, pump):
+    """Halves of the scale that say what they are, and how many places each colour has; it folds as the others do."""
+    from freecad_fiveaxis.app import setups
+    from freecad_fiveaxis.gui.scene.on_screen import LegendBox
+
+    made = app.setup_map(path, region=(300, 300, 0), grid=(3, 3, 1))
+    look(doc)
+    picture = until(lambda: made.ViewObject.Proxy.picture, 20000, "the map drawn")
+    assert type(picture.legend) is LegendBox is type(path.ViewObject.Proxy.picture.legend)
+    scale = setups.scale(made)
+    legend = picture._legend(scale, (0, 1, 0), (1, 0, 0), len(made.Places))
+    assert legend.halves == ("smaller deviation", "larger deviation") and len(legend.marks) == 5
+    counts = [int(text.split(": ")[1].split(" ")[0]) for _, text in legend.keys if ": " in text]
+    beyond = sum(kind == "setup-beyond-limits" for kind in made.Kinds)
+    within = sum(deviation <= path.Tolerance.Value for deviation in made.Deviations)
+    assert counts == [within, beyond]
+    until(lambda: len(picture.legend.box), 20000, "the legend in the view")
+    screenshot("setup_legend")
+    made.ViewObject.FoldLegend = True
+    until(lambda: 0 < picture.legend.size[1] < 50, 20000, "one line")

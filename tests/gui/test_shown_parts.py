@@ -85,6 +85,32 @@ def test_the_switch_of_the_markers_is_that_of_the_markers_object_where_there_is_
     assert shown_parts.is_shown(path, "ShowMarkers") and path.ViewObject.ShowMarkers
 
 
+@pytest.mark.parametrize("with_object", [False, True])
+def test_label_and_curves_of_the_worst_blocks_go_with_the_markers_and_come_back(
+    with_object, path, doc, field, click, until, screenshot
+):
+    from freecad_fiveaxis.gui.panels import toolpath
+
+    markers = app.annotate(path) if with_object else None
+    nodes = drawn(path).nodes
+    assert strokes(nodes.groups["curves"]), "a worst block's curve, with white ends"
+
+    def all_shown():
+        curves, label = (nodes.switches[name].whichChild.getValue() != -1 for name in ("curves", "label"))
+        return (curves, markers.ViewObject.Visibility if with_object else label)
+
+    until(lambda: all_shown() == (True, True), 20000, "curves and label")
+    toolpath.edit(path)
+    box = field("ShowMarkers")
+    for on in (False, True):
+        click(box, QtCore.QPoint(8, box.height() // 2))
+        until(lambda on=on: all_shown() == (on, on), 20000, f"curves and label {on}")
+        screenshot(f"markers_{'on' if on else 'off'}{'_object' if with_object else ''}")
+    if not with_object:
+        path.ViewObject.ShowCurves = False
+        until(lambda: all_shown() == (False, True), 20000, "the curves' own switch")
+
+
 def test_a_new_path_has_no_switches_until_it_is_there(doc, field):
     from freecad_fiveaxis.gui.panels import toolpath
 

@@ -4,9 +4,12 @@
 import FreeCAD
 import FreeCADGui
 import pytest
-from conftest import QtCore, QtWidgets
+from conftest import LEFT, QtCore, QtWidgets
+from conftest import _mouse as mouse
+from conftest import _tool_button as tool_button
 from test_clicks import look
 
+from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.app.selection import SelectionError
 
@@ -172,3 +175,100 @@ def test_a_document_closed_by_a_macro_while_it_is_computed_ends_the_work(slow, f
     until(lambda: QtWidgets.QApplication.activeModalWidget() is None, 20000, "no dialog")
     FreeCADGui.Control.closeDialog()
     pump(500)
+
+
+@pytest.fixture
+def report_view(window):
+    """Everything that FreeCAD and we have said since the test began, as the user reads it."""
+    (shown,) = [one for one in window.findChildren(QtWidgets.QTextEdit) if one.objectName() == "Report view"]
+    shown.clear()
+    return shown
+
+
+@pytest.fixture
+def hanging(dome, doc, until, tmp_path):
+    """A path with all that may hang on one: setup, NC file, markers, both maps, and an audit that is compared with the part."""
+    setup = app.create_setup(doc, machine="trunnion_ac")
+    plain = {
+        "passes": "planes",
+        "tool_axis": "facet_mean",
+        "stepover": 5.0,
+        "spindle": 8000,
+        "setup": setup,
+        "cutter": "ball:6:30",
+    }
+    path = app.create_toolpath(doc, dome, **plain)
+    nc = tmp_path / "dome.ngc"
+    app.post_process(path, nc)
+    app.annotate(path)
+    app.left_map(path)
+    app.setup_map(path, region=(50, 50, 50), grid=(3, 1, 1))
+    app.audit(doc, nc, "trunnion_ac", cutter="ball:6:30", part=dome)
+    path.ViewObject.Visibility = True
+    doc.recompute()
+    until(lambda: all(drawn(one) for one in (path, doc.Audit, doc.Markers, doc.LeftMap, doc.SetupMap)), 30000, "all drawn")
+    return path
+
+
+def drawn(obj):
+    """The picture of an object, once there is one."""
+    return obj.ViewObject.Proxy.picture
+
+
+def ours(doc):
+    """Our objects by name, each with why it is out of date."""
+    return {obj.Name: results.out_of_date(obj) for obj in doc.Objects if hasattr(obj, "Fingerprint") and hasattr(obj, "Blocks")}
+
+
+@pytest.mark.parametrize(("gone", "said"), [("Dome", "The part was deleted"), ("Tessellation", "The mesh of Toolpath was deleted"),
+                                            ("Toolpath", "The path of Markers was deleted")])  # fmt: skip
+def test_what_hangs_on_what_was_deleted_says_so_without_a_traceback_and_comes_back(
+    gone, said, hanging, doc, select, modal, press, pump, until, report_view, screenshot
+):
+    before = {obj.Name: obj.State for obj in doc.Objects}
+    deleted(doc.getObject(gone), select, modal, pump)
+    until(lambda: doc.getObject(gone) is None and said in report_view.toPlainText(), 20000, "that it was deleted")
+    doc.recompute()
+    pump(300)
+    screenshot(f"deleted_{gone}")
+    assert "Traceback" not in report_view.toPlainText()
+    press("Std_Undo", 500)
+    until(lambda: doc.getObject(gone), 20000, "all back")
+    doc.recompute()
+    until(lambda: set(ours(doc).values()) == {""}, 20000, "all current")
+    assert {obj.Name for obj in doc.Objects} == set(before) and not [obj.Name for obj in doc.Objects if "Invalid" in obj.State]
+    assert "Traceback" not in report_view.toPlainText()
+
+
+def test_an_error_that_nobody_foresaw_keeps_its_trace(dome, doc, planned, monkeypatch, report_view, until):
+    planned(dome, "OK")
+    monkeypatch.setattr(results, "put_result", lambda *_: 1 / 0)
+    doc.Toolpath.touch()
+    doc.recompute()
+    until(lambda: "ZeroDivisionError" in report_view.toPlainText(), 20000, "the error")
+    assert "Traceback" in report_view.toPlainText()
+
+
+def test_refresh_pressed_again_while_freecad_recomputes_recomputes_nothing_within(
+    dome, doc, planned, report_view, press, real_key, until
+):
+    """By the mouse and by its key, once the recompute shows its dialog: FreeCAD would say *Recursive calling of recompute*."""
+    planned(dome, "OK")
+    doc.Toolpath.Stepover = 0.3
+    doc.recompute()
+    dome.Radius = 22
+    button, pressed = tool_button("Std_Refresh"), []
+
+    def again():
+        real_key(FreeCADGui.getMainWindow(), "F5")
+        for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
+            mouse(button, kind, button.rect().center(), LEFT, LEFT, ms=0)
+        pressed.append(doc.Recomputing)
+
+    timer = when_computing(again)
+    press("Std_Refresh")
+    until(lambda: pressed and not doc.Recomputing, 60000, "the recompute over, with Refresh pressed meanwhile")
+    timer.stop()
+    assert pressed == [True], "while FreeCAD recomputed"
+    until(lambda: results.out_of_date(doc.Toolpath) == "", 20000, "the path current")
+    assert "Recursive" not in report_view.toPlainText() and "Traceback" not in report_view.toPlainText()

@@ -11,6 +11,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.gui import findings_panel, verdict_label
 from freecad_fiveaxis.gui.panels import audit, post, summary, toolpath, written
+from freecad_fiveaxis.gui.panels import setup as setup_panel
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
@@ -244,3 +245,60 @@ def test_the_list_of_findings_begins_with_the_verdict(path, pump, until):
     until(lambda: opened.verdict.isVisible() and opened.verdict.text() == made.Verdict, 20000, "the verdict")
     opened.clear()
     until(lambda: not opened.verdict.isVisible(), 20000, "no verdict")
+
+
+@pytest.fixture
+def low_screen(window, pump):
+    """The window as large as the screen of a small notebook, without the consoles that FreeCAD hides at first."""
+    from conftest import SMALL
+
+    docks = [
+        dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.objectName() in ("Python console", "Report view")
+    ]
+    shown = [dock for dock in docks if dock.isVisible()]
+    for dock in shown:
+        dock.hide()
+    window.setGeometry(0, 0, 1366, 768)
+    pump(300)
+    yield
+    for dock in shown:
+        dock.show()
+    window.setGeometry(*SMALL)
+    pump(200)
+
+
+def is_whole(label):
+    """Whether all of a label is in sight, and all of its text in it."""
+    seen = label.visibleRegion().boundingRect()
+    return label.isVisible() and seen == label.rect() and label.height() >= label.heightForWidth(label.width()) > 0
+
+
+def bar_at_the_end(area):
+    """Scroll to the end, whether there is more than what is seen."""
+    bar = area.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    return bar.maximum() > 0
+
+
+@pytest.mark.usefixtures("low_screen")
+@pytest.mark.parametrize("kind", ["toolpath", "audit", "setup"])
+def test_on_a_screen_of_1366_by_768_the_verdict_is_whole_and_the_rest_scrolls(
+    kind, dome, doc, tmp_path, until, screenshot, unfold
+):
+    if kind == "toolpath":
+        opened = toolpath.create(dome)
+        opened.options.show_options({**COARSE, **UNSAFE})
+    else:
+        path = app.create_toolpath(doc, dome, machine="trunnion_ac", spindle=8000, **COARSE, **UNSAFE)
+        app.post_process(path, tmp_path / "dome.ngc")
+        opened = audit.create(doc) if kind == "audit" else setup_panel.create(path)
+        opened.options.show_options({} if kind == "audit" else {"region": (20, 20, 20), "grid": (2, 2, 2)})
+    assert opened.calculate()
+    label = opened.summary.verdict
+    until(lambda: is_whole(label), 20000, "the whole verdict")
+    screenshot(f"verdict_1366x768_{kind}")
+    unfold()
+    area = opened.form.findChild(QtWidgets.QScrollArea, "form_area")
+    until(lambda: bar_at_the_end(area), 20000, "the rest scrolling")
+    until(lambda: is_whole(label), 20000, "the verdict whole beside it")
+    screenshot(f"verdict_1366x768_{kind}_end")

@@ -60,10 +60,37 @@ def _unit_on_axis(axis: Floats, along: Floats) -> Floats:
     return np.asarray(along * axis + np.sqrt(np.maximum(1.0 - along * along, 0.0)) * side)
 
 
-def support_at(piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0) -> Floats:
-    """The support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be off by ``loose`` (n,)."""
+def support_at(piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0, high: Floats | None = None) -> Floats:
+    """The support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be off by ``loose`` (n,);
+    ``high`` (n,) mm: of as much of it as :func:`shortened` says."""
     along = (g * pose.axis).sum(axis=0)
-    return np.asarray((g * pose.tip).sum(axis=0) + support(piece, along, loose))
+    if high is None:
+        return np.asarray((g * pose.tip).sum(axis=0) + support(piece, along, loose))
+    disc = piece._replace(high=piece.low)
+    more = np.maximum((high - piece.low) * (along + loose), 0.0)
+    return np.asarray((g * pose.tip).sum(axis=0) + support(disc, along, loose) + more)
+
+
+def shortened(piece: Piece, start: Poses, end: Poses, corner: Floats, bend_tip: Floats, bend_axis: Floats) -> Floats | None:
+    """Find how high (n,) mm pieces need to be for triangles, corners (3, 3, n) mm, on the ways from ``start`` to ``end``, which
+    these leave by no more than the bends (n,); None for cones, whose sides are nearest elsewhere.
+
+    What is no higher than h in a piece that is as wide above as below is as deep in the part of it that ends as far above h as
+    it begins below. A long tool whose axis turns sweeps far with its upper end, and would be bounded by that all the way down.
+    """
+    if piece.low_radius != piece.high_radius:
+        return None
+    most = np.full(corner.shape[2], -np.inf)
+    for pose in (start, end):
+        arm = corner - pose.tip
+        most = np.maximum(most, (arm * pose.axis).sum(axis=1).max(axis=0))
+    far = np.sqrt(((corner - start.tip) ** 2).sum(axis=1).max(axis=0)) + _length(end.tip - start.tip)
+    most += 0.25 * _length(end.tip - start.tip) * _length(end.axis - start.axis) + bend_tip + (far + bend_tip) * bend_axis
+    return np.asarray(np.clip(2.0 * most - piece.low, piece.low, piece.high))
+
+
+def _length(vector: Floats) -> Floats:
+    return np.asarray(np.sqrt((vector * vector).sum(axis=0)))
 
 
 def end_and_side(piece: Piece, pose: Poses, point: Floats) -> tuple[Floats, Floats]:
@@ -121,7 +148,8 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
     height = np.clip((middle * pose.axis).sum(axis=0), piece.low, piece.high)
     aim = tip + height * pose.axis
     point_core = piece.low == piece.high and piece.low_radius == 0.0
-    step = min(max(piece.low_radius, piece.high_radius), np.sqrt(float(((corner - corner[0]) ** 2).sum(axis=1).max(initial=0.0))))
+    size = np.sqrt(((corner - corner[0]) ** 2).sum(axis=1).max(axis=0))
+    step = np.minimum(size, max(piece.low_radius, piece.high_radius))
     best: Deepest | None = None
     for _ in range(1 if point_core else STEPS):
         point = nearest_on_facet(corner, aim)
@@ -131,7 +159,7 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
             point, distance, g = (np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True))
         best = Deepest(point, distance, g)
         outside = distance + piece.round
-        step *= 0.6
+        step = 0.6 * step
         aim = point - np.where(outside > 0.0, outside, step) * g
     assert best is not None
     return best

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
 from freecad_fiveaxis.core.tool.body import Body, Piece
 
 from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from .deepest import deepest, end_and_side, least_mixed, support_at
+from .deepest import deepest, end_and_side, least_mixed, shortened, support_at
 from .demanded_lift import raise_to_demand
 from .swept_motion import Clusters, MotionSegments, Poses, StraightSweep, SweptMotion, clusters_of, segments_of
 
@@ -310,10 +310,11 @@ class _Search:
         start, end = self.swept.pose(left.block, left.start), self.swept.pose(left.block, left.end)
         share = 0.125 * (left.end - left.start) ** 2
         bend, loose = share * self.swept.bend_tip[left.block], share * self.swept.bend_axis[left.block]
+        high = shortened(piece, start, end, left.corner, bend, loose)
 
         def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
-            over = np.maximum(support_at(piece, start, g, loose), support_at(piece, end, g, loose)) + bend
-            begins, half_way = (g * left.corner).sum(axis=1).min(axis=0), support_at(piece, pose, g)
+            over = np.maximum(*(support_at(piece, there, g, loose, high) for there in (start, end))) + bend
+            begins, half_way = (g * left.corner).sum(axis=1).min(axis=0), support_at(piece, pose, g, high=high)
             return over - begins, over - half_way, half_way - begins
 
         most, in_time, flat = bound(g)
@@ -324,7 +325,7 @@ class _Search:
             ends = []
             for g in end_and_side(piece, pose, point):
                 begins = (g * left.corner).sum(axis=1)
-                ends.append(np.concatenate([support_at(piece, there, g, loose) + bend - begins for there in (start, end)]))
+                ends.append(np.concatenate([support_at(piece, there, g, loose, high) + bend - begins for there in (start, end)]))
             most = np.minimum(most, least_mixed(*ends))
         return most, in_time, flat
 

@@ -19,6 +19,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.vectors import dot
 from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.collision.search import which_enter
 from freecad_fiveaxis.core.collision.swept_motion import straight_motion
@@ -39,6 +40,9 @@ RAPID_WORTH = 0.25
 MOST_TURN = np.pi / 2
 """rad; where the axis turns by more the tool goes over the part."""
 
+LOCKED = 1e-6
+"""rad: the same where rotary axes are to be locked as long as the tool is near the part."""
+
 
 class Gaps(NamedTuple):
     """``last``, ``first`` (g,) rows: the end of a polyline and the start of the next; ``worth`` (g,) mm of feed that a near link
@@ -52,15 +56,16 @@ class Gaps(NamedTuple):
 def stay_near(
     path: CLPath, tree: FacetTree, body: Body, radius: float, limit: float, driven: float, above: float,
     progress: Progress = silent, kinematics: Chain | None = None, spared: Callable[[Ints, Ints], Bools] | None = None,
+    most_turn: float = MOST_TURN,
 ) -> CLPath:  # fmt: skip
     """Replace the rapids between polylines by near links where the tool enters the part by no more than ``limit`` mm on them.
 
     ``radius`` mm of the cutter; ``driven`` and ``above`` mm: how far above the tip the points lie that the path's tips are
     and that goes straight; ``kinematics``: the machine that must take up the axes on the way, None: any will do; ``spared``:
-    tells of ways from rows (w,) to rows (w,) of the path which must not be gone on the surface, None: all may. Gives the very
-    path where nothing is replaced.
+    tells of ways from rows (w,) to rows (w,) of the path which must not be gone on the surface, None: all may; ``most_turn``
+    rad: where the axis turns by more the tool goes over the part. Gives the very path where nothing is replaced.
     """
-    gaps = _within_limits(find_gaps(path), path, kinematics)
+    gaps = _within_limits(_turning_less(find_gaps(path), path, most_turn), path, kinematics)
     height = np.full(len(gaps.last), np.nan)
     for part, lift in enumerate(HEIGHTS):
         progress("linking passes", part / len(HEIGHTS))
@@ -87,6 +92,12 @@ def find_gaps(path: CLPath) -> Gaps:
     return Gaps(last[by_rapid], first[by_rapid], (worth[first] - worth[last])[by_rapid])
 
 
+def _turning_less(gaps: Gaps, path: CLPath, most: float) -> Gaps:
+    """The gaps over which the axis turns by no more than ``most`` rad."""
+    rows = np.flatnonzero(dot(path.axis[gaps.last].T, path.axis[gaps.first].T) >= np.cos(most))
+    return gaps if len(rows) == len(gaps.last) else Gaps(gaps.last[rows], gaps.first[rows], gaps.worth[rows])
+
+
 def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
     """The gaps over which the axis turns straight without leaving the machine's limits."""
     if kinematics is None:
@@ -98,8 +109,7 @@ def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
 def _worthwhile(path: CLPath, gaps: Gaps, lift: float, radius: float) -> Bools:
     """Which gaps (g,) a near link so high bridges sooner than the rapids do; on the surface only the nearest."""
     apart = np.linalg.norm(path.tip[gaps.first] - path.tip[gaps.last], axis=1)
-    turned = (path.axis[gaps.first] * path.axis[gaps.last]).sum(axis=1) < np.cos(MOST_TURN)
-    return np.asarray((apart + 2.0 * lift < gaps.worth) & ~turned & ((lift > 0.0) | (apart <= radius)))
+    return np.asarray((apart + 2.0 * lift < gaps.worth) & ((lift > 0.0) | (apart <= radius)))
 
 
 def with_margin(body: Body) -> Body:

@@ -40,7 +40,7 @@ from freecad_fiveaxis.core.corrections.lead_in import lead_in
 from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.left_alone import lead_over_others
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
-from freecad_fiveaxis.core.corrections.near_links import stay_near
+from freecad_fiveaxis.core.corrections.near_links import LOCKED, MOST_TURN, stay_near
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -83,7 +83,7 @@ CURED = frozenset({"lifted", "left-out"})
 JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
-NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis")
+NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames")
 """The codes of findings on facets that are not among those to be cut."""
 
 HALVINGS = 6
@@ -133,7 +133,8 @@ def near_the_part(context: MillContext, path: CLPath) -> CLPath:
     tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
     spared = None if context.chosen is None else lambda begin, end: _leads_where_nothing_is_cut(context, path, begin, end)
-    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared)
+    turned = MOST_TURN if context.frames is None else LOCKED
+    return stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared, turned)
 
 
 def _leads_where_nothing_is_cut(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
@@ -159,12 +160,15 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
     settings, joints = context.settings, drive(context, path, entering)
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
+    asked = np.arange(len(path.tip))
     for _ in range(HALVINGS):
-        rows = _entering(context, path, joints)
+        rows = _entering(context, path, joints, asked)
         if not len(rows):
             break
         path = _halved(path, rows, driven_to_surface(settings))
         joints = drive(context, path, entering)
+        fresh = rows + np.arange(len(rows))
+        asked = np.union1d(fresh, fresh + 1)  # both halves; of all else the machine goes the way that was clear
     return path, joints
 
 
@@ -179,12 +183,13 @@ def keep_rapids_clear(context: MillContext, joints: JointPath) -> JointPath:
     return divide_rapids(joints, context.kinematics, context.dialect, clearance)
 
 
-def _entering(context: MillContext, path: CLPath, joints: JointPath) -> Ints:
-    """The rows (k,) of the path to which the machine leads the cutter through the part, and the path itself does not."""
+def _entering(context: MillContext, path: CLPath, joints: JointPath, asked: Ints) -> Ints:
+    """Find the rows (k,) of the path, of those ``asked`` (n,) for, to which the machine leads the cutter through the part, and
+    the path itself does not."""
     settings, progress = context.settings, context.progress
     cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.obstacles), settings.proof.tolerance
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
-    fed = np.flatnonzero(joints.path.motion[1:] != Motion.RAPID)  # links near the part too
+    fed = np.flatnonzero((joints.path.motion[1:] != Motion.RAPID) & np.isin(joints.row[1:], asked))  # links near the part too
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes.boundary import Boundary
+from freecad_fiveaxis.core.passes.frames import Frames
 
 from .settings import Settings
 
@@ -37,7 +38,8 @@ class JobContext:
 class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
     axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some;
-    ``chosen`` (f,): the facets that may be machined at all, where not all may; ``boundary``: within which the passes are kept."""
+    ``chosen`` (f,): the facets that may be machined at all, where not all may; ``boundary``: within which the passes are kept;
+    ``frames``: of passes with locked rotary axes."""
 
     mesh: Mesh
     keep: Bools
@@ -45,6 +47,7 @@ class MillContext(JobContext):
     joined: Mesh | None = None
     chosen: Bools | None = None
     boundary: Boundary | None = None
+    frames: Frames | None = None
 
     @property
     def obstacles(self) -> Mesh:

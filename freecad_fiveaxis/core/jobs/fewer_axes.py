@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import Choice, Option, say
 from freecad_fiveaxis.core.machine import Machine
 
-from .settings import COMPARE, MILL, POST, PROVE, SETUP, Settings
+from .settings import COMPARE, FRAMES, MILL, POST, PROVE, SETUP, Settings
 
 FIXED = "fixed"
 USUAL = {0: FIXED, 1: "facet_mean"}
@@ -22,7 +22,7 @@ USUAL = {0: FIXED, 1: "facet_mean"}
 
 def suit_tool_axis(settings: Settings, machine: Machine) -> Settings:
     """The settings, with a tool axis that the machine can follow where they leave it open."""
-    if machine.rotaries not in USUAL or "tool_axis" in settings.explicit:
+    if machine.rotaries not in USUAL or "tool_axis" in settings.explicit or settings.passes.passes == FRAMES:
         return settings
     return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=USUAL[machine.rotaries]))
 
@@ -72,6 +72,8 @@ def _cures(settings: Settings, machine: Machine) -> tuple[str, object] | None:
             singularity=Choice("singularity", ("deform",), flag=True),
             name=machine.name,
         ), settings.cure.singularity
+    if settings.passes.passes == FRAMES:
+        return None
     if settings.task != POST and settings.tool_axis.tool_axis in ("minimax", "auto"):
         return say(
             "{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z",
@@ -87,7 +89,7 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     tool = settings.tool_axis
     if machine.rotaries or settings.task not in (MILL, COMPARE):
         return None
-    if tool.tool_axis != FIXED:
+    if tool.tool_axis != FIXED and settings.passes.passes != FRAMES:
         return say(
             "machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose {tool_axis}",
             name=machine.name,

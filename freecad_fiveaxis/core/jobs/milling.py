@@ -29,6 +29,8 @@ from freecad_fiveaxis.core.corrections.auto_axis import (
 )
 from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS
 from freecad_fiveaxis.core.corrections.facets_with_axis import AxisField, find_axis_field, select_facets
+from freecad_fiveaxis.core.corrections.find_frames import find_frames
+from freecad_fiveaxis.core.corrections.free_in_frames import by_frame, free_in_frames, stands_in
 from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns
 from freecad_fiveaxis.core.corrections.order_with_axes import order_with_axes
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -38,16 +40,17 @@ from freecad_fiveaxis.core.passes import (
     ContactPath,
     Division,
     Region,
+    cut,
     facets_under_axes,
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
     lay_by_slope,
-    lay_whole,
     report_standing,
     standing_facets,
     turns_within_limits,
 )
+from freecad_fiveaxis.core.passes.frames import Frames
 
 from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
 from .collision_avoidance import (
@@ -73,8 +76,10 @@ from .options import (
     travels,
 )
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
-from .settings import Settings
+from .settings import FRAMES, Settings
 from .settings.settings import STEEP
+
+_NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
 
 
 def mill_context(
@@ -93,13 +98,16 @@ def mill_context(
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
+        about = (*said, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
+        if settings.passes.passes == FRAMES:
+            frames, keep, left_out = find_frames(joined, to_cut, reacher, most, int(settings.passes.frames), progress)
+            context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep[: len(faces)], None, joined)
+            return replace(context, chosen=chosen, boundary=boundary, frames=frames), (*about, *left_out)
         field = find_axis_field(joined, to_cut, reacher, progress)
         keep, left_out = select_facets(field, joined, to_cut, most)
         keep = keep[: len(faces)]
-        left_out = (*said, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh), *left_out)
-        return MillContext(
-            settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary
-        ), left_out  # fmt: skip
+        context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary)
+        return context, (*about, *left_out)
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     left_out = (*said, *left_out)
@@ -118,8 +126,8 @@ def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
 
 def mill(context: MillContext) -> Milled:
     """From a mesh to a program: passes, CL offset, tool axes, links, the tool kept out of the part, joints, NC blocks."""
-    contact, untouched = laid(context)
-    offset, axis, held = oriented(context, bounded(context, closed(context, contact)))
+    contact, untouched, frame = laid(context)
+    offset, axis, held = oriented(context, bounded(context, closed(context, contact)), frame)
     led, said = rerouted(context, offset, axis)
     turned, led = tilted(context, offset, led)
     path, entering = lifted(context, linked(context, turned, led))
@@ -134,27 +142,29 @@ def mill(context: MillContext) -> Milled:
     )  # fmt: skip
 
 
-def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...]]:
-    """The passes on the facets, and what they do not touch."""
-    settings = context.settings
-    strategy, options, links = find_pass_strategy(settings.passes.passes), pass_options(settings), settings.links
-    region = find_region(settings, context.mesh, context.keep, context.progress)
-    if (bound := settings.passes.steep_shallow) is None:
-        return lay_whole(region, options, strategy, links.order, links.spiral == "on")
-    return lay_by_slope(region, options, Division(bound, find_pass_strategy(STEEP), strategy, links.order, links.spiral == "on"))
+def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...], Ints | None]:
+    """The passes on the facets, what they do not touch, and the frame (k,) of each pass, where there are frames."""
+    strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
+    region = find_region(context.settings, context.mesh, context.keep, context.progress, context.frames)
+    order, spiral = context.settings.links.order, context.settings.links.spiral == "on"
+    if (bound := context.settings.passes.steep_shallow) is not None:
+        return *lay_by_slope(region, options, Division(bound, find_pass_strategy(STEEP), strategy, order, spiral)), None
+    field = strategy.field(region, options)
+    contact = cut(region, field, order, spiral)
+    return contact, strategy.untouched(region, options, field, contact.face), field.frame
 
 
-def find_region(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress) -> Region:
+def find_region(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None) -> Region:
     """The facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart as the cutter's. For what
     is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
     if scallop is None or cutter.ring == 0.0:
-        return Region(mesh, keep, radius, interval, progress=progress)
-    stand = (settings.tool_axis.tool_axis, axis_options(settings))
-    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in travels(settings)]
-    return Region(mesh, keep, min(radii), interval, 1.0, progress)
+        return Region(mesh, keep, radius, interval, progress=progress, frames=frames)
+    stands = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
+    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in travels(settings) for stand in stands]
+    return Region(mesh, keep, min(radii), interval, 1.0, progress, frames)
 
 
 def closed(context: MillContext, contact: ContactPath) -> OffsetPath:
@@ -163,10 +173,13 @@ def closed(context: MillContext, contact: ContactPath) -> OffsetPath:
     return close_gaps(contact, context.mesh, corner_radius(cutter.cutter), cutter.coedge_tolerance, keep, context.progress)
 
 
-def oriented(context: MillContext, offset: OffsetPath) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
-    """The rows that can be cut and the strategy's tool axes (n, 3) there, and what there is to say of the others."""
+def oriented(context: MillContext, offset: OffsetPath, frame: Ints | None) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
+    """The rows that can be cut and the strategy's tool axes (n, 3) there, and what there is to say of the others. ``frame`` (k,):
+    of each pass, where the rotary axes are locked."""
     settings, found = context.settings, tuple[Finding, ...]()
     axis = tool_axes(offset, settings.tool_axis.tool_axis, axis_options(settings))
+    if context.frames is not None and frame is not None and len(axis):
+        offset, axis, found = framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
     return *feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper), found
@@ -191,11 +204,28 @@ def free_rows(
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)
     if not len(free):
-        text = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
-        raise ReachError(text, None)
+        raise ReachError(_NOTHING_FREE, None)
     if settings.links.order == "zigzag" and not (stand.lead or stand.tilt):  # these lean with the way of the feed
         offset, axis = order_with_axes(offset, axis)
     return offset, axis, found
+
+
+def framed_rows(
+    context: MillContext, frames: Frames, offset: OffsetPath, frame: Ints
+) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
+    """The rows, frame by frame, at which the tool is free with the axis of the frame of their pass, and these axes (n, 3)."""
+    settings, cutter = context.settings, context.settings.cutter.cutter
+    reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
+    offset, axis = divided(offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring)
+    axis = frames.axis[frame[offset.pass_]]
+    free, found = free_in_frames(offset, frames, frame, context.obstacles, reacher, context.progress)
+    offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
+    rows = select_rows_with_way_out(free, offset.polyline)
+    found += report_no_way_out(offset, rows)
+    offset, axis, free = _keep_rows(offset, axis, free, rows)
+    if not len(free):
+        raise ReachError(_NOTHING_FREE, None)
+    return *by_frame(offset, frames, frame, settings.links.order == "zigzag"), found
 
 
 def _keep_rows(offset: OffsetPath, axis: Floats, free: Ints, rows: Ints) -> tuple[OffsetPath, Floats, Ints]:
@@ -208,7 +238,7 @@ def rerouted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[Fl
     """The axes (n, 3) corrected where the settings ask for that: by a strategy that knows the machine, then past the pole."""
     settings, found = context.settings, tuple[Finding, ...]()
     options = axis_corrections(context)
-    strategy = settings.tool_axis.tool_axis if context.field is None else ""
+    strategy = settings.tool_axis.tool_axis if context.field is None and context.frames is None else ""
     for name in (strategy, settings.cure.singularity):
         if (correction := AXIS_CORRECTIONS.get(name)) is not None:
             given = axis

@@ -19,6 +19,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .frames import Frames
 from .passes import ContactPath, slice_field, slice_mesh
 from .piece_order import order_pieces
 from .refine import Copy, copy_facets
@@ -54,7 +55,8 @@ class PassOptions:
 @dataclass(frozen=True, eq=False)
 class Region:
     """``mesh``; ``keep`` (f,) the facets to cut; ``radius`` mm of the ball whose passes may stand as far apart as the cutter's,
-    at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm of a flat."""
+    at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm of a flat. ``frames``: what sees which of
+    them, for passes that are cut with locked rotary axes."""
 
     mesh: Mesh
     keep: Bools
@@ -62,18 +64,21 @@ class Region:
     interval: float
     widest: float | None = None
     progress: Progress = field(default=silent, repr=False)
+    frames: Frames | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class PassField:
     """``value`` (v,) at the vertices of the mesh, or of ``surface`` where there is one; ``levels`` (k,) of it, ascending, that
-    are cut; ``upright`` rad: the travel of upright planes, whose points are then exact. ``findings``: what is poor about it."""
+    are cut; ``upright`` rad: the travel of upright planes, whose points are then exact. ``findings``: what is poor about it;
+    ``frame`` (k,): of each level the frame in which it is cut, where rotary axes are locked."""
 
     value: Floats
     levels: Floats
     findings: tuple[Finding, ...] = ()
     upright: float | None = None
     surface: Copy | None = None
+    frame: Ints | None = None
 
     def __post_init__(self) -> None:
         freeze(self, None, value="f")

@@ -106,11 +106,16 @@ class ConstantScallop(OverSurface):
         region.progress("placing passes", 0.0)
         ground = survey_region(region, options)
         surface = make_surface(region, ground)
-        source, known = source_values(surface.copy, surface.frame, surface.metric, ground.curve)
         region.progress("placing passes", 0.3)
-        steps = distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
+        steps = lay_steps(surface, ground.curve)
         region.progress("placing passes", 0.7)
         return lay_passes(region, surface, steps)
+
+
+def lay_steps(surface: Surface, curve: Floats | None) -> Floats:
+    """Measure the distance, in steps, of the vertices (v,) of the surface's copy from ``curve``, None: from its border."""
+    source, known = source_values(surface.copy, surface.frame, surface.metric, curve)
+    return distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
 
 
 def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:

@@ -7,12 +7,16 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
 
 from .field import PassStrategy
+from .frame_passes import FramePasses
 from .morph_passes import Morph
 from .planes import Planes
 from .radial_passes import Radial
 from .scallop_passes import ConstantScallop
 
 PASS_STRATEGIES: dict[str, PassStrategy] = {
+    "frames": FramePasses(
+        "constant scallop with locked rotary axes: from the few directions that see most of the part, one after the other"
+    ),
     "morph": Morph(
         "from one guide curve, or side of the border, to another, changing from the form of the one to that of the other"
     ),

@@ -31,7 +31,10 @@ class Audit:
         import FreeCAD
         import FreeCADGui
 
-        from freecad_fiveaxis.gui.panels import audit
+        from freecad_fiveaxis.gui.waiting import busy
 
-        doc = FreeCAD.ActiveDocument or FreeCAD.newDocument()
-        audit.create(doc, FreeCADGui.Selection.getSelection(doc.Name))
+        with busy():
+            from freecad_fiveaxis.gui.panels import audit
+
+            doc = FreeCAD.ActiveDocument or FreeCAD.newDocument()
+            audit.create(doc, FreeCADGui.Selection.getSelection(doc.Name))

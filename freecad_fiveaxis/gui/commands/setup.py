@@ -29,9 +29,11 @@ class Setup:
     def Activated(self) -> None:
         """Open the panel; what cannot be milled says what to select."""
         from freecad_fiveaxis.gui.messages import telling
-        from freecad_fiveaxis.gui.panels import setup
+        from freecad_fiveaxis.gui.waiting import busy
 
-        with telling():
+        with telling(), busy():
+            from freecad_fiveaxis.gui.panels import setup
+
             path, chosen = selected.path_or_part()
             if path is not None:
                 setup.create(path)

@@ -30,7 +30,9 @@ class Toolpath:
     def Activated(self) -> None:
         """Open the panel; what cannot be milled says what to select."""
         from freecad_fiveaxis.gui.messages import telling
-        from freecad_fiveaxis.gui.panels import toolpath
+        from freecad_fiveaxis.gui.waiting import busy
 
-        with telling():
+        with telling(), busy():
+            from freecad_fiveaxis.gui.panels import toolpath
+
             toolpath.create(*selected.job_or_part())

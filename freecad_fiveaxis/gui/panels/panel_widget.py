@@ -12,7 +12,7 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
-WIDTH, TALL, LOW, LINES = 300, 4000, 160, 80
+WIDTH, TALL, LOW, LINES = 300, 4000, 110, 80
 """Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a text above it."""
 MARGIN = 4
 

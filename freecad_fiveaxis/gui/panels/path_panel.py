@@ -174,7 +174,7 @@ class PathPanel:
 def show(panel: Any) -> Any:
     """Open a panel in the task view. Only one panel can be open."""
     if FreeCADGui.Control.activeDialog():
-        warn(translate("FiveAxis", "Another task panel is open: close it first."))
+        later(lambda: warn(translate("FiveAxis", "Another task panel is open: close it first.")))  # the pointer is still busy
         return panel
     attend(panel)
     FreeCADGui.Control.showDialog(panel)

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import html
 import os
+from types import SimpleNamespace
 from typing import Any
 
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import angle_text, length_text
+from freecad_fiveaxis.gui.verdict_label import ADVICE
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
@@ -24,7 +26,7 @@ from .toolpath import preferred
 
 
 class SetupSummary(Summary):
-    """What is recommended, before and after."""
+    """What is recommended, in a sentence that is always whole, before and after."""
 
     def show_result(self, obj: Any) -> None:
         """The figures of the map."""
@@ -32,7 +34,8 @@ class SetupSummary(Summary):
             f"<tr><td>{label}&nbsp;</td><td>{html.escape(before)}&nbsp;</td><td><b>{html.escape(after)}</b></td></tr>"
             for label, before, after in rows(obj)
         )
-        said = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Verdict, *obj.Findings))
+        said = "".join(f"<p>{html.escape(text)}</p>" for text in obj.Findings)
+        self.verdict.show_verdict(SimpleNamespace(Light=ADVICE, Verdict=obj.Verdict))
         self.tell(f"<table>{cells}</table>{said}")
 
 

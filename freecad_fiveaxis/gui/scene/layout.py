@@ -99,3 +99,9 @@ def projected(places: np.ndarray, clip_from_place: np.ndarray, view: tuple[int, 
     clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place
     depth = np.where(clip[:, 3] > 1e-9, clip[:, 3], np.nan)[:, None]
     return np.asarray((0.5 + 0.5 * clip[:, :2] / depth) * view)
+
+
+def depths(places: np.ndarray, clip_from_place: np.ndarray) -> np.ndarray:
+    """How far away places (n, 3) are drawn: 0 at the view's near end, 1 at its far one; NaN behind the eye."""
+    clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place
+    return np.asarray(0.5 + 0.5 * clip[:, 2] / np.where(clip[:, 3] > 1e-9, clip[:, 3], np.nan))

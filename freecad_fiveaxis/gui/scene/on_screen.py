@@ -4,7 +4,8 @@
 A view has one legend, that of the foremost of the objects which are drawn in it; the others' would bury the part. Whatever is
 hidden, deleted or in another document is not drawn, so it asks for nothing: the next one's legend comes by itself. It stands at
 the left, where no panel of FreeCAD 1.1 lies over the view, and labels go out of its way. A label stands beside its place with a
-line to it; where there is no room, the less important labels are left out.
+line to it, which is solid where the place is seen, and dashed where the part lies before it, as a hidden edge in a drawing; where
+there is no room, the less important labels are left out.
 
 All of it is drawn over everything else, cannot be picked, and is not part of the scene's box.
 """
@@ -29,6 +30,10 @@ MOST_VIEWS = 16
 """So many views are remembered."""
 LEADER = tuple(part / 255.0 for part in PAPER[:3])
 BRIGHT = tuple(part / 255.0 for part in INK)
+HIDDEN = 0x0F0F
+"""Dashes of a line to a place behind the part."""
+BURIED = 0.03
+"""A place this share of the scene's depth below what is seen is seen as well: so far markers come through a surface."""
 
 
 class Label(NamedTuple):
@@ -98,7 +103,7 @@ class _Overlay:
         self.camera.nearDistance, self.camera.farDistance = 0.0, 2.0
         over, placing, aiming = coin.SoAnnotation(), coin.SoCallback(), coin.SoCallback()
         over.renderCaching = coin.SoSeparator.OFF
-        for child in (nodes.unpickable(), coin.SoResetTransform(), nodes.flat(), self.camera, self.shown):
+        for child in (nodes.unpickable(), coin.SoResetTransform(), nodes.flat(), _depth(tested=False), self.camera, self.shown):
             over.addChild(child)
         placing.setCallback(_place, weakref.ref(self))
         aiming.setCallback(_aim)
@@ -217,6 +222,12 @@ class Labels(_Overlay):
         self.lines.vertexProperty = self.ends
         for node in (self.ends, self.lines):
             node.enableNotify(False)
+        self.leaders = _moved(
+            _moved(nodes.colour(LEADER), nodes.style(3.0, pattern=HIDDEN), self.lines),
+            _moved(nodes.colour(BRIGHT), nodes.style(1.0, pattern=HIDDEN), self.lines),
+            _moved(_depth(tested=True), nodes.colour(LEADER), nodes.style(3.0), self.lines),
+            _moved(_depth(tested=True), nodes.colour(BRIGHT), nodes.style(1.0), self.lines),
+        )
 
     def show(self, labels: Sequence[Label]) -> None:
         """Show these labels."""
@@ -229,8 +240,7 @@ class Labels(_Overlay):
         ]
         self.shown.removeAllChildren()
         if labels:
-            self.shown.addChild(_moved(nodes.colour(LEADER), nodes.style(3.0), self.lines))
-            self.shown.addChild(_moved(nodes.colour(BRIGHT), nodes.style(1.0), self.lines))
+            self.shown.addChild(self.leaders)
         for node in (*self.corners, *self.switches):
             node.enableNotify(False)
         for switch in self.switches:
@@ -261,18 +271,26 @@ class Labels(_Overlay):
             nodes.turn(switch, on)
             if on:
                 corner.translation.setValue(box[0], box[1], 0.0)
-        self._lead(anchor[seen], self.boxes[seen])
+        self._lead(anchor[seen], self.boxes[seen], layout.depths(self.places[seen], clip))
         return self.boxes[seen]
 
-    def _lead(self, anchor: np.ndarray, box: np.ndarray) -> None:
-        """Draw the lines from the labels to their places."""
+    def _lead(self, anchor: np.ndarray, box: np.ndarray, depth: np.ndarray) -> None:
+        """Draw the lines from the labels to their places, all along as far away (0 to 1) as the place is."""
         ends = np.zeros((2 * len(anchor), 3), np.float32)
         ends[0::2, :2], ends[1::2, :2] = anchor, layout.leader_ends(anchor, box)
+        ends[:, 2] = np.repeat(1.0 - 2.0 * (1.0 - BURIED) * np.clip(depth, 0.0, 1.0), 2)
         self.ends.vertex.setNum(len(ends))
         self.lines.numVertices.setNum(len(anchor))
         if len(ends):
             self.ends.vertex.setValues(0, len(ends), ends)
             self.lines.numVertices.setValues(0, len(anchor), np.full(len(anchor), 2, np.int32))
+
+
+def _depth(tested: bool) -> Any:
+    """Whether what follows is hidden by what is drawn nearer; it hides nothing itself."""
+    made = coin.SoDepthBuffer()
+    made.test, made.write = tested, False
+    return made
 
 
 def clip_from_place(state: Any) -> np.ndarray:

@@ -100,6 +100,7 @@ class PathNodes:
     def show_marks(self, drawing: Drawing, look: Look) -> None:
         """Draw the markers."""
         places = np.array([one.place for one in drawing.markers], float).reshape(-1, 3)
+        self.marks.stand_on(drawing.low, drawing.high)
         largest = largest_colour(float(drawing.deviation.max(initial=0.0)), drawing.tolerance, look.good, look.bad)
         self.marks.show(places, [one.kind for one in drawing.markers], largest, look.bad, look.singular, look.mark_size)
 

@@ -11,11 +11,12 @@ from .groups import (
     SetupSettings,
 )
 from .option import AUDIT, COMPARE, MILL, POST, PROVE, REACH, RECOVER, SETUP, TASKS, WITHOUT_SOURCE, option
-from .settings import Settings, build_settings, flat_options, is_part, option_fields
+from .settings import FRAMES, Settings, build_settings, flat_options, is_part, option_fields
 
 __all__ = [
     "AUDIT",
     "COMPARE",
+    "FRAMES",
     "MILL",
     "POST",
     "PROVE",

@@ -63,6 +63,10 @@ class PassSettings:
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     pass_axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of that axis", least=-LONGEST, most=LONGEST)
+    frames: float = option(
+        12, "count", "most positions of the rotary axes that the passes `frames` are cut in [as many as are worth it]", least=1,
+        most=12,
+    )  # fmt: skip
     direction: float = option(
         0.0, "angle", "travel direction of planes (and of morph passes from border to border), counter-clockwise from X"
     )

@@ -46,11 +46,13 @@ from .option import AUDIT, COMPARE, MILL, POST, RECOVER, SETUP, TASKS, WITHOUT_S
 
 SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
+FRAMES = "frames"
+"""The passes that choose their own tool axes."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
 STEEP = "zlevel"
 """The pass strategy of what is steep, where the others are divided from it."""
-OVER_SURFACE = ("morph", "radial", "scallop")
+OVER_SURFACE = ("frames", "morph", "radial", "scallop")
 """Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
 
 
@@ -143,6 +145,10 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
+    if "passes" not in given and "frames" in given:
+        settings = replace(settings, passes=replace(settings.passes, passes=FRAMES))
+    if settings.passes.passes == FRAMES:
+        return settings
     if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
@@ -216,12 +222,7 @@ def _check_together(settings: Settings) -> None:
             ),
             "rtcp",
         )
-    if settings.passes.steep_shallow is not None and settings.passes.passes == STEEP:
-        text = say(
-            "{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out",
-            option=Option("steep_shallow"), passes=Choice("passes", (STEEP,)),
-        )  # fmt: skip
-        raise SettingsError(text, STEEP)
+    _check_steep(settings)
     _check_gouge(settings)
     if (faces := settings.faces.faces or settings.faces.avoid) and settings.task != MILL and not is_part(settings.source):
         text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
@@ -229,6 +230,7 @@ def _check_together(settings: Settings) -> None:
     _check_boundary(settings)
     if settings.task in (SETUP, COMPARE) and is_part(settings.source):
         _refuse_of_cl_file(settings)
+    _check_frames(settings)
     _check_tool_axis(settings.tool_axis)
 
 
@@ -246,6 +248,47 @@ def _check_boundary(settings: Settings) -> None:
             option=Option("boundary_axis"), given=given,
         )  # fmt: skip
         raise SettingsError(text, bounds.boundary_axis)
+
+
+def _check_steep(settings: Settings) -> None:
+    """Level planes are not divided from themselves, and frames divide the part by themselves."""
+    passes = settings.passes.passes
+    if settings.passes.steep_shallow is None or passes not in (STEEP, FRAMES):
+        return
+    option, given = Option("steep_shallow"), Choice("passes", (passes,))
+    if passes == STEEP:
+        text = say(
+            "{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out",
+            option=option, passes=given,
+        )  # fmt: skip
+    else:
+        text = say("{option} does not go together with {passes}; leave one of them out", option=option, passes=given)
+    raise SettingsError(text, passes)
+
+
+def _check_frames(settings: Settings) -> None:
+    """Locked rotary axes leave no choice of tool axes, nor one from contact to contact."""
+    if settings.passes.passes != FRAMES:
+        return
+    tool, frames = settings.tool_axis, Choice("passes", (FRAMES,))
+    refused = (
+        ("tool_axis", tool.tool_axis != "auto", tool.tool_axis), ("lead", tool.lead != 0.0, tool.lead),
+        ("tilt", tool.tilt != 0.0, tool.tilt),
+    )  # fmt: skip
+    for name, against, value in refused:
+        if against:
+            text = say(
+                "{frames} lock the rotary axes and choose the tool axes themselves; leave {option} out", frames=frames,
+                option=Option(name),
+            )  # fmt: skip
+            raise SettingsError(text, value)
+    for name, value in (("gouge", settings.gouge.gouge), ("singularity", settings.cure.singularity)):
+        if value in ("tilt", "deform"):
+            text = say(
+                "{frames} lock the rotary axes, {choice} turns them; choose another", frames=frames,
+                choice=Choice(name, (value,)),
+            )  # fmt: skip
+            raise SettingsError(text, value)
 
 
 def _check_tool_axis(tool: ToolAxisSettings) -> None:

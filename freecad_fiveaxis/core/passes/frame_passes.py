@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pass strategy of frames: constant scallop in each of a few 3+2 positions, one after the other.
+
+frame      a position of the rotary axes, that is a tool axis fixed while passes are cut (corrections/find_frames.py finds them).
+territory  what of the surface is cut in a frame: of the places about which the frame was chosen those that it sees flattest.
+overlap    where two territories meet on a smooth surface each is cut beyond their seam by a step.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+
+from .field import PassField, PassOptions, Region
+from .frames import Frames
+from .refine import Copy, joined, taken
+from .scallop_passes import ConstantScallop, Ground, copy_region, lay_passes, lay_steps, measure_copy, survey_region
+
+OVERLAP = 1.0
+"""Steps beyond the seam."""
+
+ALIKE = 0.5
+"""Difference of unit normals beyond which there is no smooth seam between them: about 29 deg."""
+
+SEEN = 0.05
+"""Cosine between an axis and the normal of what may be cut with it beyond a seam."""
+
+
+class FramePasses(ConstantScallop):
+    """Level sets of the distance from the border of each territory, frame after frame."""
+
+    def field(self, region: Region, options: PassOptions) -> PassField:
+        """Steps from the border of the territories, one after the other. Where there are no frames the whole region is one."""
+        if region.frames is None:
+            return super().field(region, options)
+        region.progress("placing passes", 0.0)
+        ground = survey_region(region, options)
+        whole = copy_region(region, ground)
+        made = list[_Laid]()
+        for frame, rows in _territories(whole, region.frames, ground.flat):
+            part = taken(whole, region.mesh, rows)
+            region.progress("placing passes", frame / len(region.frames.axis))
+            made.append(_Laid(frame, _cut_whole(region, ground, part)))
+        return _one_after_the_other(made)
+
+
+class _Laid(NamedTuple):
+    frame: int
+    field: PassField
+
+
+def _cut_whole(region: Region, ground: Ground, part: Copy) -> PassField:
+    surface = measure_copy(region, ground, part)
+    return lay_passes(region, surface, lay_steps(surface, ground.curve))
+
+
+def _territories(whole: Copy, frames: Frames, step: float) -> list[tuple[int, Ints]]:
+    """The frames that have any, with the facets of the copy in them, beyond seams too."""
+    middle, normal = whole.mesh.vertex[whole.mesh.face].mean(axis=1), np.asarray(whole.mesh.normal)
+    owner = frames.at(middle, normal)
+    found = list[tuple[int, Ints]]()
+    for frame, axis in enumerate(frames.axis):
+        own = owner == frame
+        if own.any():
+            found.append((frame, np.flatnonzero(own | _beyond_seam(whole, own, normal @ axis > SEEN, step))))
+    return found
+
+
+def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
+    """Facets (f,) of the copy that are not in a territory but nearer than OVERLAP to one that looks the same way."""
+    out, mesh = np.zeros(len(own), np.bool_), whole.mesh
+    rows, inside = np.flatnonzero(~own & seen), np.flatnonzero(own)
+    if not len(rows):
+        return out
+    reach = OVERLAP * step
+    turn = reach / ALIKE * np.asarray(mesh.normal)
+    corner, middle = mesh.vertex[mesh.face[inside]].reshape(-1, 3), mesh.vertex[mesh.face[rows]].mean(axis=1)
+    place, asked = np.hstack([corner, np.repeat(turn[inside], 3, axis=0)]), np.hstack([middle, turn[rows]])
+    out[rows] = np.isfinite(cKDTree(place).query(asked, distance_upper_bound=reach)[0])
+    return out
+
+
+def _one_after_the_other(made: list[_Laid]) -> PassField:
+    """The fields of frames as one: none of a frame hangs together with another's, and its levels lie behind those before it."""
+    surface, begin = made[0].field.surface, 0.0
+    value, levels, frame = list[Floats](), list[Floats](), list[Ints]()
+    for k, (number, one) in enumerate(made):
+        assert one.surface is not None and surface is not None
+        surface = surface if k == 0 else joined(surface, one.surface)
+        value.append(one.value + begin)
+        levels.append(one.levels + begin)
+        frame.append(np.full(len(one.levels), number))
+        begin += float(np.ceil(one.value.max())) + 1.0
+    return PassField(np.concatenate(value), np.concatenate(levels), surface=surface, frame=np.concatenate(frame))

@@ -1,0 +1,310 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Passes in frames: few directions see it all, rotary axes are locked in each, and what none sees is told. By closed forms, by brute
+force and by a ball swept along the posted words."""
+
+import itertools
+import math
+import re
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from gouge_examples import prism, shelf
+from mesh_shapes import box, sphere
+from scipy.spatial import cKDTree
+from test_fewer_axes import table_a, three
+
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.corrections import find_frames
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces, from_triangles, write_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.machine import save_machine
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.nc.reader import read_nc
+
+RADIUS, SCALLOP, TOLERANCE = 3.0, 0.05, 0.01
+
+
+def block() -> Mesh:
+    return from_triangles(box((-15, -12, 0), (15, 12, 16)))
+
+
+def hexagon() -> Mesh:
+    """A prism of six sides, standing upright: that of a profile along x, turned up."""
+    turn = math.pi / 3 * np.arange(6)
+    made = prism(14.0 * np.column_stack([np.cos(turn), np.sin(turn)]), 20.0)
+    return from_faces(np.asarray(made.vertex)[:, [1, 2, 0]] + (0.0, 0.0, 10.0), made.face)
+
+
+def knob() -> Mesh:
+    """A ball of 10 mm at Z 26 on a stem of 4 mm, turned about Z."""
+    polar = np.linspace(0.0, math.pi - math.asin(0.4), 24)
+    profile = np.concatenate([np.column_stack([10 * np.sin(polar), 26 + 10 * np.cos(polar)]), [[4.0, 0.0]]])[1:]
+    turn, k = 2 * math.pi * np.arange(36) / 36, len(profile)
+    ring = np.stack([np.outer(profile[:, 0], np.cos(turn)), np.outer(profile[:, 0], np.sin(turn))], axis=-1)
+    point = np.concatenate([ring, np.repeat(profile[:, 1, None, None], 36, axis=1)], axis=2).reshape(-1, 3)
+    row = np.arange(k * 36).reshape(k, 36)
+    after = np.roll(row, -1, axis=1)
+    a, b, c, d = (part.ravel() for part in (row[:-1], row[1:], after[1:], after[:-1]))
+    top, low = k * 36, k * 36 + 1
+    caps = [np.stack([np.full(36, top), row[0], after[0]], 1), np.stack([np.full(36, low), after[-1], row[-1]], 1)]
+    face = np.concatenate([*caps, np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    return from_faces(np.concatenate([point, [[0, 0, 36.0], [0, 0, 0.0]]]), face)
+
+
+def slot() -> Mesh:
+    """A slot 10 mm wide and 12 mm deep along x, in a block."""
+    return prism([(-18, 0), (18, 0), (18, 20), (5, 20), (5, 8), (-5, 8), (-5, 20), (-18, 20)], 30.0)
+
+
+PARTS = {"block": block, "hexagon": hexagon, "knob": knob, "slot": slot}
+
+
+def milled(mesh, **given):
+    options = {"machine": "trunnion_ac", "cutter": "ball:6", "scallop": SCALLOP, "passes": "frames", "spindle": 9000, **given}
+    return job.prove(job.make(build_settings("mill", "part", options), mesh=mesh))
+
+
+@lru_cache
+def of(name, **given):
+    return milled(PARTS[name](), **given)
+
+
+def axes_of(result):
+    """The frames' axes, of what the note says."""
+    text = next(str(one.text) for one in result.made.findings if one.code == "frames")
+    return np.array([[float(x) for x in one.split(",")] for one in text.rstrip(".").split(": ")[1].split("; ")])
+
+
+def rotary_of_feed(result):
+    """Rotary words (b, 2) at both ends of every feed block, as our reader reads the posted text."""
+    made = result.made
+    program = read_nc(made.nc, made.kinematics, made.dialect)
+    feed = np.flatnonzero(program.motion[1:] != Motion.RAPID)
+    return np.asarray(program.words)[feed, 3:], np.asarray(program.words)[feed + 1, 3:]
+
+
+def locked(result):
+    """The distinct rotary positions of feed blocks; that they turn in none, and that the text says it once a frame."""
+    before, after = rotary_of_feed(result)
+    assert (before == after).all()
+    lines = result.made.nc.decode().splitlines()
+    assert not [line for line in lines if line.startswith("G1") and re.search("[ABC]", line)]
+    turns = np.flatnonzero((np.diff(after, axis=0) != 0.0).any(axis=1))
+    distinct = len(np.unique(after, axis=0))
+    assert len(turns) + 1 == distinct == len(axes_of(result))  # each frame is come to once
+    return distinct
+
+
+def centres(result, step=0.1):
+    """Where the ball's centre is on feed blocks, by a forward map of the words."""
+    words, feed = result.made.program.words, result.made.program.motion[1:] != Motion.RAPID
+    tip, axis = forward(result.made.kinematics, words_to_q(words))
+    centre = tip + RADIUS * axis
+    start, end = centre[:-1][feed], centre[1:][feed]  # straight: the rotary axes stand
+    pieces = np.ceil(np.linalg.norm(end - start, axis=1) / step).astype(int) + 1
+    row = np.repeat(np.arange(len(start)), pieces)
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
+    return start[row] + share[:, None] * (end - start)[row]
+
+
+def spread(mesh, count, seed=7):
+    random = np.random.default_rng(seed)
+    facet = random.choice(len(mesh.face), count, p=mesh.area / mesh.area.sum())
+    share = random.random((count, 2))
+    share = np.where(share.sum(1, keepdims=True) > 1, 1 - share, share)
+    a, b, c = mesh.vertex[mesh.face[facet]].transpose(1, 0, 2)
+    return a + share[:, :1] * (b - a) + share[:, 1:] * (c - a), np.asarray(mesh.normal)[facet]
+
+
+def seen_by(mesh, axes, point, normal, lean=0.1):
+    """Whether (n,) the ball and its shank as wide stand free on each point with one of the axes, against points of the part."""
+    cloud, centre, seen = spread(mesh, 6000, 3)[0], point + RADIUS * normal, np.zeros(len(point), bool)
+    fits = cKDTree(cloud).query(centre)[0] > RADIUS - 0.05
+    for axis in axes:
+        for row in np.flatnonzero(fits & ~seen & (normal @ axis > lean)):
+            off = cloud - centre[row]
+            along = off @ axis
+            beside = np.sqrt(np.maximum((off * off).sum(axis=1) - along**2, 0.0))
+            seen[row] = not ((along > 0.0) & (beside < RADIUS - 0.05)).any()
+    return seen
+
+
+# ------------------------------------------------------------------------------------------------ few frames see it all
+
+
+@pytest.mark.parametrize("name", ["block", "hexagon"])
+def test_two_frames_see_what_stands_upright_and_convex(name):
+    """A direction leans less than 90 deg from at most half of the sides all round, and two opposite ones from all."""
+    assert locked(of(name)) == 2
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_rotary_axes_are_locked_in_each_frame(name):
+    result = of(name)
+    assert 1 <= locked(result) <= 12
+    assert not any(len(depth) and depth.max() > TOLERANCE for _, _, depth in result.gouge.cases(result.made.program.motion[1:]))
+
+
+def test_a_turn_in_a_feed_block_would_be_noticed():
+    with pytest.raises((AssertionError, StopIteration)):
+        locked(milled(block(), passes="scallop"))
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_no_more_than_scallops_stays_on_what_a_frame_sees(name):
+    result, mesh = of(name), PARTS[name]()
+    point, normal = spread(mesh, 1500)
+    above = (normal[:, 2] > -0.99) | (point[:, 2] > 1e-3)
+    point, normal = point[above], normal[above]
+    rest = cKDTree(centres(result)).query(point)[0] - RADIUS
+    seen = seen_by(mesh, axes_of(result), point, normal)
+    assert seen.mean() > 0.6 and rest.min() > -TOLERANCE - 0.005
+    assert np.quantile(rest[seen], 0.99) <= 2 * SCALLOP + TOLERANCE
+
+
+def test_where_a_frame_is_not_cut_more_stays():
+    result, mesh = of("block"), block()
+    point, normal = spread(mesh, 1500)
+    rest = cKDTree(centres(result)[: len(centres(result)) // 2]).query(point)[0] - RADIUS
+    assert np.quantile(rest[normal[:, 2] > -0.9], 0.9) > 1.0
+
+
+@pytest.mark.parametrize("name", ["block", "knob"])
+def test_frames_finish_about_what_simultaneous_passes_finish(name):
+    mesh = PARTS[name]()
+    point, _ = spread(mesh, 1500)
+    finished = [
+        (cKDTree(centres(result)).query(point)[0] - RADIUS <= 2 * SCALLOP + TOLERANCE).mean()
+        for result in (of(name), milled(mesh, passes="scallop", linearize="on"))
+    ]
+    assert finished[0] > finished[1] - 0.03
+
+
+# ------------------------------------------------------------------------------------------------ what no frame sees
+
+
+def test_what_is_under_a_roof_is_told_with_its_area():
+    """The ceiling of a shelf and what lies behind it."""
+    mesh = shelf(gap=7.0, roof=6.0, back=25.0)
+    result = milled(mesh, origin="0,0,80")
+    lost = [one for one in result.findings if one.code in ("outside-frames", "facets-without-free-axis", "facets-looking-down")]
+    point, normal = spread(mesh, 3000)
+    rest = cKDTree(centres(result)).query(point)[0] - RADIUS
+    standing = (normal[:, 2] < -0.99) & (point[:, 2] < -4.9)
+    uncut = ((rest > 2 * SCALLOP + TOLERANCE) & ~standing).mean() * mesh.area.sum()
+    told = sum(one.value for one in lost if "stands on" not in str(one.text))
+    assert uncut > 100.0 and told == pytest.approx(uncut, rel=0.35)
+
+
+def test_fewer_frames_than_it_takes_say_what_they_do_not_see():
+    whole, one = of("block"), milled(block(), frames=1)
+    assert locked(one) == 1 and not [f for f in whole.findings if f.code == "outside-frames"]
+    (told,) = [f for f in one.findings if f.code == "outside-frames"]
+    assert told.value == pytest.approx(30 * 16 + 24 * 16, rel=0.02) and "allow more frames" in str(told.text)
+
+
+# ------------------------------------------------------------------------------------------------ the cover
+
+
+def fewest(free):
+    """How many directions free all that any frees: by trying them all."""
+    some = free.any(axis=1)
+    return next(
+        n for n in range(1, 13) for of in itertools.combinations(range(free.shape[1]), n) if free[some][:, of].any(1).all()
+    )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_cover_takes_no_more_than_one_direction_too_many(seed):
+    random = np.random.default_rng(seed)
+    normal, direction = (
+        v / np.linalg.norm(v, axis=1)[:, None] for v in (random.normal(size=(60, 3)), random.normal(size=(16, 3)))
+    )
+    cosine = normal @ direction.T
+    free = (cosine > 0.4) & (random.random(cosine.shape) > 0.1)
+    chosen = find_frames.find_cover(free, cosine, direction[:, 2], 12)
+    assert free[:, chosen].any(axis=1).sum() == free.any(axis=1).sum()
+    assert len(chosen) <= fewest(free) + 1
+
+
+def test_the_cover_of_few_frees_nearly_as_much_as_any():
+    random = np.random.default_rng(3)
+    free = random.random((80, 14)) > 0.7
+    chosen = find_frames.find_cover(free, np.ones(free.shape), np.zeros(14), 3)
+    best = max(free[:, of].any(axis=1).sum() for of in itertools.combinations(range(14), 3))
+    assert len(chosen) == 3 and free[:, chosen].any(axis=1).sum() >= (1 - (1 - 1 / 3) ** 3) * best
+
+
+# ------------------------------------------------------------------------------------------------ the part turned, shifted, scaled
+
+
+@pytest.mark.parametrize(("turn", "shift", "scale"), [(0.7, (0, 0, 0), 1.0), (0.0, (20, -15, 0), 1.0), (0.0, (0, 0, 0), 1.5)])
+def test_a_part_turned_shifted_or_scaled_is_cut_as_well(turn, shift, scale):
+    mesh = hexagon()
+    matrix = np.array([[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1.0]])
+    moved = from_faces(scale * np.asarray(mesh.vertex) @ matrix.T + shift, mesh.face)
+    result = milled(moved)
+    assert locked(result) == 2
+    point, normal = spread(moved, 1000)
+    rest = cKDTree(centres(result)).query(point)[0] - RADIUS
+    assert np.quantile(rest[normal[:, 2] > -0.9], 0.99) <= 2 * SCALLOP + TOLERANCE
+
+
+# ------------------------------------------------------------------------------------------------ fewer axes, bad values
+
+
+def test_one_rotary_axis_gives_frames_in_its_plane(tmp_path):
+    save_machine(table_a(), tmp_path / "a.fcm")
+    result = milled(block(), machine=str(tmp_path / "a.fcm"), tool_length=120)
+    assert locked(result) >= 2
+    np.testing.assert_allclose(axes_of(result)[:, 0], 0.0, atol=1e-3)
+    told = sum(one.value for one in result.findings if one.code == "facets-without-free-axis")
+    assert told == pytest.approx(2 * 24 * 16, rel=0.05)  # both ends
+
+
+def test_without_rotary_axes_there_is_one_frame_and_walls_are_told(tmp_path):
+    save_machine(three(), tmp_path / "three.fcm")
+    result = milled(block(), machine=str(tmp_path / "three.fcm"), tool_length=120)
+    np.testing.assert_allclose(axes_of(result), [[0, 0, 1]])
+    told = sum(one.value for one in result.findings if one.code == "facets-without-free-axis")
+    assert told == pytest.approx(2 * 16 * (30 + 24), rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [(["--frames", "0"], "at least 1 and at most 12"), (["--frames", "13"], "at least 1 and at most 12"),
+     (["--frames", "few"], "is not a number"), (["--frames", "2.5"], "not a whole number"),
+     (["--tool-axis", "fixed"], "leave --tool-axis out"), (["--lead", "5"], "leave --lead out"),
+     (["--tilt", "5"], "leave --tilt out"), (["--gouge", "tilt"], "choose another"),
+     (["--singularity", "deform"], "choose another")],
+)  # fmt: skip
+def test_what_frames_cannot_do_is_refused_in_one_line(words, said, tmp_path, capsys):
+    write_stl(block(), tmp_path / "part.stl")
+    given = ["mill", str(tmp_path / "part.stl"), "--machine", "trunnion_ac", "--cutter", "ball:6", "--passes", "frames"]
+    code = cli.main([*given, *words, "-o", str(tmp_path / "out.ngc")])
+    error = capsys.readouterr().err.strip()
+    assert code == 2 and said in error and "\n" not in error
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["part.stl"]
+
+
+def test_a_number_of_frames_alone_asks_for_frames():
+    assert build_settings("mill", "part.stl", {"machine": "trunnion_ac", "frames": 3}).passes.passes == "frames"
+
+
+def test_other_cutters_are_cut_in_frames_too():
+    result = milled(from_triangles(sphere(12.0, 16, 24, (0, 0, 30))), cutter="bull:6:1", scallop=0.1)
+    assert locked(result) >= 2
+
+
+def test_frames_keep_clear_of_fixtures(tmp_path):
+    """A jaw along one long side, as high as the part: that side's lower half is not cut, and nothing enters the jaw."""
+    jaw = from_triangles(box((-15, 12.5, 0), (15, 30, 14)))
+    write_stl(jaw, tmp_path / "jaw.stl")
+    result, free = milled(block(), fixture=[str(tmp_path / "jaw.stl")]), of("block")
+    locked(result)
+    hidden = [sum((centres(one)[:, 1] > 12.0) & (centres(one)[:, 2] < 8.0)) for one in (result, free)]
+    assert hidden[0] == 0 < hidden[1]
+    assert not [one.code for one in result.findings if one.code in ("fixture-collision", "fixture-unproven")]
