@@ -67,3 +67,12 @@ def _square_to(rows: Floats) -> Floats:
     """A unit vector (n, 3) square to each of ``rows`` (n, 3)."""
     across = np.cross(rows, np.eye(3)[np.abs(rows).argmin(axis=1)])
     return np.asarray(across / _norm(across)[:, None])
+
+
+def away_from(point: Floats, through: Floats, about: Floats) -> tuple[Floats, Floats]:
+    """Find the unit direction (n, 3) from the line ``through`` a point, mm, along the unit vector ``about`` to each ``point``
+    (n, 3), mm, and the distance (n,), mm. On the line itself the direction is 0."""
+    offset = point - through
+    offset = offset - (offset @ about)[:, None] * about
+    far = _norm(offset)
+    return np.asarray(offset / np.where(far > COINCIDENT_MM, far, np.inf)[:, None]), far

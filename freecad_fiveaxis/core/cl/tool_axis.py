@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.vectors import away_from
 
 from .coedge import OffsetPath
 
@@ -36,11 +37,14 @@ SHORT = 1e-9
 
 @dataclass(frozen=True)
 class AxisOptions:
-    """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad."""
+    """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad; ``through``, mm, and ``about``,
+    any length: the axis that the strategy ``around`` points at."""
 
     fixed: Vector = (0.0, 0.0, 1.0)
     lead: float = 0.0
     tilt: float = 0.0
+    through: Vector = (0.0, 0.0, 0.0)
+    about: Vector = (0.0, 0.0, 1.0)
 
 
 def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
@@ -115,6 +119,30 @@ def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     return np.repeat((vector / length)[:, None], len(path.point), axis=1).T
 
 
+def around(path: OffsetPath, options: AxisOptions) -> Floats:
+    """square to a rotary axis and pointing at it: one rotary axis turns the part under the tool
+
+    The way from that axis to the contact. A contact on the axis takes what its normal has across it.
+    """
+    about = _direction_of(options.about)
+    outward, _ = away_from(path.point, np.array(options.through, float), about)
+    lost = np.flatnonzero(_is_zero(outward))
+    if len(lost):
+        square = np.broadcast_to(np.cross(about, np.eye(3)[np.abs(about).argmin()]), (len(lost), 3))
+        outward[lost] = _across(path.normal[lost], np.broadcast_to(about, (len(lost), 3)))
+        lost = lost[_is_zero(outward[lost])]
+        outward[lost] = square[: len(lost)] / np.linalg.norm(square[0])
+    return outward
+
+
+def _direction_of(about: Vector) -> Floats:
+    vector = np.array(about, float)
+    length = float(np.linalg.norm(vector))
+    if not np.isfinite(length) or length == 0.0:
+        raise SettingsError(say("axis {about} has no direction; give three numbers, as 1,0,0", about=about), about)
+    return np.asarray(vector / length)
+
+
 Strategy = Callable[[OffsetPath, AxisOptions], Floats]
 """From an offset path to a unit axis (n, 3) for each of its rows."""
 
@@ -124,6 +152,7 @@ STRATEGIES: dict[str, Strategy] = {
     "minimax": minimax,
     "auto": auto,
     "fixed": fixed,
+    "around": around,
 }
 
 

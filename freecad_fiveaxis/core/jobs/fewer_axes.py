@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.base.sentences import Choice, Option, say
 from freecad_fiveaxis.core.machine import Machine
 
 from .settings import COMPARE, FRAMES, MILL, POST, PROVE, SETUP, Settings
+from .settings.settings import ROTARY
 
 FIXED = "fixed"
 USUAL = {0: FIXED, 1: "facet_mean"}
@@ -23,6 +24,8 @@ USUAL = {0: FIXED, 1: "facet_mean"}
 def suit_tool_axis(settings: Settings, machine: Machine) -> Settings:
     """The settings, with a tool axis that the machine can follow where they leave it open."""
     if machine.rotaries not in USUAL or "tool_axis" in settings.explicit or settings.passes.passes == FRAMES:
+        return settings
+    if machine.rotaries and settings.passes.passes == ROTARY:
         return settings
     return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=USUAL[machine.rotaries]))
 

@@ -73,6 +73,7 @@ from .options import (
 )
 from .over_table import table_looked_at
 from .part_size import unit_suspected
+from .rotary_axis import settle_rotary_axis
 from .safe_start import started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 
@@ -99,6 +100,7 @@ def make(
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
         faces, said = chosen_faces(settings, mesh, faces, progress)
+        settings = settle_rotary_axis(settings, kinematics, mesh)
         context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures)
         said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
         milled = mill(context)

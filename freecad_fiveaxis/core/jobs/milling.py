@@ -41,6 +41,7 @@ from freecad_fiveaxis.core.passes import (
     Division,
     Region,
     cut,
+    facets_around,
     facets_under_axes,
     facets_within_limits,
     find_pass_strategy,
@@ -51,6 +52,7 @@ from freecad_fiveaxis.core.passes import (
     turns_within_limits,
 )
 from freecad_fiveaxis.core.passes.frames import Frames
+from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 
 from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
 from .collision_avoidance import (
@@ -77,7 +79,7 @@ from .options import (
 )
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .settings import FRAMES, Settings
-from .settings.settings import STEEP
+from .settings.settings import AROUND, STEEP
 
 _NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
 
@@ -108,6 +110,11 @@ def mill_context(
         keep = keep[: len(faces)]
         context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary)
         return context, (*about, *left_out)
+    if settings.tool_axis.tool_axis == AROUND:
+        stand = axis_options(settings)
+        keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
+        context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
+        return context, (*said, *left_out)
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     left_out = (*said, *left_out)

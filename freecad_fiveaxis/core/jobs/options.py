@@ -39,6 +39,9 @@ DEFAULT_CONTROLLER = "linuxcnc"
 DEFAULT_SCALLOP = 0.01
 """mm, where neither a scallop nor a stepover is asked for: a usual finishing quality."""
 
+UPRIGHT = (0.0, 0.0, 1.0)
+"""The axis of passes where none is asked for, and none belongs to the machine."""
+
 
 def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
     """The machine, its chain with the part where it stands, and its dialect. Raises FiveAxisError."""
@@ -113,7 +116,8 @@ def pass_options(settings: Settings) -> PassOptions:
         passes.from_,
         passes.to,
         passes.pass_centre,
-        passes.pass_axis,
+        passes.pass_axis or UPRIGHT,
+        passes.rotary_by,
     )
 
 
@@ -126,7 +130,9 @@ def travels(settings: Settings) -> tuple[float, ...]:
 def axis_options(settings: Settings) -> AxisOptions:
     """Options of the strategies for the tool axis."""
     tool = settings.tool_axis
-    return AxisOptions(fixed=tool.axis, lead=tool.lead, tilt=tool.tilt)
+    centre, about = settings.passes.pass_centre, settings.passes.pass_axis or UPRIGHT
+    through = (0.0, 0.0, 0.0) if isinstance(centre, str) else centre
+    return AxisOptions(tool.axis, tool.lead, tool.tilt, through, about)
 
 
 def axis_corrections(context: MillContext) -> AxisCorrectionOptions:

@@ -11,6 +11,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 
 from .settings import Settings
+from .settings.settings import AROUND
 
 AUTO = "auto"
 IN_TABLE = 0.1
@@ -19,10 +20,13 @@ IN_TABLE = 0.1
 
 def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> float:
     """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
-    table that is known, else (what is below is not known, or they follow the normals) no farther than level."""
+    table that is known, or as the part turns under the tool; else (what is below is not known, or they follow the normals) no
+    farther than level."""
     asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis == AUTO
     if asked is not None:
         return asked
+    if settings.tool_axis.tool_axis == AROUND:
+        return math.pi
     return math.pi if free and table_below(settings, machine, mesh) is not None else 0.5 * math.pi
 
 

@@ -2,6 +2,7 @@
 """Passes: the strategies that say where to cut, which facets may be cut, and what that cuts out of the mesh."""
 
 from .arc_curvature import arc_centre, arc_curvature, pass_curvature
+from .around_axis import facets_around
 from .field import PassField, PassOptions, PassStrategy, Region, cut
 from .passes import ContactPath, direction, slice_field, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
@@ -27,6 +28,7 @@ __all__ = [
     "cut",
     "direction",
     "facet_curvature",
+    "facets_around",
     "facets_under_axes",
     "facets_within_limits",
     "find_pass_strategy",

@@ -23,7 +23,7 @@ from .frames import Frames
 from .passes import ContactPath, slice_field, slice_mesh
 from .piece_order import order_pieces
 from .refine import Copy, copy_facets
-from .spirals import carry, find_spirals, has_loops, merge_passes, without_loops
+from .spirals import carry, find_spirals, has_loops, merge_passes, off_levels, without_loops
 
 Vector = tuple[float, float, float]
 
@@ -39,7 +39,7 @@ class PassOptions:
     """``direction`` rad of the travel of upright planes; ``stepover`` or ``scallop``, and ``least`` interval, mm; ``normal`` of
     planes, any length, None: upright; ``source`` where passes begin and ``target`` where they end: the word ``border``, a
     point, or the path of a curve; ``centre``, the word ``middle`` or a point, and ``axis``, any length, of passes that
-    radiate."""
+    radiate or turn with the part, these ``by`` the words ``around`` or ``along``."""
 
     direction: float = 0.0
     stepover: float | None = None
@@ -50,6 +50,7 @@ class PassOptions:
     target: str | Vector = "border"
     centre: str | Vector = "middle"
     axis: Vector = (0.0, 0.0, 1.0)
+    by: str = "around"
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,6 +114,8 @@ def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> C
     """The passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to and fro, in one that spares
     air, where there is one (:func:`.piece_order.order_pieces`). ``spiral``: closed passes round one another become one long open
     one (:mod:`.spirals`). Raises SettingsError."""
+    if spiral and found.surface is not None and len(found.levels) > 1 and (np.diff(found.levels) > 0.0).all():
+        found = replace(found, value=off_levels(found.value, found.levels))
     contact = _sliced(region, found, {"order": order, "progress": region.progress})
     made = _spirals(region, found, contact) if spiral else None
     if made is not None:

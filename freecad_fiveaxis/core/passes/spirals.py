@@ -112,14 +112,26 @@ def take_lines(contact: ContactPath, rows: Ints) -> ContactPath:
 def _divided_at_loops(part: Mesh, copy: Copy, value: Floats, levels: Floats) -> tuple[Copy, Floats, Ints, Ints]:
     """The copy divided at all levels, the index of the loops at its vertices, the slab of its facets, and the facets of the copy
     given in which they lie."""
-    knots = np.concatenate([[2.0 * levels[0] - levels[1]], levels, [2.0 * levels[-1] - levels[-2]]])
-    number = np.arange(-1.0, len(levels) + 1.0)
-    index = np.interp(value, knots, number)
-    near = (np.abs(index - np.round(index)) < TOUCH) & (index > -0.5) & (index < len(levels) - 0.5)
-    value = np.where(near, np.interp(np.round(index) + TOUCH, number, knots), value)
+    knots, number = _knots(levels)
+    value = off_levels(value, levels)
     made = divide(copy, value[copy.mesh.face], levels)
     whole = replace(assemble(copy, part, made), bend=copy.bend)
     return whole, carry(whole.mesh, np.interp(made.value, knots, number)), made.slab, made.owner
+
+
+def _knots(levels: Floats) -> tuple[Floats, Floats]:
+    """The levels with one more at either end, and their numbers from -1 on."""
+    knots = np.concatenate([[2.0 * levels[0] - levels[1]], levels, [2.0 * levels[-1] - levels[-2]]])
+    return knots, np.arange(-1.0, len(levels) + 1.0)
+
+
+def off_levels(value: Floats, levels: Floats) -> Floats:
+    """Move values (v,) that are next to one of the ascending ``levels`` (k,), at least two, just above it: passes that run along
+    sides of facets would else be told to lie in those on the other side."""
+    knots, number = _knots(levels)
+    index = np.interp(value, knots, number)
+    near = (np.abs(index - np.round(index)) < TOUCH) & (index > -0.5) & (index < len(levels) - 0.5)
+    return np.asarray(np.where(near, np.interp(np.round(index) + 1.001 * TOUCH, number, knots), value))
 
 
 def carry(mesh: Mesh, corner: Any) -> Any:

@@ -11,6 +11,7 @@ from .frame_passes import FramePasses
 from .morph_passes import Morph
 from .planes import Planes
 from .radial_passes import Radial
+from .rotary_passes import Rotary
 from .scallop_passes import ConstantScallop
 
 PASS_STRATEGIES: dict[str, PassStrategy] = {
@@ -22,6 +23,7 @@ PASS_STRATEGIES: dict[str, PassStrategy] = {
     ),
     "planes": Planes("parallel planes: upright along the direction, or of the plane normal"),
     "radial": Radial("half planes about an axis, which the passes radiate from, or run along on a part that is round about it"),
+    "rotary": Rotary("around or along a rotary axis, about which the part turns under the tool (--rotary-by)"),
     "scallop": ConstantScallop("constant scallop: each pass one admissible step from the one before it, over the surface"),
     "zlevel": Planes("level planes, one below the other", (0.0, 0.0, 1.0)),
 }

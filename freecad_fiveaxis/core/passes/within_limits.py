@@ -94,8 +94,8 @@ def facets_within_limits(
         raise ReachError(_nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle))
     found = (
         _looking_down(mesh, area, down),
-        _too_steep(mesh, area, steep, max_axis_angle),
-        _beyond(mesh, area, beyond, kinematics),
+        report_too_steep(mesh, area, steep, max_axis_angle),
+        report_beyond(mesh, area, beyond, kinematics),
     )
     return keep, tuple(finding for finding in found if finding is not None)
 
@@ -200,12 +200,14 @@ def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
     return replace(found, text=text)
 
 
-def _too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:
+def report_too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:
+    """Say how much area the facets ``out`` (f,) have that lean more than ``most`` rad."""
     angle = Angle(math.degrees(most))
     return _left_out(Severity.WARNING, "facets-beyond-axis-angle", _STEEP, mesh, area, out, most=angle)
 
 
-def _beyond(mesh: Mesh, area: Floats, out: Bools, kinematics: Chain | None) -> Finding | None:
+def report_beyond(mesh: Mesh, area: Floats, out: Bools, kinematics: Chain | None) -> Finding | None:
+    """Say how much area the facets ``out`` (f,) have that need rotary words beyond the limits."""
     if kinematics is None:
         return None
     return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(kinematics))

@@ -59,10 +59,18 @@ class PassSettings:
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     pass_centre: str | Vector = option(
-        "middle", "place", "point of the axis that radial passes radiate from: X,Y,Z or the middle of what is cut",
+        "middle", "place", "point of the axis that radial passes radiate from, and rotary ones turn about: X,Y,Z or the middle of "
+        "what is cut (rotary: of the machine's only rotary axis, else of the part)",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
-    pass_axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of that axis", least=-LONGEST, most=LONGEST)
+    pass_axis: Vector | None = option(
+        None, "vector", "I,J,K of that axis [0,0,1; rotary: the machine's only rotary axis, else the part's longest side]",
+        least=-LONGEST, most=LONGEST,
+    )  # fmt: skip
+    rotary_by: Literal["around", "along"] = option(
+        "around", "choice", "rotary passes are rings around the axis, which --spiral makes one helix, or lines along it",
+        choices=("around", "along"),
+    )  # fmt: skip
     frames: float = option(
         12, "count", "most positions of the rotary axes that the passes `frames` are cut in [as many as are worth it]", least=1,
         most=12,

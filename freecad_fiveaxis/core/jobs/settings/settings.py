@@ -48,11 +48,13 @@ SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
 FRAMES = "frames"
 """The passes that choose their own tool axes."""
+ROTARY, AROUND = "rotary", "around"
+"""The passes about a rotary axis, and the tool axis that points at it."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
 STEEP = "zlevel"
 """The pass strategy of what is steep, where the others are divided from it."""
-OVER_SURFACE = ("frames", "morph", "radial", "scallop")
+OVER_SURFACE = ("frames", "morph", "radial", "rotary", "scallop")
 """Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
 
 
@@ -145,10 +147,13 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
-    if "passes" not in given and "frames" in given:
-        settings = replace(settings, passes=replace(settings.passes, passes=FRAMES))
+    for option, passes in (("frames", FRAMES), ("rotary_by", ROTARY)):
+        if "passes" not in given and option in given:
+            settings = replace(settings, passes=replace(settings.passes, passes=passes))
     if settings.passes.passes == FRAMES:
         return settings
+    if "tool_axis" not in given and settings.passes.passes == ROTARY:
+        return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=AROUND))
     if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
@@ -251,9 +256,9 @@ def _check_boundary(settings: Settings) -> None:
 
 
 def _check_steep(settings: Settings) -> None:
-    """Level planes are not divided from themselves, and frames divide the part by themselves."""
+    """Level planes are not divided from themselves, frames divide the part by themselves, and what turns has no level walls."""
     passes = settings.passes.passes
-    if settings.passes.steep_shallow is None or passes not in (STEEP, FRAMES):
+    if settings.passes.steep_shallow is None or passes not in (STEEP, FRAMES, ROTARY):
         return
     option, given = Option("steep_shallow"), Choice("passes", (passes,))
     if passes == STEEP:
