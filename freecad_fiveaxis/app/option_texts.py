@@ -30,9 +30,18 @@ TEXTS = {
         "Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve",
     ),
     "pass_centre": QT_TRANSLATE_NOOP(
-        "App::Property", "Point of the axis that radial passes radiate from: middle (of what is cut), or X,Y,Z"
+        "App::Property",
+        "Point of the axis that radial passes radiate from and rotary ones turn about: X,Y,Z, or middle (of what is cut; rotary: "
+        "of the machine's only rotary axis, else of the part)",
     ),
-    "pass_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K of the axis that radial passes radiate from"),
+    "pass_axis": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Direction I, J, K of the axis of radial and rotary passes; 0, 0, 0: Z; rotary: the machine's only rotary axis, else the "
+        "part's longest side",
+    ),
+    "rotary_by": QT_TRANSLATE_NOOP(
+        "App::Property", "Rings around the rotary axis, which spiral passes make one helix, or lines along it"
+    ),
     "boundary": QT_TRANSLATE_NOOP(
         "App::Property",
         "CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line "
@@ -168,12 +177,14 @@ def text_of(leaf: Any) -> str:
 EDITOR = {
     "passes": QT_TRANSLATE_NOOP(
         "App::Property", "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from "
-        "one guide curve to another; radial: about an axis; frames: constant scallop in few positions of locked rotary axes"
+        "one guide curve to another; radial: about an axis; rotary: around or along an axis about which the part turns; "
+        "frames: constant scallop in few positions of locked rotary axes"
     ),
     "tool_axis": QT_TRANSLATE_NOOP(
         "App::Property",
         "How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal weighted by the "
-        "step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere",
+        "step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere; "
+        "from_axis: square to the rotary axis and pointing at it",
     ),
     "order": QT_TRANSLATE_NOOP(
         "App::Property", "Cut pattern. zigzag: in both directions; one_way: in one direction only"

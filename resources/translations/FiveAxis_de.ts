@@ -296,8 +296,8 @@
         <translation>Richtung I, J, K, entlang derer die Begrenzung gesehen wird</translation>
     </message>
     <message>
-        <source>Direction I, J, K of the axis that radial passes radiate from</source>
-        <translation>Richtung I, J, K der Achse, von der strahlenförmige Bahnen ausgehen</translation>
+        <source>Direction I, J, K of the axis of radial and rotary passes; 0, 0, 0: Z; rotary: the machine's only rotary axis, else the part's longest side</source>
+        <translation>Richtung I, J, K der Achse radialer und rotierender Bahnen; 0, 0, 0: Z; rotierend: die einzige Drehachse der Maschine, sonst die längste Seite des Werkstücks</translation>
     </message>
     <message>
         <source>Direction I, J, K of the fixed tool axis, from the tip to the holder</source>
@@ -472,8 +472,8 @@
         <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird</translation>
     </message>
     <message>
-        <source>How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere</source>
-        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse</translation>
+        <source>How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere; from_axis: square to the rotary axis and pointing at it</source>
+        <translation>Wie die Werkzeugachse an jedem Berührpunkt bestimmt wird. facet_mean: Flächennormale; step_weighted: nach Schrittlänge gewichtete Normale; minimax: kleinste Abweichung; auto: frei vom Werkstück; fixed: überall eine Achse; from_axis: senkrecht zur Drehachse und auf sie gerichtet</translation>
     </message>
     <message>
         <source>How the tool goes from one pass to the next: near the part where it is free, or over it</source>
@@ -756,8 +756,8 @@
         <translation>Bahnstrategie</translation>
     </message>
     <message>
-        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from one guide curve to another; radial: about an axis; frames: constant scallop in few positions of locked rotary axes</source>
-        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse; frames: gleiche Kuppenhöhe in wenigen Stellungen geklemmter Drehachsen</translation>
+        <source>Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: from one guide curve to another; radial: about an axis; rotary: around or along an axis about which the part turns; frames: constant scallop in few positions of locked rotary axes</source>
+        <translation>Bahnstrategie. planes: parallele Ebenen; zlevel: Höhenebenen; scallop: gleiche Kuppenhöhe; morph: von einer Leitlinie zur anderen; radial: um eine Achse; rotary: um oder längs einer Achse, um die sich das Werkstück dreht; frames: gleiche Kuppenhöhe in wenigen Stellungen geklemmter Drehachsen</translation>
     </message>
     <message>
         <source>Passes</source>
@@ -800,8 +800,8 @@
         <translation>Eintauchvorschub pro Minute</translation>
     </message>
     <message>
-        <source>Point of the axis that radial passes radiate from: middle (of what is cut), or X,Y,Z</source>
-        <translation>Punkt der Achse, von der strahlenförmige Bahnen ausgehen: middle (Mitte des Bearbeiteten) oder X,Y,Z</translation>
+        <source>Point of the axis that radial passes radiate from and rotary ones turn about: X,Y,Z, or middle (of what is cut; rotary: of the machine's only rotary axis, else of the part)</source>
+        <translation>Punkt der Achse, von der radiale Bahnen ausgehen und um die rotierende laufen: X,Y,Z oder middle (Mitte dessen, was bearbeitet wird; rotierend: der einzigen Drehachse der Maschine, sonst des Werkstücks)</translation>
     </message>
     <message>
         <source>Point of the tool that the program moves: the tip, or the centre of the corner radius</source>
@@ -854,6 +854,14 @@
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Rings around the rotary axis, which spiral passes make one helix, or lines along it</source>
+        <translation>Ringe um die Drehachse, aus denen Spiralbahnen eine Wendel machen, oder Linien längs der Achse</translation>
+    </message>
+    <message>
+        <source>Rotary By</source>
+        <translation>Rotierend durch</translation>
     </message>
     <message>
         <source>Rtcp</source>
@@ -2283,6 +2291,10 @@
         <translation>Spielraum des Nullpunkts</translation>
     </message>
     <message>
+        <source>Rotary passes</source>
+        <translation>Rotierende Bahnen</translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -2381,6 +2393,10 @@
     <message>
         <source>Spiral passes</source>
         <translation>Spiralbahnen</translation>
+    </message>
+    <message>
+        <source>Square to the rotary axis and pointing at it, as the part turns.</source>
+        <translation>Senkrecht zur Drehachse und auf sie gerichtet, während sich das Werkstück dreht.</translation>
     </message>
     <message>
         <source>Start through the part</source>
@@ -2863,6 +2879,10 @@
         <translation>entlang</translation>
     </message>
     <message>
+        <source>along the axis</source>
+        <translation>längs der Achse</translation>
+    </message>
+    <message>
         <source>always over the part</source>
         <translation>über das Werkstück</translation>
     </message>
@@ -2873,6 +2893,10 @@
     <message>
         <source>around an edge</source>
         <translation>um eine Kante</translation>
+    </message>
+    <message>
+        <source>around the axis</source>
+        <translation>um die Achse</translation>
     </message>
     <message>
         <source>as many as take some seconds</source>
@@ -2893,6 +2917,10 @@
     <message>
         <source>automatic</source>
         <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>away from the rotary axis</source>
+        <translation>von der Drehachse weg</translation>
     </message>
     <message>
         <source>axis</source>
@@ -3281,6 +3309,10 @@
     <message>
         <source>recommended: {deviation}</source>
         <translation>empfohlen: {deviation}</translation>
+    </message>
+    <message>
+        <source>rotary: the part turns under the tool</source>
+        <translation>rotierend: das Werkstück dreht sich unter dem Werkzeug</translation>
     </message>
     <message>
         <source>seeking axes that are free of the part</source>
@@ -4772,6 +4804,10 @@
         <translation>höchstens {bound} sein</translation>
     </message>
     <message>
+        <source>axis {about} has no direction; give three numbers, as 1,0,0</source>
+        <translation>Achse {about} hat keine Richtung; geben Sie drei Zahlen an, etwa 1,0,0</translation>
+    </message>
+    <message>
         <source>axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1</source>
         <translation>die Achse {given} hat keine Richtung; I,J,K der festen Werkzeugachse angeben, wie 0,0,1</translation>
     </message>
@@ -5484,6 +5520,10 @@
         <translation>keine Facette kann bearbeitet werden: auf keiner ist eine Werkzeugachse frei; {remedy}</translation>
     </message>
     <message>
+        <source>no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} % need a tool axis beyond the machine's rotary limits; give the axis about which the part is turned, or take another machine</source>
+        <translation>keine Facette kann bearbeitet werden: {across} % der Fläche liegen quer zur Achse der Bahnen oder sind ihr zugewandt, {beyond} % brauchen eine Werkzeugachse jenseits der Drehgrenzen der Maschine; geben Sie die Achse an, um die das Werkstück gedreht wird, oder nehmen Sie eine andere Maschine</translation>
+    </message>
+    <message>
         <source>no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary limits of the area; turn the part, raise the largest axis angle or take another machine</source>
         <translation>keine Facette lässt sich fräsen: {down} % der Fläche zeigen nach unten, {steep} % neigen sich um mehr als {most}, {beyond} % liegen jenseits der Grenzen der Rundachsen; das Werkstück drehen, den größten Achswinkel erhöhen oder eine andere Maschine nehmen</translation>
     </message>
@@ -5590,6 +5630,10 @@
     <message>
         <source>nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)</source>
         <translation>nichts sagt, wo {letters} stehen und welche welche trägt; beschreiben Sie die Maschine von Hand (docs/adding.md)</translation>
+    </message>
+    <message>
+        <source>nothing that is to be cut faces away from the axis of the passes; give the axis about which the part is turned</source>
+        <translation>nichts, was bearbeitet werden soll, ist von der Achse der Bahnen abgewandt; geben Sie die Achse an, um die das Werkstück gedreht wird</translation>
     </message>
     <message>
         <source>on every pass</source>
@@ -6574,6 +6618,10 @@
     <message>
         <source>{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis angle to cut them.</source>
         <translation>{count} Facetten mit {area} ({share} % des Werkstücks) neigen sich um mehr als {most} gegen Z und sind ausgelassen; den größten Achswinkel erhöhen, um sie zu fräsen.</translation>
+    </message>
+    <message>
+        <source>{count} facets of {area} ({share} % of the part) lie across the axis of the passes or face it, and are left out: a tool square to that axis does not reach them. Cut them with other passes.</source>
+        <translation>{count} Facetten mit {area} ({share} % des Werkstücks) liegen quer zur Achse der Bahnen oder sind ihr zugewandt und sind ausgelassen: ein Werkzeug senkrecht zu dieser Achse erreicht sie nicht. Fräsen Sie sie mit anderen Bahnen.</translation>
     </message>
     <message>
         <source>{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not; {gouge} keeps the tool out of all of them.</source>

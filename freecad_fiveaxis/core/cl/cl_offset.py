@@ -20,7 +20,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, say
-from freecad_fiveaxis.core.base.vectors import row_dot, slerp
+from freecad_fiveaxis.core.base.vectors import away_from, row_dot, slerp
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.passes import CREASE, facet_curvature, turned_along
 from freecad_fiveaxis.core.tool import Cutter
@@ -282,24 +282,56 @@ def spacing_radius(
     """
     if cutter.ring == 0.0:
         return cutter.radius
+    if strategy == "from_axis":
+        return _radius_around(cutter, mesh, np.flatnonzero(keep), options, scallop)
     travel, normal = np.array((np.cos(angle), np.sin(angle), 0.0)), mesh.normal[keep]
     bend = _bend(facet_curvature(mesh)[:, keep], normal, travel)
     travel = travel if strategy == "fixed" else np.array((1.0, 0.0, 0.0))
     upright = np.array(options.fixed, float) / np.linalg.norm(options.fixed)
     normal = _few(normal, travel, upright) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
+    axis = np.broadcast_to(upright, normal.shape) if strategy == "fixed" else normal
+    radii = [np.array([np.inf]), *_radii(cutter, normal, axis, np.cross(normal, travel), options, scallop, bend)]
+    least = float(np.concatenate(radii).min())
+    return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
+
+
+def _radius_around(cutter: Cutter, mesh: Mesh, rows: Ints, options: AxisOptions, scallop: float) -> float:
+    """The same of a tool that points at an axis, on the facets ``rows``, for passes around that axis and along it: where the
+    surface slants to the axis, the cutter stands on it aslant."""
+    about = np.array(options.about, float) / np.linalg.norm(options.about)
+    outward, _ = away_from(mesh.vertex[mesh.face[rows]].mean(axis=1), np.array(options.through, float), about)
     radii = [np.array([np.inf])]
+    for travel in (np.cross(about, outward), np.broadcast_to(about, outward.shape)):
+        normal = mesh.normal[rows]
+        way = travel - row_dot(normal, travel)[:, None] * normal
+        length = np.linalg.norm(way, axis=1)
+        stands = np.flatnonzero((length > STEEPEST) & (row_dot(normal, outward) > STEEPEST))
+        if not len(stands):
+            continue
+        way, normal = way[stands] / length[stands, None], normal[stands]
+        bend = float(np.quantile(row_dot(turned_along(facet_curvature(mesh)[:, rows[stands]], way), way), MOST))
+        given = np.concatenate([normal, outward[stands], way], axis=1)
+        few = np.unique(np.rint(np.degrees(given) / SAME_STAND), axis=0, return_index=True)[1]
+        radii += _radii(cutter, normal[few], outward[stands][few], np.cross(normal, way)[few], options, scallop, max(bend, 0.0))
+    least = float(np.concatenate(radii).min())
+    return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
+
+
+def _radii(
+    cutter: Cutter, normal: Floats, upright: Floats, side: Floats, options: AxisOptions, scallop: float, bend: float
+) -> list[Floats]:
+    """The radii (k,), mm, of the balls that leave the scallop of the cutter, for travel in either sense across the unit ``side``
+    (n, 3), the tool ``upright`` (n, 3) before it is leaned."""
+    radii = []
     for sense in (1.0, -1.0):
-        side = np.cross(normal, travel)
-        axis = np.broadcast_to(upright, normal.shape) if strategy == "fixed" else normal
-        feed = np.cross(side, axis)
+        feed = np.cross(side, upright)
         feed /= sense * np.linalg.norm(feed, axis=1)[:, None]
-        axis = leaned(axis, feed, options.lead, options.tilt)
+        axis = leaned(upright, feed, options.lead, options.tilt)
         square = np.linalg.norm(axis - normal, axis=1) < FOREMOST_LEAD
         axis[square] = leaned(axis[square], feed[square], FOREMOST_LEAD, 0.0)
         stands = np.einsum("ij,ij->i", axis, normal) > STEEPEST
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
-    least = float(np.concatenate(radii).min())
-    return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
+    return radii
 
 
 def scallop_of(

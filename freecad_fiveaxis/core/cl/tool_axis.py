@@ -38,7 +38,7 @@ SHORT = 1e-9
 @dataclass(frozen=True)
 class AxisOptions:
     """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad; ``through``, mm, and ``about``,
-    any length: the axis that the strategy ``around`` points at."""
+    any length: the axis that the strategy ``from_axis`` points at."""
 
     fixed: Vector = (0.0, 0.0, 1.0)
     lead: float = 0.0
@@ -119,7 +119,7 @@ def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     return np.repeat((vector / length)[:, None], len(path.point), axis=1).T
 
 
-def around(path: OffsetPath, options: AxisOptions) -> Floats:
+def from_axis(path: OffsetPath, options: AxisOptions) -> Floats:
     """square to a rotary axis and pointing at it: one rotary axis turns the part under the tool
 
     The way from that axis to the contact. A contact on the axis takes what its normal has across it.
@@ -152,7 +152,7 @@ STRATEGIES: dict[str, Strategy] = {
     "minimax": minimax,
     "auto": auto,
     "fixed": fixed,
-    "around": around,
+    "from_axis": from_axis,
 }
 
 

@@ -78,8 +78,9 @@ from .options import (
     travels,
 )
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
+from .rotary_axis import turns_the_part
 from .settings import FRAMES, Settings
-from .settings.settings import AROUND, STEEP
+from .settings.settings import FROM_AXIS, STEEP
 
 _NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
 
@@ -110,7 +111,7 @@ def mill_context(
         keep = keep[: len(faces)]
         context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary)
         return context, (*about, *left_out)
-    if settings.tool_axis.tool_axis == AROUND:
+    if settings.tool_axis.tool_axis == FROM_AXIS:
         stand = axis_options(settings)
         keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
         context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
@@ -266,4 +267,6 @@ def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     sat, axis = bounded_by_hub(context, sat, axis)
     sat, axis = left_out_rows(context, sat, axis)
     path = link_passes(sat, axis, cutter, *context.box, options, context.progress, kept_off(settings))
+    if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
+        path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)

@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 
 from .settings import Settings
-from .settings.settings import AROUND
+from .settings.settings import FROM_AXIS
 
 AUTO = "auto"
 IN_TABLE = 0.1
@@ -25,7 +25,7 @@ def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> floa
     asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis == AUTO
     if asked is not None:
         return asked
-    if settings.tool_axis.tool_axis == AROUND:
+    if settings.tool_axis.tool_axis == FROM_AXIS:
         return math.pi
     return math.pi if free and table_below(settings, machine, mesh) is not None else 0.5 * math.pi
 

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes.radial_passes import MIDDLE, check_centre, unit_axis
 
 from .settings import Settings
-from .settings.settings import AROUND, ROTARY
+from .settings.settings import FROM_AXIS, ROTARY
 
 
 def settle_rotary_axis(settings: Settings, kinematics: Chain, mesh: Mesh) -> Settings:
@@ -26,7 +26,7 @@ def settle_rotary_axis(settings: Settings, kinematics: Chain, mesh: Mesh) -> Set
     machine's only rotary axis; else through the middle of the part's box along its longest side. Raises SettingsError for a
     centre that is none and an axis of no direction."""
     passes = settings.passes
-    if passes.passes != ROTARY and settings.tool_axis.tool_axis != AROUND:
+    if passes.passes != ROTARY and settings.tool_axis.tool_axis != FROM_AXIS:
         return settings
     check_centre(passes.pass_centre)
     line = own_axis(kinematics)
@@ -41,8 +41,8 @@ def settle_rotary_axis(settings: Settings, kinematics: Chain, mesh: Mesh) -> Set
 
 
 def own_axis(kinematics: Chain) -> tuple[Vector, Vector | None] | None:
-    """Find the direction of the machine's only rotary axis and a point of it, mm, in the work frame; no point where its line moves
-    with the tool. None where the machine has no rotary axis, or two."""
+    """Find the direction of the machine's only rotary axis and a point of it, mm, in the work frame; no point where its line
+    moves with the tool. None where the machine has no rotary axis, or two."""
     fitted = [i for i, axis in enumerate(kinematics.axes[3:]) if axis.fitted]
     if len(fitted) != 1:
         return None
@@ -50,6 +50,12 @@ def own_axis(kinematics: Chain) -> tuple[Vector, Vector | None] | None:
     point = (kinematics.point1, kinematics.point2)[at]
     stands = all(slot > at for slot in kinematics.slot)
     return _numbers(kinematics.direction[3 + at]), _numbers(point) if stands else None
+
+
+def turns_the_part(kinematics: Chain) -> bool:
+    """Whether the machine's only rotary axis turns the part: then the tool stays above it, whichever side it cuts."""
+    line = own_axis(kinematics)
+    return line is not None and line[1] is not None
 
 
 def _longest_side(mesh: Mesh) -> Vector:

@@ -66,6 +66,8 @@ def _outward(region: Region, options: PassOptions) -> Region:
     about, centre = unit_axis(options.axis), centre_of(region, options.centre)
     keep: Bools = region.keep & facets_outward(region.mesh, centre, about)[0]
     if not keep.any():
-        text = say("nothing that is to be cut faces away from the axis of the passes; give the axis about which the part is turned")
+        text = say(
+            "nothing that is to be cut faces away from the axis of the passes; give the axis about which the part is turned"
+        )
         raise SettingsError(text, tuple(np.round(centre, 6).tolist()))
     return replace(region, keep=keep)

@@ -232,7 +232,7 @@ SECTIONS = {
     "Part": ("avoid", "work_zero", "linear_deflection", "angular_deflection"),
     "Machine": ("setup", "machine", "controller", "tool_length"),
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
-    "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "frames", SPACING, *DIVIDED, *ORDERING),
+    "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", "frames", SPACING, *DIVIDED, *ORDERING),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
     "Safety": ("gouge", "fixtures", "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),

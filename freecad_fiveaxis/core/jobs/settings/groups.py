@@ -59,8 +59,8 @@ class PassSettings:
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     pass_centre: str | Vector = option(
-        "middle", "place", "point of the axis that radial passes radiate from, and rotary ones turn about: X,Y,Z or the middle of "
-        "what is cut (rotary: of the machine's only rotary axis, else of the part)",
+        "middle", "place", "point of the axis that radial passes radiate from, and rotary ones turn about: X,Y,Z or the middle "
+        "of what is cut (rotary: of the machine's only rotary axis, else of the part)",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     pass_axis: Vector | None = option(

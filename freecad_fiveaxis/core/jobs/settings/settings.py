@@ -48,7 +48,7 @@ SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
 FRAMES = "frames"
 """The passes that choose their own tool axes."""
-ROTARY, AROUND = "rotary", "around"
+ROTARY, FROM_AXIS = "rotary", "from_axis"
 """The passes about a rotary axis, and the tool axis that points at it."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
@@ -153,7 +153,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     if settings.passes.passes == FRAMES:
         return settings
     if "tool_axis" not in given and settings.passes.passes == ROTARY:
-        return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=AROUND))
+        return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=FROM_AXIS))
     if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
