@@ -58,7 +58,7 @@ def test_an_axis_that_stays_behind_is_noticed(strategy):
 
 
 def test_the_tool_stands_on_the_side_of_the_part_that_it_cuts(strategy):
-    axis = tool_axes(path(0.0), strategy, AxisOptions())
+    axis = tool_axes(path(0.0), strategy, AxisOptions(through=(0.0, 0.0, -60.0), about=(1.0, 0.0, 0.0)))
     assert ((axis * path(0.0).normal).sum(axis=1) > 0.5).all()
 
 

@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Passes from guide to guide and about an axis, chosen in the panel: each choice asks for what it needs, and is computed."""
 
+from pathlib import Path
+
+import FreeCAD
 import pytest
 
 from freecad_fiveaxis.gui.panels import toolpath
 
+FOUR_AXES = str(Path(__file__).parents[2] / "examples" / "mill_xyza.fcm")
 COARSE = {"cutter": "ball:6", "scallop": 0.1, "max_axis_angle": 50.0, "tool_axis": "facet_mean"}
 ASKED = {
     "frames": {"frames"}, "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
+    "rotary": {"pass_centre", "pass_axis", "rotary_by"},
 }  # fmt: skip
 
 
@@ -127,4 +132,23 @@ def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screensh
     assert path.PassStrategy == "frames" and path.Frames == 2 and path.ToolAxis == "auto"
     codes = {one.code: one for one in path.Proxy.last.result.findings}
     assert codes["frames"].value == 2 and "outside-frames" in codes
+    assert panel.accept()
+
+
+def test_rotary_passes_take_the_tool_axis_and_the_machines_axis(doc, pump, unfold, screenshot):
+    """On a machine of four axes the tool points at its rotary axis by itself, and spirals make one helix of the rings."""
+    made = doc.addObject("Part::Cylinder", "Shaft")
+    made.Radius, made.Height = 6, 20
+    made.Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(0, 1, 0), 90)
+    doc.recompute()
+    panel = toolpath.create(made)
+    panel.options.show_options({"machine": FOUR_AXES, "cutter": "ball:6", "scallop": 0.1, "passes": "rotary", "spiral": "on"})
+    pump(200)
+    unfold()
+    assert panel.options.fields["tool_axis"].value() == "from_axis"
+    assert panel.calculate()
+    pump(600)
+    screenshot("passes_rotary")
+    path = panel.obj
+    assert path.PassStrategy == "rotary" and path.RotaryBy == "around" and path.Passes == 1
     assert panel.accept()

@@ -20,12 +20,12 @@ IN_TABLE = 0.1
 
 def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> float:
     """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
-    table that is known, or as the part turns under the tool; else (what is below is not known, or they follow the normals) no
+    table that is known, all round as the part turns about the only rotary axis; else (what is below is not known, or they follow the normals) no
     farther than level."""
-    asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis == AUTO
+    asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis in (AUTO, FROM_AXIS)
     if asked is not None:
         return asked
-    if settings.tool_axis.tool_axis == FROM_AXIS:
+    if settings.tool_axis.tool_axis == FROM_AXIS and machine.rotaries == 1:
         return math.pi
     return math.pi if free and table_below(settings, machine, mesh) is not None else 0.5 * math.pi
 
