@@ -20,8 +20,8 @@ IN_TABLE = 0.1
 
 def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> float:
     """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
-    table that is known, all round as the part turns about the only rotary axis; else (what is below is not known, or they follow the normals) no
-    farther than level."""
+    table that is known; all round where they point at the only rotary axis; else (what is below is not known, or they follow the
+    normals) no farther than level."""
     asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis in (AUTO, FROM_AXIS)
     if asked is not None:
         return asked
