@@ -31,29 +31,21 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.studies import study
 from freecad_fiveaxis.core.studies.reach_map import ReachMap as Chart
 from freecad_fiveaxis.core.studies.reach_report import share_reached, verdict
+from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 
 from . import compared, convert, results, selection, tessellation, wording
 from .arguments import names
 from .job_setup import DEFAULT_MACHINE
 from .long_work import listening, run, take_back
 from .plain_errors import told_plainly
-from .properties import (
-    FINGERPRINT,
-    QT_TRANSLATE_NOOP,
-    RESULT,
-    WORK_ZERO,
-    Property,
-    setting_properties,
-    shown_options,
-)
+from .properties import Property, setting_properties, shown_options
+from .reach_properties import ANY_ANGLE, PROPERTIES
 from .schema import Proxy
 from .selection import SelectionError
 from .toolpath import Toolpath, check_fixtures, mesh_is_gone
 
 ENOUGH = 0.9
 """Of the area that only the holder keeps from being cut."""
-ANY_ANGLE = 180.0
-"""deg: the tool may lean as far as the machine turns."""
 AREAS = {
     Obstacle.NONE: "ReachableArea", Obstacle.CUTTER: "TighterThanCutter", Obstacle.SHANK: "ShankInTheWay",
     Obstacle.HOLDER: "HolderInTheWay", Obstacle.TABLE: "BelowTable", Obstacle.LIMITS: "BeyondMachine",
@@ -63,91 +55,16 @@ OWN = ("fixtures", "largest_axis_angle", "work_zero", "faces", "avoid", "linear_
 """Settings that are no options of the core's task."""
 _DEFLECTIONS = {"linear_deflection": "linear", "angular_deflection": "angular"}
 
-PROPERTIES = (
-    Property(
-        "Mesh", "App::PropertyLinkGlobal", "Base",
-        QT_TRANSLATE_NOOP("App::Property", "The tessellation, or any mesh, that the tool is to reach"),
-    ),
-    Property(
-        "Fixtures", "App::PropertyLinkListGlobal", "Safety",
-        QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: they are in the tool's way"),
-    ),
-    *setting_properties(REACH),
-    Property(
-        "LargestAxisAngle", "App::PropertyAngle", "Axis",
-        QT_TRANSLATE_NOOP("App::Property", "So far the tool may lean from the work frame's Z; 180°: as far as the machine turns"),
-        ANY_ANGLE,
-    ),
-    WORK_ZERO,
-    Property(
-        "WholeArea", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The surface that was looked at"), 0.0, RESULT,
-    ),
-    Property(
-        "ReachableArea", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface that the tool reaches, with an axis that was tried"), 0.0, RESULT,
-    ),
-    Property(
-        "ReachableShare", "App::PropertyFloat", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "How much of the surface that is, in per cent"), 0.0, RESULT,
-    ),
-    Property(
-        "TighterThanCutter", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter itself would enter the part"), 0.0, RESULT,
-    ),
-    Property(
-        "ShankInTheWay", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter would be free, but not the shank"), 0.0, RESULT,
-    ),
-    Property(
-        "HolderInTheWay", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where cutter and shank would be free, but not the holder"), 0.0, RESULT,
-    ),
-    Property(
-        "BelowTable", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where a part of the tool would be below the table's face"), 0.0, RESULT,
-    ),
-    Property(
-        "BeyondMachine", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface for which no axis that was tried is within the machine's limits"),
-        0.0, RESULT,
-    ),
-    Property(
-        "StickOut", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where the holder is in the way"),
-        0.0, RESULT,
-    ),
-    Property(
-        "StickOutArea", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface that the tool then reaches besides"), 0.0, RESULT,
-    ),
-    Property(
-        "Advice", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What would help where the holder is in the way, in a plain sentence"), "", RESULT,
-    ),
-    Property(
-        "Verdict", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "How much the tool reaches, in a plain sentence"), "", RESULT,
-    ),
-    Property(
-        "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
-    ),
-    Property(
-        "UpToDate", "App::PropertyBool", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The map is of the part and the settings as they are now"), False, RESULT,
-    ),
-    FINGERPRINT,
-)  # fmt: skip
-
 
 @dataclass(frozen=True, eq=False)
 class Last:
-    """What a map is drawn from, work frame: the core's ``chart`` over the facets of ``mesh``; ``findings`` of the core."""
+    """What a map is drawn from, work frame: the ``trial`` over the facets of ``mesh``; ``smaller``: mm, the radius of a ball that
+    would be free on ENOUGH of the area where the cutter is too large, as :func:`~.smaller_ball`."""
 
     fingerprint: str
     mesh: Mesh
     trial: study.ReachTrial
+    smaller: float | None
 
     @property
     def chart(self) -> Chart:
@@ -297,7 +214,9 @@ def _found(task: results.Task, fingerprint: str, progress: Progress) -> Last:
     mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
     fixtures = [Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)]
     most = task.settings.passes.max_axis_angle
-    return Last(fingerprint, mesh, study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi))
+    trial = study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi)
+    smaller = smaller_ball(mesh, trial.reacher, trial.found, ENOUGH, fixtures, progress)
+    return Last(fingerprint, mesh, trial, smaller)
 
 
 def chosen_facets(found: Last) -> Bools:
@@ -321,27 +240,42 @@ def stick_out(chart: Chart) -> tuple[float, float]:
     return next((one for one in chart.longer if one[1] >= ENOUGH * held), chart.longer[-1])
 
 
-def advice(chart: Chart) -> Sentence | str:
-    """What would help where the holder is in the way, in one sentence; an empty text where it is nowhere."""
+def radius_too_large(found: Last) -> float:
+    """By how much, mm, the ball's radius is too large where the cutter is; 0 where that is nowhere or not known."""
+    return found.trial.reacher.cutter.radius - found.smaller if found.smaller else 0.0
+
+
+def advice(found: Last) -> list[Sentence]:
+    """What would help where the holder is in the way, and where the cutter is too large: a sentence each."""
+    chart = found.chart
     held, (step, area) = chart.area_of(Obstacle.HOLDER), stick_out(chart)
-    if held <= 0.0:
-        return ""
-    if step <= 0.0:
-        return say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps.")
-    return say(
-        "Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.",
-        step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
-    )  # fmt: skip
+    said = []
+    if held > 0.0 and step > 0.0:
+        said.append(say(
+            "Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.",
+            step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
+        ))  # fmt: skip
+    elif held > 0.0:
+        said.append(say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps."))
+    if found.smaller:
+        said.append(say(
+            "Where the cutter is too large, its radius is so by {more}: a ball of {diameter} fits on 90 % of that area.",
+            more=Length(radius_too_large(found), ".3g"), diameter=Length(2.0 * found.smaller, ".3g"),
+        ))  # fmt: skip
+    elif found.smaller == 0.0:
+        said.append(say("Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area."))
+    return said
 
 
 def _show(obj: Any, found: Last) -> None:
     """Show the map in the object's properties."""
-    chart, told = found.chart, advice(found.chart)
+    chart = found.chart
     values = {name: chart.area_of(obstacle) for obstacle, name in AREAS.items()}
     step, area = stick_out(chart)
     values |= {
         "WholeArea": float(chart.area.sum()), "ReachableShare": 100.0 * share_reached(chart), "StickOut": step,
-        "StickOutArea": area, "Advice": wording.told(told) if told else "", "Verdict": wording.told(verdict(chart)),
+        "StickOutArea": area, "RadiusTooLarge": radius_too_large(found),
+        "Advice": " ".join(wording.told(one) for one in advice(found)), "Verdict": wording.told(verdict(chart)),
         "Findings": [wording.told(finding.text) for finding in found.trial.findings], "Fingerprint": found.fingerprint,
         "UpToDate": True,
     }  # fmt: skip

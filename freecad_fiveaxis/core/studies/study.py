@@ -70,11 +70,12 @@ class Comparison:
 
 @dataclass(frozen=True, eq=False)
 class ReachTrial:
-    """``found``: the reach map of the part."""
+    """``found``: the reach map of the part, by the ``reacher``."""
 
     settings: Settings
     found: ReachMap
     findings: tuple[Finding, ...]
+    reacher: Reacher
 
 
 Trial = SetupTrial | Comparison | ReachTrial
@@ -106,7 +107,7 @@ def try_reach(
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
     reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
-    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress, fixtures), mesh.findings + said + below)
+    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress, fixtures), mesh.findings + said + below, reacher)
 
 
 def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:
