@@ -127,7 +127,7 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
             obj = doc.addObject("App::FeaturePython", "ReachMap")
             added.append(obj)
             ReachMap(obj)
-            obj.Mesh = mesh
+            obj.Label, obj.Mesh = "Reach map", mesh
         _put(obj, options, own | {"Fixtures": fixtures})
         found_of(obj)  # errors reach the caller; the recompute then finds the work done
         obj.touch()

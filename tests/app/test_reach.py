@@ -23,7 +23,7 @@ pytestmark = pytest.mark.usefixtures("kept")
 
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch):
-    monkeypatch.setattr(module, "PLACES", 200)
+    monkeypatch.setattr(module, "PLACES", 80)
 
 
 def slot_shape(length=160.0):

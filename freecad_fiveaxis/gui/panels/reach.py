@@ -19,6 +19,7 @@ from .fixtures import FixturesField
 from .form import Form, Section
 from .path_panel import DRAWN, PathPanel, fit, show
 from .picking import PointField
+from .setup import table_of
 from .summary import Summary
 from .toolpath import milled, preferred
 
@@ -44,13 +45,17 @@ class ReachSummary(Summary):
         from freecad_fiveaxis.gui.reach_picture import area_lines
 
         cells = "".join(
-            f"<tr><td>{html.escape(words)}&nbsp;</td><td align=right><b>{html.escape(area)}</b>&nbsp;</td>"
-            f"<td align=right>{share}</td></tr>"
+            f"<tr><td>{html.escape(words)}&nbsp;</td><td align=right><b>{_unbroken(area)}</b>&nbsp;</td>"
+            f"<td align=right>{_unbroken(share)}</td></tr>"
             for _, words, area, share in area_lines(obj)
         )
         said = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Advice, *obj.Findings) if text)
         self.verdict.show_verdict(SimpleNamespace(Light=ADVICE, Verdict=obj.Verdict))
         self.tell(f"<table>{cells}</table>{said}")
+
+
+def _unbroken(text: str) -> str:
+    return html.escape(text).replace(" ", "&nbsp;")
 
 
 class ReachPanel(PathPanel):
@@ -83,6 +88,11 @@ class ReachPanel(PathPanel):
         widget.layout().insertWidget(2, self.axes_box)
         self.axes_box.clicked.connect(lambda *_: self._show_axes())
         return widget
+
+    def _edited(self) -> None:
+        """The empty field of the table's height says what the machine's file knows of it."""
+        self.options.fields["table_height"].editor.setPlaceholderText(table_of(self.options.fields["machine"].value()))
+        super()._edited()
 
     def _show_axes(self) -> None:
         if self.obj is not None:
