@@ -103,6 +103,7 @@ def _of_passes() -> dict[str, str]:
         "scallop": translate("FiveAxis", "Scallop height"),
         "stepover": translate("FiveAxis", "Stepover"),
         "least_interval": translate("FiveAxis", "Smallest stepover"),
+        "steep_shallow": translate("FiveAxis", "Steep from"),
         "max_axis_angle": translate("FiveAxis", "Steepest surface"),
     }
 

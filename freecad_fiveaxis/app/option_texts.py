@@ -48,6 +48,11 @@ TEXTS = {
     "scallop": QT_TRANSLATE_NOOP("App::Property", "Largest height of the ridges that stay between two passes"),
     "stepover": QT_TRANSLATE_NOOP("App::Property", "Constant distance of the passes, instead of a scallop height"),
     "least_interval": QT_TRANSLATE_NOOP("App::Property", "Passes come no closer than this, also on steep walls"),
+    "steep_shallow": QT_TRANSLATE_NOOP(
+        "App::Property",
+        "Where the surface is steeper than this from the horizontal, level planes are cut instead of the passes chosen; "
+        "0: nowhere",
+    ),
     "max_axis_angle": QT_TRANSLATE_NOOP(
         "App::Property",
         "Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with auto all that the "

@@ -1080,6 +1080,10 @@
         <translation>Anfang und Ende der Facetten, die gefräst werden</translation>
     </message>
     <message>
+        <source>Steep Shallow</source>
+        <translation>Steil ab</translation>
+    </message>
+    <message>
         <source>Stepover</source>
         <translation>Zeilensprung</translation>
     </message>
@@ -1394,6 +1398,10 @@
     <message>
         <source>Where the markers stand in the document</source>
         <translation>Wo die Markierungen im Dokument stehen</translation>
+    </message>
+    <message>
+        <source>Where the surface is steeper than this from the horizontal, level planes are cut instead of the passes chosen; 0: nowhere</source>
+        <translation>Wo die Fläche steiler zur Waagrechten steht als so viel, werden waagrechte Ebenen gefräst statt der gewählten Bahnen; 0: nirgends</translation>
     </message>
     <message>
         <source>Where the work zero should stand, in the machine frame</source>
@@ -2509,6 +2517,10 @@
     <message>
         <source>Start through the part</source>
         <translation>Start durch das Werkstück</translation>
+    </message>
+    <message>
+        <source>Steep from</source>
+        <translation>Steil ab</translation>
     </message>
     <message>
         <source>Steepest surface</source>
@@ -7434,6 +7446,14 @@
     <message>
         <source>{option}</source>
         <translation>{option}</translation>
+    </message>
+    <message>
+        <source>{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out</source>
+        <translation>{option} trennt waagrechte Ebenen von anderen Bahnen, {passes} sind aber überall waagrechte Ebenen; eines von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>{option} does not go together with {passes}; leave one of them out</source>
+        <translation>{option} geht nicht zusammen mit {passes}; eines von beiden weglassen</translation>
     </message>
     <message>
         <source>{option} is of a CL file, {source} is a part; leave it out</source>

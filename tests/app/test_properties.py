@@ -66,7 +66,7 @@ def test_an_audits_defaults_too(doc, tmp_path):
 
 GIVEN = {
     "machine": "fork_head_bc", "controller": "FANUC", "origin": (1.5, -2.0, 0.25), "tool_length": 123.4, "cutter": "ball:0.5in:2in",
-    "feed": 1234.5, "plunge_feed": "12in/min", "passes": "planes", "direction": -30, "scallop": 0.003, "max_axis_angle": 70, "lead": 3, "tilt": "-0.1rad",
+    "feed": 1234.5, "plunge_feed": "12in/min", "passes": "planes", "direction": -30, "scallop": 0.003, "max_axis_angle": 70, "steep_shallow": 40, "lead": 3, "tilt": "-0.1rad",
     "tool": 7, "spindle": 12000, "coolant": "on", "feed_mode": "g94", "work_offset": "G55", "tool_axis": "fixed", "axis": "1,0,2",
     "control_point": "centre", "order": "one_way", "tolerance": "0.0005in", "blend": 0.02, "method": "so2008",
     "lead_in": 2.5, "spiral": "on", "linearize": "on", "singularity": "linearize", "high_speed": "on", "gouge": "lift", "shank": "8x20", "holder": "1inx2in,63x50.5",

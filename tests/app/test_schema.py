@@ -302,3 +302,17 @@ def test_a_path_of_before_spirals_has_none_and_keeps_its_program(doc, ball, reop
     path.Spiral = "on"
     path.Document.recompute()
     assert path.State == ["Up-to-date"] and results.nc_of(path) != nc
+
+
+def test_a_path_of_before_steep_and_shallow_has_one_strategy_and_keeps_its_program(doc, ball, reopen):
+    path = app.create_toolpath(doc, ball, **FAST)
+    nc = results.nc_of(path)
+    assert path.SteepShallow == 0 and path.removeProperty("SteepShallow")
+    path = reopen(doc).Toolpath
+    assert path.SteepShallow == 0
+    path.touch()
+    path.Document.recompute()
+    assert results.nc_of(path) == nc
+    path.SteepShallow = 20
+    path.Document.recompute()
+    assert path.State == ["Up-to-date"] and results.nc_of(path) != nc

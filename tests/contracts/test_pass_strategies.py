@@ -19,18 +19,21 @@ from freecad_fiveaxis.core.jobs import job, milling
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import (
     PASS_STRATEGIES,
+    Division,
     PassOptions,
     Region,
     cut,
     facets_under_axes,
     find_pass_strategy,
     flat_interval,
+    lay_by_slope,
     refine,
     scallop_passes,
     slice_field,
     slice_mesh,
 )
 from freecad_fiveaxis.core.passes.scallop_passes import AIM
+from freecad_fiveaxis.core.passes.spirals import take_lines
 
 RADIUS, SCALLOP = 3.0, 0.03
 STEP = flat_interval(RADIUS, SCALLOP)
@@ -190,6 +193,23 @@ def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
     assert spiral.polyline.max() < 0.3 * loops.polyline.max()
     assert np.quantile(left(mesh, spiral, point), 0.98) <= 1.02 * SCALLOP
     assert left(mesh, spiral, point).max() <= 1.1 * left(mesh, loops, point).max()
+
+
+@pytest.mark.parametrize("name, most", [("planes", 1.0), ("scallop", 3.5)])  # in corners where fronts meet
+@pytest.mark.parametrize("degrees", [43.0, 46.0])
+def test_divided_by_slope_no_place_is_higher_than_with_the_worse_of_both_alone(name, most, degrees):
+    """The wavy slope leans by 42 to 49 deg. Without the level planes, the same comparison fails on the steep part."""
+    mesh = slope()
+    point, _ = samples(mesh, np.arange(len(mesh.face)))
+    point = point[(np.abs(point[:, 0]) < 12.0) & (np.abs(point[:, 1]) < 8.0)]
+    division = Division(math.radians(degrees), PASS_STRATEGIES["zlevel"], PASS_STRATEGIES[name], "zigzag")
+    both, _ = lay_by_slope(region(mesh), OPTIONS, division)
+    stays = left(mesh, both, point)
+    worst = max(left(mesh, passes(PASS_STRATEGIES[one], mesh), point).max() for one in ("zlevel", name))
+    assert np.quantile(stays, 0.98) <= 1.02 * SCALLOP and stays.max() <= max(1.02 * worst, most * SCALLOP)
+    level = np.array([np.ptp(both.point[both.polyline == one, 2]) < 1e-6 for one in range(both.polyline.max() + 1)])
+    assert level.sum() > 20 and (~level).sum() > 5
+    assert left(mesh, take_lines(both, np.flatnonzero(~level[both.polyline])), point).max() > 5.0 * SCALLOP
 
 
 @pytest.mark.parametrize("turn", [0.7, 2.5])

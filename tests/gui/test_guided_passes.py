@@ -87,6 +87,34 @@ def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(ball, pump,
     assert again.reject()
 
 
+def test_steep_and_shallow_is_asked_for_but_for_level_planes_and_is_off_where_empty(ball, pump, unfold, screenshot):
+    panel = toolpath.create(ball)
+    panel.options.show_options({**COARSE, "passes": "planes"})
+    pump(200)
+    unfold()
+    steep = panel.options.fields["steep_shallow"]
+    assert steep.editor.isVisible() and steep.editor.text() == "off" and steep.value() is None
+    assert panel.calculate()
+    pump(600)
+    plain = panel.obj.CutLength.Value
+    panel.options.show_options({"steep_shallow": 30})
+    assert panel.calculate()
+    pump(600)
+    screenshot("passes_steep_shallow")
+    path = panel.obj
+    assert path.SteepShallow.Value == 30 and path.CutLength.Value != plain
+    panel.options.show_options({"passes": "zlevel"})
+    pump(200)
+    assert not steep.editor.isVisible(), "level planes are not divided from themselves"
+    panel.options.show_options({"passes": "planes"})
+    assert panel.accept()
+    again = toolpath.edit(path)
+    pump(200)
+    unfold()
+    assert again.options.fields["steep_shallow"].value() == 30
+    assert again.reject()
+
+
 def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screenshot):
     panel = toolpath.create(ball)
     panel.options.show_options({"cutter": "ball:6", "scallop": 0.2, "passes": "frames", "frames": 2})

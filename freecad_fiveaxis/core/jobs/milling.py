@@ -38,12 +38,14 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.passes import (
     ContactPath,
+    Division,
     Region,
     cut,
     facets_under_axes,
     facets_within_limits,
     find_pass_strategy,
     flat_interval,
+    lay_by_slope,
     report_standing,
     standing_facets,
     turns_within_limits,
@@ -75,6 +77,7 @@ from .options import (
 )
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .settings import FRAMES, Settings
+from .settings.settings import STEEP
 
 _NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
 
@@ -143,8 +146,11 @@ def laid(context: MillContext) -> tuple[ContactPath, tuple[Finding, ...], Ints |
     """The passes on the facets, what they do not touch, and the frame (k,) of each pass, where there are frames."""
     strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
     region = find_region(context.settings, context.mesh, context.keep, context.progress, context.frames)
+    order, spiral = context.settings.links.order, context.settings.links.spiral == "on"
+    if (bound := context.settings.passes.steep_shallow) is not None:
+        return *lay_by_slope(region, options, Division(bound, find_pass_strategy(STEEP), strategy, order, spiral)), None
     field = strategy.field(region, options)
-    contact = cut(region, field, context.settings.links.order, context.settings.links.spiral == "on")
+    contact = cut(region, field, order, spiral)
     return contact, strategy.untouched(region, options, field, contact.face), field.frame
 
 

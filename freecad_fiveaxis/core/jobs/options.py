@@ -33,6 +33,7 @@ from .fewer_axes import refuse_what_needs_more_axes
 from .over_table import largest_axis_angle, table_below
 from .settings import MILL, Settings
 from .settings.groups import AS_MACHINE
+from .settings.settings import STEEP
 
 DEFAULT_CONTROLLER = "linuxcnc"
 DEFAULT_SCALLOP = 0.01
@@ -118,7 +119,8 @@ def pass_options(settings: Settings) -> PassOptions:
 
 def travels(settings: Settings) -> tuple[float, ...]:
     """rad: directions of travel, seen from above, that stand for all of the passes."""
-    return find_pass_strategy(settings.passes.passes).travels(pass_options(settings))
+    names = [settings.passes.passes] + [STEEP] * (settings.passes.steep_shallow is not None)
+    return tuple(dict.fromkeys(way for name in names for way in find_pass_strategy(name).travels(pass_options(settings))))
 
 
 def axis_options(settings: Settings) -> AxisOptions:

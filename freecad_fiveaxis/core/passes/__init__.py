@@ -8,6 +8,7 @@ from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import prepare_planes
 from .standing import report_standing, standing_facets
+from .steep_and_shallow import Division, lay_by_slope, lay_whole
 from .strategies import PASS_STRATEGIES, find_pass_strategy
 from .within_limits import axes_within_limits, facets_under_axes, facets_within_limits, least_up, turns_within_limits, with_room
 
@@ -15,6 +16,7 @@ __all__ = [
     "CREASE",
     "PASS_STRATEGIES",
     "ContactPath",
+    "Division",
     "PassField",
     "PassOptions",
     "PassStrategy",
@@ -29,6 +31,8 @@ __all__ = [
     "facets_within_limits",
     "find_pass_strategy",
     "flat_interval",
+    "lay_by_slope",
+    "lay_whole",
     "least_up",
     "pass_curvature",
     "prepare_planes",

@@ -96,7 +96,7 @@ def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
     strip lies on the border with all of its vertices."""
     vertex, face, side, parent = np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], np.arange(len(rows))
     for _ in range(ROUNDS):
-        made = _halved(vertex, face, side, metric[:, parent], longest)
+        made = halve_long_sides(vertex, face, side, metric[:, parent], longest)
         if made is None:
             break
         vertex, face, side, owner = made
@@ -120,14 +120,14 @@ def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
 def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
     """Divide the facets of a copy where ``height`` (v,), linear over each, is 0, so that no facet has both signs."""
     mesh, height = copy.mesh, np.where(np.abs(height) < ON, 0.0, height)
-    label, side = copy.coedge[mesh.face_coedge], _sides(mesh.face)
+    label, side = copy.coedge[mesh.face_coedge], number_sides(mesh.face)
     ends = np.empty((int(side.max(initial=-1)) + 1, 2), np.int64)
     ends[side] = np.stack([mesh.face, np.roll(mesh.face, -1, axis=1)], axis=2)
     one, two = height[ends].T
     marked = one * two < 0.0
     share = one[marked] / (one[marked] - two[marked])
     top = marked[side].argmax(axis=1)
-    vertex, face, label, owner = _split(np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share)
+    vertex, face, label, owner = split_sides(np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share)
     return replace(assembled(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short)
 
 
@@ -147,19 +147,22 @@ def joined(one: Copy, two: Copy) -> Copy:
     )
 
 
-def _sides(face: Ints) -> Ints:
-    """The side (f, 3) that each half-edge is of: one number for all half-edges between the same two vertices."""
+def number_sides(face: Ints) -> Ints:
+    """Number the sides (f, 3) that half-edges are of: one number for all half-edges between the same two vertices."""
     low, high = np.minimum(face, np.roll(face, -1, axis=1)), np.maximum(face, np.roll(face, -1, axis=1))
     key = low * (int(face.max(initial=0)) + 1) + high
     return np.asarray(np.unique(key, return_inverse=True)[1].reshape(face.shape), np.int64)
 
 
-def _halved(vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: float) -> tuple[Floats, Ints, Ints, Ints] | None:
-    """Vertices, facets, labels of their sides and owners after one round; None where no side is too long."""
+def halve_long_sides(
+    vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: float
+) -> tuple[Floats, Ints, Ints, Ints] | None:
+    """Halve sides longer than ``longest`` in the metric (6, f), one round. Give vertices, facets, labels of their sides and
+    owners; None where no side is too long."""
     x, y, z = (vertex[np.roll(face, -1, axis=1)] - vertex[face]).transpose(2, 1, 0)
     xx, yy, zz, xy, yz, zx = metric
     length = np.sqrt(xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + yz * y * z + zx * z * x)).T
-    side, top = _sides(face), length.argmax(axis=1)
+    side, top = number_sides(face), length.argmax(axis=1)
     marked = np.zeros(int(side.max(initial=-1)) + 1, np.bool_)
     marked[side[length > longest]] = True
     if not marked.any():
@@ -168,7 +171,7 @@ def _halved(vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: fl
     while count != int(marked.sum()):
         count = int(marked.sum())
         marked[leading[marked[side].any(axis=1)]] = True
-    return _split(vertex, face, label, side, marked, top)
+    return split_sides(vertex, face, label, side, marked, top)
 
 
 def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints, Ints, Ints]:
@@ -180,20 +183,20 @@ def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints
         length = np.linalg.norm(vertex[np.roll(face, -1, axis=1)] - vertex[face], axis=2)
         top, marked = length.argmax(axis=1), np.zeros(len(border), np.bool_)
         marked[side[alone, top[alone]]] = True
-        vertex, face, label, owner = _split(vertex, face, label, side, marked, top)
+        vertex, face, label, owner = split_sides(vertex, face, label, side, marked, top)
         side, border = _border_sides(face, label)
     rim = np.zeros(len(vertex), np.bool_)
     rim[face[border[side]]] = rim[np.roll(face, -1, axis=1)[border[side]]] = True
     marked = np.zeros(len(border), np.bool_)
     marked[side[rim[face] & rim[np.roll(face, -1, axis=1)]]] = True
     marked &= ~border
-    vertex, face, label, again = _split(vertex, face, label, side, marked, marked[side].argmax(axis=1))
+    vertex, face, label, again = split_sides(vertex, face, label, side, marked, marked[side].argmax(axis=1))
     return vertex, face, label, owner[again]
 
 
 def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
-    """The sides (f, 3) of :func:`_sides`, and which (s,) of them are not of two facets that their label joins."""
-    side = _sides(face)
+    """The sides (f, 3) of :func:`number_sides`, and which (s,) of them are not of two facets that their label joins."""
+    side = number_sides(face)
     count = np.bincount(side.reshape(-1))
     low, high = np.full(len(count), np.iinfo(np.int64).max), np.full(len(count), np.iinfo(np.int64).min)
     np.minimum.at(low, side.reshape(-1), label.reshape(-1))
@@ -201,10 +204,10 @@ def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
     return side, (count != 2) | (low != high)
 
 
-def _split(
+def split_sides(
     vertex: Floats, face: Ints, label: Ints, side: Ints, marked: Bools, top: Ints, share: Floats | None = None
 ) -> tuple[Floats, Ints, Ints, Ints]:
-    """Vertices, facets, labels and owners after the ``marked`` (s,) sides are halved, or divided at a ``share`` (m,) of each
+    """Give vertices, facets, labels and owners after the ``marked`` (s,) sides are halved, or divided at a ``share`` (m,) of each
     from the first vertex of the last facet that has it; ``top`` (f,): of a facet with such sides one of them."""
     count, turn = int(marked.sum()), (top[:, None] + np.arange(3)) % 3
     ends = np.empty((len(marked), 2), np.int64)
@@ -236,7 +239,7 @@ def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
 def assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
     """Assemble the copy of facets, sides labelled with co-edges of the part. A side that the part does not join is joined
     nowhere: of two half-edges of one side and one label, in opposite senses, a co-edge is made."""
-    count, half = len(face), _sides(face).reshape(-1)
+    count, half = len(face), number_sides(face).reshape(-1)
     start, end = face.reshape(-1), np.roll(face, -1, axis=1).reshape(-1)
     order = np.lexsort((start > end, label.reshape(-1), half))
     same = (np.diff(half[order]) == 0) & (np.diff(label.reshape(-1)[order]) == 0) & (start[order[1:]] == end[order[:-1]])

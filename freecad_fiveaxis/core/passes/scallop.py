@@ -95,6 +95,12 @@ def facet_curvature(mesh: Mesh) -> Floats:
     return _TENSORS[mesh]
 
 
+def hand_curvature_on(mesh: Mesh, to: Mesh, parent: Ints) -> None:
+    """Let facets (f,) of another mesh, pieces of ``parent`` (f,) facets of this one, have the curvature of those."""
+    _TENSORS[to] = facet_curvature(mesh)[:, parent]
+    _TENSORS[to].setflags(write=False)
+
+
 def _mean_turns(mesh: Mesh) -> Floats:
     """The tensor (6, f) of each facet."""
     first, second, turned = _smooth_turns(mesh)

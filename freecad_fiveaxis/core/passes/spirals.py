@@ -92,18 +92,18 @@ def without_loops(contact: ContactPath, face: Ints, pass_: Ints) -> ContactPath:
     count = int(contact.face.max(initial=0)) + 1
     gone = np.isin(contact.pass_ * count + contact.face, (pass_ * count + face)[face < count])
     rows = np.flatnonzero((np.bincount(contact.polyline, gone) < MOST * np.bincount(contact.polyline))[contact.polyline])
-    return _renumbered(contact, rows)
+    return take_lines(contact, rows)
 
 
 def merge_passes(contact: ContactPath, spirals: ContactPath) -> ContactPath:
     """Put spirals among other polylines, in the order of their passes."""
-    both = _beside([contact, spirals])
+    both = put_beside([contact, spirals])
     rows = np.argsort(both.pass_, kind="stable")
-    return replace(_renumbered(both, rows), findings=contact.findings)
+    return replace(take_lines(both, rows), findings=contact.findings)
 
 
-def _renumbered(contact: ContactPath, rows: Ints) -> ContactPath:
-    """Some rows of whole polylines, polylines and segments counted anew."""
+def take_lines(contact: ContactPath, rows: Ints) -> ContactPath:
+    """Take some rows of whole polylines, polylines and segments counted anew."""
     columns = {name: getattr(contact, name)[rows] for name in COLUMNS}
     columns["polyline"] = (np.cumsum(np.diff(columns["polyline"], prepend=-1) != 0) - 1).astype(np.int64)
     return replace(contact, **columns, segment=np.arange(len(rows)) >> 1)
@@ -163,7 +163,7 @@ def _all_turns(rings: Rings) -> Turns:
     made = [(slice_field(mesh, value, levels), ring, turn, back) for value, levels, ring, turn, back in fields]
     number = [contact.pass_[_begins(contact)] for contact, *_ in made]
     return Turns(
-        _beside(contact for contact, *_ in made),
+        put_beside(contact for contact, *_ in made),
         np.concatenate([ring[at] for at, (_, ring, _, _) in zip(number, made, strict=True)]),
         np.concatenate([turn[at] for at, (_, _, turn, _) in zip(number, made, strict=True)]),
         np.concatenate([np.full(len(at), back) for at, (*_, back) in zip(number, made, strict=True)]),
@@ -197,8 +197,8 @@ def _begins(contact: ContactPath) -> Ints:
     return np.flatnonzero(np.diff(contact.polyline, prepend=-1))
 
 
-def _beside(contacts: Iterable[ContactPath]) -> ContactPath:
-    """The polylines of all, one after the other."""
+def put_beside(contacts: Iterable[ContactPath]) -> ContactPath:
+    """Put the polylines of all one after the other."""
     parts = list(contacts)
     columns: dict[str, Any] = {name: np.concatenate([getattr(part, name) for part in parts]) for name in COLUMNS}
     line = np.cumsum(np.concatenate([np.diff(part.polyline, prepend=-1) != 0 for part in parts])) - 1

@@ -104,6 +104,8 @@ class Field(QtCore.QObject):
 
 FOUND = ("max_axis_angle",)
 """Options that are found where they are not given."""
+OFF = ("steep_shallow",)
+"""Options that do nothing where they are not given."""
 
 
 class QuantityField(Field):
@@ -113,7 +115,7 @@ class QuantityField(Field):
         super().__init__(name, MeasureBox(kind), hint)
         self.unit = UNITS[kind]
         self.optional, self._given, self._shown = optional, 0.0, 0.0
-        self.editor.unset = translate("FiveAxis", "automatic") if optional and name in FOUND else ""
+        self.editor.unset = _word_for_none(name) if optional else ""
         self.show_value(0.0)
         self.editor.valueChanged.connect(self._changed)
 
@@ -139,6 +141,13 @@ class QuantityField(Field):
         if not value:
             return ""
         return f"{self.label} {length_text(value, DIGITS) if self.unit == 'mm' else angle_text(value, DIGITS)}"
+
+
+def _word_for_none(name: str) -> str:
+    """What an option is called that is not given; nothing where 0 says it."""
+    if name in FOUND:
+        return translate("FiveAxis", "automatic")
+    return translate("FiveAxis", "off") if name in OFF else ""
 
 
 class FeedField(Field):

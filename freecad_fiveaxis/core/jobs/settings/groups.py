@@ -79,6 +79,11 @@ class PassSettings:
     least_interval: float = option(
         0.05, "length", "planes never come closer than this (steep walls)", least=SMALLEST, most=LONGEST
     )
+    steep_shallow: float | None = option(
+        None, "angle", "level planes where the surface is steeper than this from the horizontal, the passes only where it is not "
+        "[the passes everywhere]",
+        above=0, most=math.pi / 2,
+    )  # fmt: skip
     max_axis_angle: float | None = option(
         None, "angle", "facets (auto: axes) that lean more from Z are left out; beyond 90 they look down "
         "[90; auto: as far as the machine goes, where its file says where the table is]",

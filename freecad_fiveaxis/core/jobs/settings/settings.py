@@ -50,6 +50,8 @@ FRAMES = "frames"
 """The passes that choose their own tool axes."""
 OF_PLANES = ("direction", "plane_normal")
 """Options that mean nothing to any other passes."""
+STEEP = "zlevel"
+"""The pass strategy of what is steep, where the others are divided from it."""
 OVER_SURFACE = ("frames", "morph", "radial", "scallop")
 """Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
 
@@ -220,6 +222,7 @@ def _check_together(settings: Settings) -> None:
             ),
             "rtcp",
         )
+    _check_steep(settings)
     _check_gouge(settings)
     if (faces := settings.faces.faces or settings.faces.avoid) and settings.task != MILL and not is_part(settings.source):
         text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
@@ -245,6 +248,22 @@ def _check_boundary(settings: Settings) -> None:
             option=Option("boundary_axis"), given=given,
         )  # fmt: skip
         raise SettingsError(text, bounds.boundary_axis)
+
+
+def _check_steep(settings: Settings) -> None:
+    """Level planes are not divided from themselves, and frames divide the part by themselves."""
+    passes = settings.passes.passes
+    if settings.passes.steep_shallow is None or passes not in (STEEP, FRAMES):
+        return
+    option, given = Option("steep_shallow"), Choice("passes", (passes,))
+    if passes == STEEP:
+        text = say(
+            "{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out",
+            option=option, passes=given,
+        )  # fmt: skip
+    else:
+        text = say("{option} does not go together with {passes}; leave one of them out", option=option, passes=given)
+    raise SettingsError(text, passes)
 
 
 def _check_frames(settings: Settings) -> None:
