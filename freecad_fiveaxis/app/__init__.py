@@ -10,7 +10,7 @@ from typing import Any
 
 __all__ = [
     "annotate", "apply_setup", "audit", "compare", "create_setup", "create_toolpath", "import_machine", "left_map",
-    "post_process", "prove_signs", "recover", "setup_map", "tessellate",
+    "post_process", "prove_signs", "reach_map", "recover", "setup_map", "tessellate",
 ]  # fmt: skip
 
 
@@ -88,6 +88,22 @@ def left_map(toolpath: Any) -> Any:
     from .left import left_map as act
 
     return act(toolpath)
+
+
+def reach_map(base: Any, **settings: Any) -> Any:
+    """Where on a part the tool gets at all, and what is in the way elsewhere; returns the ReachMap object, computed.
+
+    ``base``: a solid, body, compound, mesh or Tessellation object, ``(object, ["Face3"])``, or a Toolpath, whose machine, tool,
+    part and fixtures are taken where no setting says otherwise. Settings as of ``fiveaxis reach``: ``machine``, ``cutter``,
+    ``shank``, ``holder``, ``tool_length``, ``origin``, ``table_height``, ``tolerance``, ``boundary``; also ``largest_axis_angle``
+    deg from Z, ``fixtures``, ``faces``, ``avoid``, ``work_zero``, ``linear_deflection`` mm, ``angular_deflection`` deg.
+    ``ReachableArea`` mm2, ``ReachableShare`` %, ``StickOut`` mm, ``Verdict`` and ``Advice`` are sentences. Raises FiveAxisError;
+    then the document is as it was.
+    """
+    from . import arguments
+    from .reach import reach_map as act
+
+    return act(arguments.base(base), settings)
 
 
 def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:

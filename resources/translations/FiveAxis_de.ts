@@ -12,6 +12,10 @@
         <translation>Eine mitgelieferte Maschine oder eine Maschinendatei (.fcm)</translation>
     </message>
     <message>
+        <source>Advice</source>
+        <translation>Rat</translation>
+    </message>
+    <message>
         <source>Against</source>
         <translation>Vergleich</translation>
     </message>
@@ -64,6 +68,14 @@
         <translation>Basis</translation>
     </message>
     <message>
+        <source>Below Table</source>
+        <translation>Unter dem Tisch</translation>
+    </message>
+    <message>
+        <source>Beyond Machine</source>
+        <translation>Außerhalb der Maschine</translation>
+    </message>
+    <message>
         <source>Blend</source>
         <translation>Verschleifen</translation>
     </message>
@@ -98,6 +110,10 @@
     <message>
         <source>Boundary By</source>
         <translation>Begrenzung hält</translation>
+    </message>
+    <message>
+        <source>By so much the ball's radius is too large where the cutter itself is in the way</source>
+        <translation>Um so viel ist der Kugelradius zu groß, wo schon der Fräser im Weg ist</translation>
     </message>
     <message>
         <source>CL file (.apt, .cl) or part (.stl) that the program is compared with</source>
@@ -424,6 +440,10 @@
         <translation>Halter</translation>
     </message>
     <message>
+        <source>Holder In The Way</source>
+        <translation>Halter im Weg</translation>
+    </message>
+    <message>
         <source>How certain the offsets should be, and how near to those of the machine they are compared with</source>
         <translation>Wie sicher die Versätze sein sollen und wie nahe an denen der Maschine, mit der verglichen wird</translation>
     </message>
@@ -456,6 +476,14 @@
         <translation>Wie viele Drehlagen des Werkstücks um Z versucht werden, gleichmäßig über 360°; 1: wie es steht</translation>
     </message>
     <message>
+        <source>How much of the surface that is, in per cent</source>
+        <translation>Wie viel der Fläche das ist, in Prozent</translation>
+    </message>
+    <message>
+        <source>How much the tool reaches, in a plain sentence</source>
+        <translation>Wie viel das Werkzeug erreicht, in einem Satz</translation>
+    </message>
+    <message>
         <source>How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine file says</source>
         <translation>Wie die Steuerung ihre Achsen im Eilgang bewegt: alle gemeinsam, jede mit eigener Geschwindigkeit oder unbekannt; machine: wie es in der Maschinendatei steht</translation>
     </message>
@@ -486,6 +514,10 @@
     <message>
         <source>Labels</source>
         <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Largest Axis Angle</source>
+        <translation>Größter Achswinkel</translation>
     </message>
     <message>
         <source>Largest Overcut</source>
@@ -824,6 +856,10 @@
         <translation>Bewiesene obere Schranke der Abweichung der Werkzeugspitze von den Sollstrecken</translation>
     </message>
     <message>
+        <source>Radius Too Large</source>
+        <translation>Radius zu groß um</translation>
+    </message>
+    <message>
         <source>Radius of the arc tangent to the surface on which the tool enters and leaves a pass; 0: along its axis</source>
         <translation>Radius des Bogens tangential zur Fläche, auf dem das Werkzeug in eine Bahn ein- und aus ihr ausfährt; 0: entlang seiner Achse</translation>
     </message>
@@ -834,6 +870,14 @@
     <message>
         <source>Rapids</source>
         <translation>Eilgänge</translation>
+    </message>
+    <message>
+        <source>Reachable Area</source>
+        <translation>Erreichte Fläche</translation>
+    </message>
+    <message>
+        <source>Reachable Share</source>
+        <translation>Erreichter Anteil</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -882,6 +926,10 @@
     <message>
         <source>Shank</source>
         <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>Shank In The Way</source>
+        <translation>Schaft im Weg</translation>
     </message>
     <message>
         <source>Shape and sizes of the cutter</source>
@@ -948,6 +996,10 @@
         <translation>Die Werkzeugachse hier und da auf dem Werkzeugweg zeigen</translation>
     </message>
     <message>
+        <source>Show the tool axis with which each place is reached, as a short stroke</source>
+        <translation>Die Werkzeugachse, mit der jede Stelle erreicht wird, als kurzen Strich zeigen</translation>
+    </message>
+    <message>
         <source>Show the value at the largest deviation</source>
         <translation>Den Wert an der größten Abweichung zeigen</translation>
     </message>
@@ -992,12 +1044,24 @@
         <translation>Langsamer Vorschub pro Minute</translation>
     </message>
     <message>
+        <source>So far the tool may lean from the work frame's Z; 180°: as far as the machine turns</source>
+        <translation>So weit darf sich das Werkzeug gegen Z des Werkstücks neigen; 180°: so weit die Maschine schwenkt</translation>
+    </message>
+    <message>
+        <source>So much farther the tool should stick out where the holder is in the way</source>
+        <translation>Um so viel sollte das Werkzeug weiter auskragen, wo der Halter im Weg ist</translation>
+    </message>
+    <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
         <translation>So viel darf stehen bleiben: die doppelte Kuppenhöhe und die Toleranz</translation>
     </message>
     <message>
         <source>Solids and meshes of the document that hold the part: the path goes around them</source>
         <translation>Körper und Netze des Dokuments, die das Teil halten: die Bahn führt darum herum</translation>
+    </message>
+    <message>
+        <source>Solids and meshes of the document that hold the part: they are in the tool's way</source>
+        <translation>Körper und Netze des Dokuments, die das Werkstück halten: sie sind dem Werkzeug im Weg</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -1022,6 +1086,42 @@
     <message>
         <source>Stepover</source>
         <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Stick Out</source>
+        <translation>Auskragung</translation>
+    </message>
+    <message>
+        <source>Stick Out Area</source>
+        <translation>Fläche durch Auskragung</translation>
+    </message>
+    <message>
+        <source>Surface for which no axis that was tried is within the machine's limits</source>
+        <translation>Fläche, für die keine versuchte Achse in den Grenzen der Maschine liegt</translation>
+    </message>
+    <message>
+        <source>Surface that the tool reaches, with an axis that was tried</source>
+        <translation>Fläche, die das Werkzeug mit einer versuchten Achse erreicht</translation>
+    </message>
+    <message>
+        <source>Surface that the tool then reaches besides</source>
+        <translation>Fläche, die das Werkzeug dann zusätzlich erreicht</translation>
+    </message>
+    <message>
+        <source>Surface where a part of the tool would be below the table's face</source>
+        <translation>Fläche, bei der ein Teil des Werkzeugs unter der Tischfläche läge</translation>
+    </message>
+    <message>
+        <source>Surface where cutter and shank would be free, but not the holder</source>
+        <translation>Fläche, bei der Fräser und Schaft frei wären, der Halter aber nicht</translation>
+    </message>
+    <message>
+        <source>Surface where the cutter itself would enter the part</source>
+        <translation>Fläche, bei der schon der Fräser ins Werkstück dränge</translation>
+    </message>
+    <message>
+        <source>Surface where the cutter would be free, but not the shank</source>
+        <translation>Fläche, bei der der Fräser frei wäre, der Schaft aber nicht</translation>
     </message>
     <message>
         <source>Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with auto all that the machine reaches above its table</source>
@@ -1064,6 +1164,10 @@
         <translation>Die bearbeitete Fläche: was die Karte umfasst</translation>
     </message>
     <message>
+        <source>The map is of the part and the settings as they are now</source>
+        <translation>Die Karte gilt für Werkstück und Einstellungen, wie sie jetzt sind</translation>
+    </message>
+    <message>
         <source>The map is of the toolpath as it is now</source>
         <translation>Die Karte gehört zum Werkzeugweg, wie er jetzt ist</translation>
     </message>
@@ -1096,8 +1200,16 @@
         <translation>Der Volumenkörper, Körper, Verbund oder das Netz, und seine Flächen, die gefräst werden</translation>
     </message>
     <message>
+        <source>The surface that was looked at</source>
+        <translation>Die betrachtete Fläche</translation>
+    </message>
+    <message>
         <source>The tessellation, or any mesh, that is milled</source>
         <translation>Die Tessellierung oder ein anderes Netz, das gefräst wird</translation>
+    </message>
+    <message>
+        <source>The tessellation, or any mesh, that the tool is to reach</source>
+        <translation>Die Tessellation oder irgendein Netz, die das Werkzeug erreichen soll</translation>
     </message>
     <message>
         <source>The toolpath or audit that is marked</source>
@@ -1126,6 +1238,10 @@
     <message>
         <source>The work zero in the machine frame about which setups were tried</source>
         <translation>Der Werkstücknullpunkt im Maschinensystem, um den herum Aufspannungen erprobt wurden</translation>
+    </message>
+    <message>
+        <source>Tighter Than Cutter</source>
+        <translation>Zu eng für den Fräser</translation>
     </message>
     <message>
         <source>Tilt</source>
@@ -1268,6 +1384,10 @@
         <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
     </message>
     <message>
+        <source>What would help where holder or cutter are in the way, in plain sentences</source>
+        <translation>Was hülfe, wo Halter oder Fräser im Weg sind, in Sätzen</translation>
+    </message>
+    <message>
         <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
         <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
     </message>
@@ -1298,6 +1418,10 @@
     <message>
         <source>Whether the program is safe to run, and why, in a plain sentence</source>
         <translation>Ob das Programm sicher ist und warum, in einem einfachen Satz</translation>
+    </message>
+    <message>
+        <source>Whole Area</source>
+        <translation>Ganze Fläche</translation>
     </message>
     <message>
         <source>Width of the path in pixels</source>
@@ -2243,6 +2367,10 @@
         <translation>Eilgänge</translation>
     </message>
     <message>
+        <source>Reach map</source>
+        <translation>Erreichbarkeit</translation>
+    </message>
+    <message>
         <source>Recompute</source>
         <translation>Neu berechnen</translation>
     </message>
@@ -2345,6 +2473,10 @@
     <message>
         <source>Show folder</source>
         <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Show the tool axes</source>
+        <translation>Werkzeugachsen zeigen</translation>
     </message>
     <message>
         <source>Shown in the view</source>
@@ -2903,8 +3035,16 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
+        <source>below the table</source>
+        <translation>unter dem Tisch</translation>
+    </message>
+    <message>
         <source>beyond limits, or below the table: {count} places</source>
         <translation>außerhalb der Grenzen oder unter dem Tisch: {count} Stellen</translation>
+    </message>
+    <message>
+        <source>beyond the machine's limits</source>
+        <translation>außerhalb der Maschinengrenzen</translation>
     </message>
     <message>
         <source>bull nose mill</source>
@@ -2987,6 +3127,10 @@
         <translation>Schnitt, nach Abweichung gefärbt</translation>
     </message>
     <message>
+        <source>cutter too large</source>
+        <translation>Fräser zu groß</translation>
+    </message>
+    <message>
         <source>cutter {depth} in the part between passes</source>
         <translation>Fräser zwischen Bahnen {depth} im Werkstück</translation>
     </message>
@@ -3045,6 +3189,10 @@
     <message>
         <source>grbl with five axes</source>
         <translation>grbl mit fünf Achsen</translation>
+    </message>
+    <message>
+        <source>holder in the way</source>
+        <translation>Halter im Weg</translation>
     </message>
     <message>
         <source>impossible: {why}</source>
@@ -3263,6 +3411,10 @@
         <translation>Eilgang, gestrichelt</translation>
     </message>
     <message>
+        <source>reached</source>
+        <translation>erreicht</translation>
+    </message>
+    <message>
         <source>reading the CL file</source>
         <translation>die CL-Datei wird gelesen</translation>
     </message>
@@ -3297,6 +3449,10 @@
     <message>
         <source>setups</source>
         <translation>Aufspannungen</translation>
+    </message>
+    <message>
+        <source>shank in the way</source>
+        <translation>Schaft im Weg</translation>
     </message>
     <message>
         <source>shank or holder collides: {count} places</source>
@@ -3515,6 +3671,10 @@
     <message>
         <source>{over_tolerance} blocks are over the tolerance; this is the worst.</source>
         <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
+    </message>
+    <message>
+        <source>{share} % reached</source>
+        <translation>{share} % erreicht</translation>
     </message>
     <message>
         <source>{shown} of {count} places: those at the recommended height</source>
@@ -3958,6 +4118,10 @@
     <message>
         <source>Let the tool stick out {step} farther and it reaches {area} more.</source>
         <translation>Kragt das Werkzeug {step} weiter aus, erreicht es {area} mehr.</translation>
+    </message>
+    <message>
+        <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.</source>
+        <translation>Lassen Sie das Werkzeug {step} weiter auskragen, dann erreicht es {area} von den {held}, bei denen der Halter im Weg ist.</translation>
     </message>
     <message>
         <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
@@ -4534,6 +4698,18 @@
     <message>
         <source>What an axis change buys on {part} passes that come within {change} of the pole (peak rate and travel of {letter}, blocks that would hold {tolerance}): {rows}.</source>
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
+    </message>
+    <message>
+        <source>Where the cutter is too large, its radius is so by {more}: a ball of {diameter} fits on 90 % of that area.</source>
+        <translation>Wo der Fräser zu groß ist, ist es sein Radius um {more}: eine Kugel von {diameter} passt auf 90 % dieser Fläche.</translation>
+    </message>
+    <message>
+        <source>Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area.</source>
+        <translation>Wo der Fräser zu groß ist, passt auch eine Kugel von einem Zehntel nicht auf 90 % dieser Fläche.</translation>
+    </message>
+    <message>
+        <source>Where the holder is in the way, no tool that sticks out up to 80 mm farther helps.</source>
+        <translation>Wo der Halter im Weg ist, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
     </message>
     <message>
         <source>While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its straight segment, and the surface with it.</source>
@@ -5266,6 +5442,10 @@
     <message>
         <source>largest axis angle {angle} is out of range; give more than 0 and at most 180 deg</source>
         <translation>größter Achswinkel {angle} liegt außerhalb; mehr als 0 und höchstens 180° angeben</translation>
+    </message>
+    <message>
+        <source>largest axis angle {angle} is out of range; it must be above 0 and at most 180</source>
+        <translation>Größter Achswinkel {angle} liegt außerhalb des Bereichs; er muss über 0 und höchstens 180 sein</translation>
     </message>
     <message>
         <source>leave Z out</source>
@@ -7976,6 +8156,17 @@
     <message>
         <source>Prove the signs…</source>
         <translation>Vorzeichen nachweisen…</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Reach</name>
+    <message>
+        <source>Colour the part by where the tool gets at all, and by what is in the way elsewhere</source>
+        <translation>Das Werkstück danach färben, wo das Werkzeug überhaupt hinkommt und was sonst im Weg ist</translation>
+    </message>
+    <message>
+        <source>Reach map…</source>
+        <translation>Erreichbarkeit…</translation>
     </message>
 </context>
 <context>

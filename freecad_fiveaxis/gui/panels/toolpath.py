@@ -38,7 +38,7 @@ class ToolpathPanel(PathPanel):
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         part = base if obj is None else obj.Mesh
-        solid = _milled(part)
+        solid = milled(part)
         extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer = ScaleOffer()
@@ -214,8 +214,8 @@ def edit(obj: Any) -> ToolpathPanel:
     return show(panel)
 
 
-def _milled(part: Any) -> Any:
-    """Find the solid that a tessellation is of; of any other object itself, None where it was deleted."""
+def milled(part: Any) -> Any:
+    """Give the solid that a tessellation is of; of any other object itself, None where it was deleted."""
     base = getattr(part, "Base", None) if part is not None and is_mesh(part) else None
     return base[0] if base else part
 
