@@ -259,7 +259,7 @@ def advice(found: Last) -> list[Sentence]:
         said.append(say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps."))
     if found.smaller:
         said.append(say(
-            "Where the cutter is too large, its radius is so by {more}: a ball of {diameter} fits on 90 % of that area.",
+            "Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.",
             more=Length(radius_too_large(found), ".3g"), diameter=Length(2.0 * found.smaller, ".3g"),
         ))  # fmt: skip
     elif found.smaller == 0.0:

@@ -4700,8 +4700,8 @@
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
     </message>
     <message>
-        <source>Where the cutter is too large, its radius is so by {more}: a ball of {diameter} fits on 90 % of that area.</source>
-        <translation>Wo der Fräser zu groß ist, ist es sein Radius um {more}: eine Kugel von {diameter} passt auf 90 % dieser Fläche.</translation>
+        <source>Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.</source>
+        <translation>Wo der Fräser zu groß ist, passt eine Kugel von {diameter}, deren Radius um {more} kleiner ist, auf 90 % dieser Fläche.</translation>
     </message>
     <message>
         <source>Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area.</source>
