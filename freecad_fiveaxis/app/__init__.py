@@ -10,7 +10,7 @@ from typing import Any
 
 __all__ = [
     "annotate", "apply_setup", "audit", "compare", "create_setup", "create_toolpath", "import_machine", "left_map",
-    "post_process", "prove_signs", "recover", "setup_map", "tessellate",
+    "post_process", "preview_passes", "prove_signs", "recover", "setup_map", "tessellate",
 ]  # fmt: skip
 
 
@@ -57,6 +57,19 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     from .actions import create_toolpath as act
 
     return act(arguments.document(doc), arguments.base(base), settings)
+
+
+def preview_passes(base: Any, **settings: Any) -> Any:
+    """The passes of settings, laid without tool axes, gouge cure, links and NC; returns the core's Preview.
+
+    ``point`` (n, 3) mm about the work zero, of lines ``polyline`` (n,); ``passes``, ``length`` mm and ``time`` s of cutting alone.
+    ``base`` and settings as for :func:`create_toolpath`; or a Toolpath: without settings as it stands, else with these for its
+    own. Raises FiveAxisError. The document stays as it is.
+    """
+    from . import arguments
+    from .actions import preview_passes as act
+
+    return act(arguments.base(base), settings)
 
 
 def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False, also: Any = None) -> Any:

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_le
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 
-from . import auditing, compared, job_setup, markers, selection, tessellation, toolpath
+from . import auditing, compared, convert, job_setup, markers, previewing, selection, tessellation, toolpath
 from .arguments import names
 from .convert import stl_bytes
 from .long_work import take_back
@@ -77,6 +77,21 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
         path.Setup, path.Fixtures = setup, fixtures
         _compute(path)
     return path
+
+
+def preview_passes(base: Any, settings: Mapping[str, Any]) -> Any:
+    """See :func:`freecad_fiveaxis.app.preview_passes`."""
+    if isinstance(getattr(base, "Proxy", None), toolpath.Toolpath):
+        doc, given = base.Document, dict(settings) or convert.options_of(base, MILL)
+        part, zero = previewing.part_of(base, settings), tuple(base.WorkZero)
+    else:
+        chosen, faces, avoid = _base(base, settings)
+        doc, (given, _) = chosen.Document, _with_setup(chosen.Document, _with_holder(settings))
+        part, zero = previewing.Part(chosen, faces, avoid, **_deflections(settings)), (0.0, 0.0, 0.0)
+    apart = (*_OF_MESH, *_EXTRA, "setup", "fixtures")
+    options = {name: value for name, value in given.items() if name not in apart and value is not None}
+    options["machine"] = options.get("machine") or DEFAULT_MACHINE
+    return previewing.lay(doc, part, options, _extra(given, _EXTRA).get("WorkZero", zero))
 
 
 def annotate(path: Any) -> Any:
