@@ -62,7 +62,7 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
 def preview_passes(base: Any, **settings: Any) -> Any:
     """The passes of settings, laid without tool axes, gouge cure, links and NC; returns the core's Preview.
 
-    ``point`` (n, 3) mm about the work zero, of lines ``polyline`` (n,); ``passes``, ``length`` mm and ``time`` s of cutting alone.
+    ``point`` (n, 3) mm about the work zero, of lines ``polyline`` (n,); ``passes``, ``length`` mm, ``time`` s of cutting alone.
     ``base`` and settings as for :func:`create_toolpath`; or a Toolpath: without settings as it stands, else with these for its
     own. Raises FiveAxisError. The document stays as it is.
     """

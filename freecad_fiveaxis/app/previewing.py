@@ -6,17 +6,18 @@ The mesh of the tool path is taken where it is that of the settings; any other o
 
 from __future__ import annotations
 
-import io
-from collections.abc import Mapping, Sequence
+import os
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.jobs import preview
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 
 from . import convert, selection, tessellation, toolpath
-from .facets import Facets
 from .long_work import check_open, listening, run
 
 
@@ -53,30 +54,34 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
 
 def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[float]) -> preview.Preview:
     """The passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises FiveAxisError, Cancelled."""
-    settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", toolpath.with_strategies(options))
+    options = toolpath.with_strategies(convert.given_options(MILL, options))
+    settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
     with listening() as listener:
-        facets, runs = _facets(part, work_zero, listener)
+        facets, runs = _find_facets(part, work_zero, listener)
         check_open(doc)
 
         def work(told: Progress) -> preview.Preview:
-            mesh, faces = convert.mesh_and_mask(facets, runs, told)
-            return preview.preview_passes(settings, told, mesh, faces)
+            stl = facets()
+            mesh = convert.mesh_of(stl, told)
+            return preview.preview_passes(settings, told, mesh, convert.facet_mask(stl, mesh, runs))
 
         return run(work, listener, doc)
 
 
-def _facets(part: Part, work_zero: Sequence[float], progress: Progress) -> tuple[Facets, Sequence[int]]:
-    """The facets relative to the work zero, and the runs of those that are milled."""
+def _find_facets(part: Part, work_zero: Sequence[float], progress: Progress) -> tuple[Callable[[], bytes], Sequence[int]]:
+    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those that are milled."""
     if _is_meshed(part):
-        return convert.facets_of(part.mesh, work_zero), tuple(part.mesh.FacetRuns)
+        return convert.facets_of(part.mesh, work_zero).stl, tuple(part.mesh.FacetRuns)
     if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):
-        return convert.facets_of(part.base, work_zero), tuple(getattr(part.base, "FacetRuns", ()))
+        return convert.facets_of(part.base, work_zero).stl, tuple(getattr(part.base, "FacetRuns", ()))
     progress("tessellate", 0.0)
     mesh, runs = tessellation.meshed(part.base, part.faces, part.linear, part.angular, progress, part.avoid)
-    kernel = io.BytesIO()
-    mesh.write(Stream=kernel, Format="BMS")
-    place = convert.moved_to_zero(mesh.Placement, work_zero)
-    return Facets(kernel.getvalue(), tuple(place.Matrix.A)), runs
+    mesh.Placement = convert.moved_to_zero(mesh.Placement, work_zero)
+    with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream
+        path = os.path.join(folder, "part.stl")
+        mesh.write(path)
+        stl = read_bytes(path, "part")
+    return lambda: stl, runs
 
 
 def _is_meshed(part: Part) -> bool:

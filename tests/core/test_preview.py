@@ -87,7 +87,9 @@ def test_faces_and_boundary_leave_out_what_they_leave_out_of_the_path(tmp_path):
 def test_a_bull_nose_held_by_its_centre_ends_near_the_boundary(tmp_path):
     curve = tmp_path / "square.csv"
     curve.write_text("4,4,0\n16,4,0\n16,16,0\n4,16,0\n4,4,0\n")
-    asked = settings(passes="planes", stepover=1, cutter="bull:6:1", boundary=str(curve), boundary_by="centre", tool_axis="facet_mean")
+    asked = settings(
+        passes="planes", stepover=1, cutter="bull:6:1", boundary=str(curve), boundary_by="centre", tool_axis="facet_mean"
+    )
     found = preview_passes(asked, mesh=dome())
     assert found.point[:, :2].min() > 1.0 and found.point[:, :2].max() < 19.0 and found.passes > 9
 
@@ -95,7 +97,9 @@ def test_a_bull_nose_held_by_its_centre_ends_near_the_boundary(tmp_path):
 def test_where_axes_are_free_no_axis_is_sought():
     said = []
     mesh = dome()
-    asked = build_settings("mill", "dome.stl", {"machine": "trunnion_ac", "cutter": "ball:6", "passes": "scallop", "tool_axis": "auto"})
+    asked = build_settings(
+        "mill", "dome.stl", {"machine": "trunnion_ac", "cutter": "ball:6", "passes": "scallop", "tool_axis": "auto"}
+    )
     found = preview_passes(asked, lambda stage, _: said.append(stage), mesh=mesh)
     assert found.passes > 5 and "axis field" not in said and "joint path" not in said and said
 

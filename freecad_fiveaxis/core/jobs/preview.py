@@ -84,9 +84,7 @@ def preview_passes(
     return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found)
 
 
-def _context(
-    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress
-) -> tuple[MillContext, tuple[Finding, ...]]:
+def _context(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> tuple[MillContext, tuple[Finding, ...]]:
     """As :func:`.milling.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
     machine, kinematics, dialect = machine_of(settings)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)

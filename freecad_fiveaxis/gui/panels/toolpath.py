@@ -22,6 +22,7 @@ from .job_setup import FAR, SHARED, SetupField, ask, shown
 from .panel_widget import PanelWidget
 from .path_panel import DRAWN, PathPanel, fit, is_seen, show
 from .picking import PointField
+from .preview import PreviewRow
 from .scale_offer import ScaleOffer
 
 EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
@@ -80,10 +81,35 @@ class ToolpathPanel(PathPanel):
         return True
 
     def _widget(self, title: str) -> Any:
-        head = (self.calculate_button, self.summary, self.shown_parts, self.scale_offer, self.options.error)
+        self.preview = PreviewRow(self.doc, self.calculate_button, self.preview_passes)
+        head = (self.preview, self.summary, self.shown_parts, self.scale_offer, self.options.error)
         return PanelWidget(title, head, self.options.widget)
 
+    def preview_passes(self) -> bool:
+        """Lay the passes of what the form says, draw them and say what they come to; whether that went well. The document stays
+        as it is, and what is computed there too."""
+        from freecad_fiveaxis import app
+
+        self.preview.clear()
+        if not self.options.check():
+            return False
+        said = self.options.said()
+        base = (self.base, self.faces) if self.obj is None else self.obj
+        try:
+            with waiting(translate("FiveAxis", "Preview passes")):
+                found = app.preview_passes(base, **said)
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._tell(error)
+            return False
+        self.preview.show_passes(found, said["work_zero"])
+        return True
+
+    def _close(self) -> None:
+        self.preview.clear()
+        super()._close()
+
     def _edited(self) -> None:
+        self.preview.clear()
         self._follow_tool_axis()
         super()._edited()
         self.scale_offer.show_for(None if self.stale else self.obj)
