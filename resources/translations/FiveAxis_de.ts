@@ -1355,6 +1355,10 @@
         <translation> 1/min</translation>
     </message>
     <message>
+        <source>1 pass, {length}, {time} of cutting at the feed, links not counted</source>
+        <translation>1 Bahn, {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen</translation>
+    </message>
+    <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
     </message>
@@ -1891,6 +1895,10 @@
         <translation>Größte: {largest}</translation>
     </message>
     <message>
+        <source>Lay the passes alone and draw them over the part: quick, before Calculate</source>
+        <translation>Nur die Bahnen legen und über das Teil zeichnen: schnell, vor dem Berechnen</translation>
+    </message>
+    <message>
         <source>Lead</source>
         <translation>Voreilwinkel</translation>
     </message>
@@ -2201,6 +2209,10 @@
     <message>
         <source>Preview for the CAM workbench</source>
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
+    </message>
+    <message>
+        <source>Preview passes</source>
+        <translation>Bahnen vorab</translation>
     </message>
     <message>
         <source>Programmed point</source>
@@ -3417,6 +3429,10 @@
     <message>
         <source>{controller} needs the number of the tool for it: give it in the group Tool.</source>
         <translation>{controller} braucht dafür die Nummer des Werkzeugs: in der Gruppe „Werkzeug“ angeben.</translation>
+    </message>
+    <message>
+        <source>{count} passes, {length}, {time} of cutting at the feed, links not counted</source>
+        <translation>{count} Bahnen, {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen</translation>
     </message>
     <message>
         <source>{count}, verified at their end points only</source>
@@ -5438,6 +5454,10 @@
     <message>
         <source>no facet can be cut: no tool axis is free on any; {remedy}</source>
         <translation>keine Facette kann bearbeitet werden: auf keiner ist eine Werkzeugachse frei; {remedy}</translation>
+    </message>
+    <message>
+        <source>no facet can be cut: over none of those chosen the tool axis may stand</source>
+        <translation>keine Facette kann bearbeitet werden: über keiner der gewählten darf die Werkzeugachse stehen</translation>
     </message>
     <message>
         <source>no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary limits of the area; turn the part, raise the largest axis angle or take another machine</source>
