@@ -50,7 +50,7 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     ``angular_deflection`` deg; ``holder_diameter`` and ``holder_length`` mm are a holder of one cylinder. ``setup``: a Setup,
     whose machine, controller and work zero the path takes; in a document with just one Setup it takes that where it is given
     nothing of the kind; None: none. ``fixtures``: solids and meshes of the document that hold the part; the path goes around
-    them.
+    them. ``picked={"pass_centre": (body, "Edge3"), "pass_axis": (body, "Face2")}``: links of radial passes that follow the part.
     Raises FiveAxisError; then the document is as it was.
     """
     from . import arguments

@@ -740,8 +740,16 @@
         <translation>Bahnachse</translation>
     </message>
     <message>
+        <source>Pass Axis Picked</source>
+        <translation>Bahnachse gewählt</translation>
+    </message>
+    <message>
         <source>Pass Centre</source>
         <translation>Bahnmitte</translation>
+    </message>
+    <message>
+        <source>Pass Centre Picked</source>
+        <translation>Bahnmitte gewählt</translation>
     </message>
     <message>
         <source>Pass Strategy</source>
@@ -1040,6 +1048,10 @@
         <translation>Die Fräser der Aufspannung, einer je Zeile: Nummer, Form mit Maßen, Name</translation>
     </message>
     <message>
+        <source>The edge or round face whose axis the radial passes have; empty: as typed</source>
+        <translation>Die Kante oder runde Fläche, deren Achse die strahlenförmigen Bahnen haben; leer: wie eingegeben</translation>
+    </message>
+    <message>
         <source>The file is what the toolpath makes now; if it is not, post-process again</source>
         <translation>Die Datei ist, was der Werkzeugweg jetzt ergibt; sonst die NC-Datei neu ausgeben</translation>
     </message>
@@ -1110,6 +1122,10 @@
     <message>
         <source>The verdict as a traffic light: red, amber or green</source>
         <translation>Das Urteil als Ampel: red (rot), amber (gelb) oder green (grün)</translation>
+    </message>
+    <message>
+        <source>The vertex, circle or sphere that is the centre of radial passes; empty: as typed</source>
+        <translation>Die Ecke, der Kreis oder die Kugel als Mitte strahlenförmiger Bahnen; leer: wie eingegeben</translation>
     </message>
     <message>
         <source>The work zero in the machine frame about which setups were tried</source>
@@ -2159,6 +2175,10 @@
         <translation>Spitze von X, Y, Z</translation>
     </message>
     <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
         <source>Pick in the 3D view</source>
         <translation>In der 3D-Ansicht wählen</translation>
     </message>
@@ -2593,6 +2613,14 @@
     <message>
         <source>The tool stands normal to the surface, leaned by lead and tilt.</source>
         <translation>Das Werkzeug steht senkrecht zur Fläche, geneigt um Voreil- und Seitwinkel.</translation>
+    </message>
+    <message>
+        <source>Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Then click a vertex, a circle or a sphere in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke, einen Kreis oder eine Kugel anklicken; Esc bricht ab</translation>
     </message>
     <message>
         <source>There are several paths: select the one to mark.</source>
@@ -6852,6 +6880,10 @@
         <translation>{label} hat kein {name} an einem Volumenkörper: die Flächen neu auswählen.</translation>
     </message>
     <message>
+        <source>{label} has no {name}, which was picked: pick {option} anew.</source>
+        <translation>{label} hat {name} nicht mehr, was gewählt war: {option} neu wählen.</translation>
+    </message>
+    <message>
         <source>{label} has {named}; add one to it, or give the cutter by hand</source>
         <translation>{label} hat {named}; eines hinzufügen oder den Fräser von Hand angeben</translation>
     </message>
@@ -7134,6 +7166,18 @@
     <message>
         <source>{name} lists no sizes; save the tool once more in FreeCAD's tool editor</source>
         <translation>{name} nennt keine Maße; das Werkzeug in FreeCADs Werkzeugeditor noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>{name} of {label}</source>
+        <translation>{name} von {label}</translation>
+    </message>
+    <message>
+        <source>{name} of {label} has no axis: pick a straight or circular edge, or a cylindrical or conical face.</source>
+        <translation>{name} von {label} hat keine Achse: eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche wählen.</translation>
+    </message>
+    <message>
+        <source>{name} of {label} has no centre: pick a vertex, a circle or a sphere.</source>
+        <translation>{name} von {label} hat keine Mitte: eine Ecke, einen Kreis oder eine Kugel wählen.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {said}.</source>

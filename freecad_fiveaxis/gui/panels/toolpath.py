@@ -18,6 +18,7 @@ from .avoid import AvoidField
 from .fields import QuantityField
 from .fixtures import FixturesField
 from .form import SPACING, Form, Section
+from .guides import AxisField, CentreField
 from .job_setup import FAR, SHARED, SetupField, ask, shown
 from .panel_widget import PanelWidget
 from .path_panel import DRAWN, PathPanel, fit, is_seen, show
@@ -41,12 +42,17 @@ class ToolpathPanel(PathPanel):
         part = base if obj is None else obj.Mesh
         solid = _milled(part)
         extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
+        extras += [CentreField(self._zero), AxisField(self._zero)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer = ScaleOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
         self.scale_offer.chosen.connect(self.scale_part)
         self.setup.edited.connect(self._take_setup)
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
+
+    def _zero(self) -> Sequence[float]:
+        """The work zero of the form, mm, document."""
+        return self.options.fields["work_zero"].value()
 
     def _take_setup(self) -> None:
         """Show what the setup says in the fields that it holds, which then are its own to change, and offer its cutters."""
@@ -228,10 +234,11 @@ def preferred() -> dict[str, Any]:
 
 def edit(obj: Any) -> ToolpathPanel:
     """Open the panel for a Toolpath that is there."""
-    from freecad_fiveaxis.app import changes, tessellation
+    from freecad_fiveaxis.app import changes, guides, tessellation
 
     panel = ToolpathPanel(obj.Document, obj=obj)
     values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup, "fixtures": obj.Fixtures}
+    values["picked"] = guides.links_of(obj)
     mesh = _tessellation(obj)
     if mesh is not None:
         values |= {"linear_deflection": mesh.LinearDeflection.Value, "angular_deflection": mesh.AngularDeflection.Value}
