@@ -67,6 +67,8 @@ def test_centre_and_axis_are_picked_named_lit_up_and_kept(doc, disc, panel, clic
     assert panel.options.said()["picked"] == {"pass_centre": (disc, rim(disc)), "pass_axis": (disc, wall(disc))}
     pump(300)
     screenshot("guides_picked")
+    panel.options.show_options({"work_zero": (1.0, 2.0, 3.0)})
+    assert fields["pass_centre"].value() == "19,8,2" and fields["pass_centre"].link, "about the work zero of the form"
     assert panel.preview_passes() and panel.calculate(), panel.options.error.text()
     path = panel.obj
     assert guides.links_of(path) == panel.options.said()["picked"] and path.Passes > 10

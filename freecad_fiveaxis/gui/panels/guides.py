@@ -43,7 +43,9 @@ class Picker(QtCore.QObject):
 
     def __init__(self, field: Field, zero: Zero, wanted: str, show: Callable[[Any], None]) -> None:
         super().__init__()
-        self.field, self.zero, self.show, self.link = field, zero, show, None
+        self.field, self.zero, self.show = field, zero, show
+        self.link: Link | None = None
+        self.seen_from: tuple[float, ...] = ()
         self.named = QtWidgets.QLabel()
         self.named.setObjectName(field.name + "_picked")
         self.named.setWordWrap(True)
@@ -80,6 +82,7 @@ class Picker(QtCore.QObject):
         from freecad_fiveaxis.app import guides, wording
 
         if link is not None:
+            self.seen_from = tuple(self.zero())
             self.show(guides.options_of({self.field.name: link}, self.zero())[self.field.name])
         self.link = link
         self.named.setText(wording.told(guides.name_of(link)) if link else "")
@@ -140,6 +143,11 @@ class CentreField(TextField):
     def show_link(self, link: Link | None) -> None:
         """A link, or none."""
         show_link(self.picker, link)
+
+    def follow_zero(self) -> None:
+        """Show the picked place about a work zero that was changed."""
+        if self.link is not None and tuple(self.picker.zero()) != self.picker.seen_from:
+            show_link(self.picker, self.link)
 
     def _show(self, value: str | None) -> None:
         self.line.setText(value or "")

@@ -116,6 +116,7 @@ class ToolpathPanel(PathPanel):
 
     def _edited(self) -> None:
         self.preview.clear()
+        self.options.fields["pass_centre"].follow_zero()
         self._follow_tool_axis()
         super()._edited()
         self.scale_offer.show_for(None if self.stale else self.obj)
