@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What leads the passes, picked from the document: the centre and the axis of radial passes.
+"""What leads the passes, picked from the document: where they begin and end, the centre and the axis of radial ones.
 
 link      an object and the name of a vertex, edge or face of it. It is looked at anew whenever the path is computed, so that the
           passes follow the solid. An option that is linked counts no more by itself.
@@ -8,6 +8,7 @@ link      an object and the name of a vertex, edge or face of it. It is looked a
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import Part
@@ -20,6 +21,14 @@ from .properties import QT_TRANSLATE_NOOP, Property
 Link = tuple[Any, str]
 """An object and the name of an element of it."""
 LINKS = {
+    "from_": Property(
+        "PassesFromPicked", "App::PropertyLinkSubGlobal", "Passes",
+        QT_TRANSLATE_NOOP("App::Property", "The vertex where the passes begin; empty: as typed"),
+    ),
+    "to": Property(
+        "PassesToPicked", "App::PropertyLinkSubGlobal", "Passes",
+        QT_TRANSLATE_NOOP("App::Property", "The vertex where the passes end; empty: as typed"),
+    ),
     "pass_centre": Property(
         "PassCentrePicked", "App::PropertyLinkSubGlobal", "Passes",
         QT_TRANSLATE_NOOP("App::Property", "The vertex, circle or sphere that is the centre of radial passes; empty: as typed"),
@@ -52,7 +61,7 @@ def options_of(links: Mapping[str, Link], work_zero: Sequence[float]) -> dict[st
     found: dict[str, Any] = {}
     for option, (obj, name) in links.items():
         read = _READERS[option](obj, name)
-        if option == "pass_centre":
+        if option != "pass_axis":
             read = ",".join(f"{at - zero:.{PLACES}g}" for at, zero in zip(read, work_zero, strict=True))
         found[option] = read
     return found
@@ -77,6 +86,15 @@ def _element(obj: Any, name: str, option: str) -> Any:
         option=Option(option, flag=False),
     )  # fmt: skip
     raise selection.SelectionError(text, name)
+
+
+def _point(obj: Any, name: str, option: str) -> tuple[float, float, float]:
+    """The point that a vertex is, mm, document."""
+    point = getattr(_element(obj, name, option), "Point", None)
+    if point is None:
+        text = say("{name} of {label} is no vertex: pick a vertex, or name a CSV file of a curve.", name=name, label=obj.Label)
+        raise selection.SelectionError(text, name)
+    return tuple(point)
 
 
 def _centre(obj: Any, name: str) -> tuple[float, float, float]:
@@ -122,4 +140,6 @@ def _kind(element: Any) -> str:
     return getattr(_geometry(element), "TypeId", "")
 
 
-_READERS = {"pass_centre": _centre, "pass_axis": _axis}
+_READERS = {
+    "from_": partial(_point, option="from_"), "to": partial(_point, option="to"), "pass_centre": _centre, "pass_axis": _axis,
+}  # fmt: skip

@@ -768,8 +768,16 @@
         <translation>Bahnen ab</translation>
     </message>
     <message>
+        <source>Passes From Picked</source>
+        <translation>Bahnanfang gewählt</translation>
+    </message>
+    <message>
         <source>Passes To</source>
         <translation>Bahnen bis</translation>
+    </message>
+    <message>
+        <source>Passes To Picked</source>
+        <translation>Bahnende gewählt</translation>
     </message>
     <message>
         <source>Passes come no closer than this, also on steep walls</source>
@@ -1122,6 +1130,14 @@
     <message>
         <source>The verdict as a traffic light: red, amber or green</source>
         <translation>Das Urteil als Ampel: red (rot), amber (gelb) oder green (grün)</translation>
+    </message>
+    <message>
+        <source>The vertex where the passes begin; empty: as typed</source>
+        <translation>Die Ecke, an der die Bahnen beginnen; leer: wie eingegeben</translation>
+    </message>
+    <message>
+        <source>The vertex where the passes end; empty: as typed</source>
+        <translation>Die Ecke, an der die Bahnen enden; leer: wie eingegeben</translation>
     </message>
     <message>
         <source>The vertex, circle or sphere that is the centre of radial passes; empty: as typed</source>
@@ -2617,6 +2633,10 @@
     <message>
         <source>Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it</source>
         <translation>Danach in der 3D-Ansicht eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Then click a vertex in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke anklicken; Esc bricht ab</translation>
     </message>
     <message>
         <source>Then click a vertex, a circle or a sphere in the 3D view; Esc stops it</source>
@@ -7178,6 +7198,10 @@
     <message>
         <source>{name} of {label} has no centre: pick a vertex, a circle or a sphere.</source>
         <translation>{name} von {label} hat keine Mitte: eine Ecke, einen Kreis oder eine Kugel wählen.</translation>
+    </message>
+    <message>
+        <source>{name} of {label} is no vertex: pick a vertex, or name a CSV file of a curve.</source>
+        <translation>{name} von {label} ist keine Ecke: eine Ecke wählen oder eine CSV-Datei einer Kurve angeben.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {said}.</source>

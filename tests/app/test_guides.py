@@ -85,6 +85,25 @@ def test_of_a_straight_edge_the_axis_runs_along_it_also_in_a_moved_part(doc):
     assert [float(at) for at in corner.split(",")] == pytest.approx(list(own), abs=1e-9)
 
 
+def test_a_vertex_is_where_scallop_passes_begin_and_where_morphing_ones_end(doc, disc):
+    given = {
+        **GIVEN,
+        "passes": "scallop",
+        "scallop": 0.2,
+        "stepover": None,
+        "faces": [named(disc, "Face", lambda one: one.CenterOfMass.z > 4.9)],
+    }
+    corner = next(at for at, one in enumerate(disc.Shape.Vertexes) if one.Z > 4)
+    place = disc.Shape.Vertexes[corner].Point - FreeCAD.Vector(*GIVEN["work_zero"])
+    path = app.create_toolpath(doc, disc, picked={"from_": (disc, f"Vertex{corner + 1}")}, **given)
+    typed = app.create_toolpath(doc, disc, from_=",".join(f"{at:.12g}" for at in place), **given)
+    border = app.create_toolpath(doc, disc, **given)
+    assert results.nc_of(path) == results.nc_of(typed) != results.nc_of(border)
+    assert settings(path).from_ == pytest.approx(tuple(place))
+    with pytest.raises(SelectionError, match="is no vertex: pick a vertex, or name a CSV file of a curve"):
+        guides.options_of({"to": (disc, rim(disc))}, (0, 0, 0))
+
+
 def test_other_settings_leave_the_links_unless_they_are_given(doc, disc):
     path = app.create_toolpath(doc, disc, picked={"pass_centre": (disc, rim(disc))}, **GIVEN)
     options = convert.options_of(path, "mill") | {"stepover": 3}

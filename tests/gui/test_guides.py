@@ -84,6 +84,19 @@ def test_centre_and_axis_are_picked_named_lit_up_and_kept(doc, disc, panel, clic
     again.reject()
 
 
+def test_where_passes_begin_and_end_is_picked_too(disc, panel, click, field, until, pump):
+    panel.options.show_options({"passes": "morph"})
+    pump(200)
+    for name in ("from_", "to"):
+        pick(panel, name, disc, "Vertex1", click, field, until)
+        assert panel.options.fields[name].value() == ",".join(f"{at:.12g}" for at in disc.Shape.Vertexes[0].Point)
+        assert field(name + "_picked").text() == "Vertex1 of Disc"
+    assert set(panel.options.said()["picked"]) == {"from_", "to"}
+    panel.options.show_options({"passes": "planes"})
+    assert panel.options.said()["picked"] == {}, "what counts for nothing is not linked"
+    panel.reject()
+
+
 def test_a_wrong_pick_says_what_is_needed_and_nothing_changes(disc, panel, click, field, until):
     fields, before = panel.options.fields, panel.options.fields["pass_centre"].value()
     pick(panel, "pass_centre", disc, wall(disc), click, field, until)

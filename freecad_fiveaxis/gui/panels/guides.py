@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fields of what leads radial passes: typed, or picked in the 3D view and then named by the object that it is of.
+"""Fields of what leads passes: typed, or picked in the 3D view and then named by the object that it is of.
 
 A field that is picked gives the numbers that the pick has now; whoever edits these lets go of it.
 """
@@ -107,12 +107,14 @@ def show_link(picker: Picker, link: Link | None) -> None:
         picker.named.show()
 
 
-class CentreField(TextField):
-    """The centre of radial passes: ``middle``, X,Y,Z about the work zero, or a vertex, circle or sphere."""
+class PlaceField(TextField):
+    """A place: a word, X,Y,Z about the work zero, or what is picked; as the centre of radial passes a circle or a sphere too."""
 
-    def __init__(self, zero: Zero) -> None:
-        super().__init__("pass_centre", _hint("pass_centre"))
-        wanted = translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
+    def __init__(self, name: str, zero: Zero) -> None:
+        super().__init__(name, _hint(name))
+        wanted = translate("FiveAxis", "Then click a vertex in the 3D view; Esc stops it")
+        if name == "pass_centre":
+            wanted = translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
         self.picker = Picker(self, zero, wanted, self._show)
         self.pick, self.browse, self.line = self.picker.pick, self.picker.button, self.editor
         self.editor.textEdited.connect(lambda *_: self.picker.let_go())

@@ -18,7 +18,7 @@ from .avoid import AvoidField
 from .fields import QuantityField
 from .fixtures import FixturesField
 from .form import SPACING, Form, Section
-from .guides import AxisField, CentreField
+from .guides import AxisField, PlaceField
 from .job_setup import FAR, SHARED, SetupField, ask, shown
 from .panel_widget import PanelWidget
 from .path_panel import DRAWN, PathPanel, fit, is_seen, show
@@ -28,6 +28,8 @@ from .scale_offer import ScaleOffer
 
 EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
 """Fields that are no options of the core."""
+PLACES = ("from_", "to", "pass_centre")
+"""Options that are places, and may be picked."""
 
 
 class ToolpathPanel(PathPanel):
@@ -42,7 +44,7 @@ class ToolpathPanel(PathPanel):
         part = base if obj is None else obj.Mesh
         solid = _milled(part)
         extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
-        extras += [CentreField(self._zero), AxisField(self._zero)]
+        extras += [*(PlaceField(name, self._zero) for name in PLACES), AxisField(self._zero)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer = ScaleOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
@@ -116,7 +118,8 @@ class ToolpathPanel(PathPanel):
 
     def _edited(self) -> None:
         self.preview.clear()
-        self.options.fields["pass_centre"].follow_zero()
+        for name in PLACES:
+            self.options.fields[name].follow_zero()
         self._follow_tool_axis()
         super()._edited()
         self.scale_offer.show_for(None if self.stale else self.obj)
