@@ -110,7 +110,7 @@ def _centre(obj: Any, name: str) -> tuple[float, float, float]:
 
 
 def _axis(obj: Any, name: str) -> tuple[float, float, float]:
-    """The direction of an element's axis, document."""
+    """The direction of an element's axis, document, that looks up."""
     element = _element(obj, name, "pass_axis")
     kind, along = _kind(element), None
     if kind in ("Part::GeomLine", "Part::GeomLineSegment"):
@@ -124,7 +124,9 @@ def _axis(obj: Any, name: str) -> tuple[float, float, float]:
             label=obj.Label,
         )  # fmt: skip
         raise selection.SelectionError(text, name)
-    return tuple(round(part, PLACES) for part in along)
+    x, y, z = (round(part, PLACES) + 0.0 for part in along)
+    sense = -1.0 if (z, y, x) < (0.0, 0.0, 0.0) else 1.0  # an edge, or a face, has none that anybody sees: up
+    return sense * x + 0.0, sense * y + 0.0, sense * z + 0.0
 
 
 def _geometry(element: Any) -> Any:

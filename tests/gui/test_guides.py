@@ -107,3 +107,30 @@ def test_a_wrong_pick_says_what_is_needed_and_nothing_changes(disc, panel, click
         "has no axis: pick a straight or circular edge" in fields["pass_axis"].error.text() and fields["pass_axis"].link is None
     )
     panel.reject()
+
+
+def test_the_mouse_picks_a_face_of_a_body_whose_axis_is_kept(doc, field, view_click, click, pump, until, unfold, screenshot):
+    body = doc.addObject("PartDesign::Body", "Body")
+    round_ = doc.addObject("PartDesign::AdditiveCylinder", "Round")
+    body.addObject(round_)
+    round_.Radius, round_.Height = 12, 20
+    body.Placement.Base = FreeCAD.Vector(5, 6, 0)
+    doc.recompute()
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    panel = toolpath.create(body)
+    panel.options.show_options(COARSE)
+    pump(300)
+    unfold()
+    click(field("pass_axis_pick"))
+    view_click((5, -6, 10))
+    until(lambda: panel.options.fields["pass_axis"].link, 20000, "the pick")
+    link = panel.options.fields["pass_axis"].link
+    assert link[1].startswith("Face") and panel.options.fields["pass_axis"].value() == [0, 0, 1]
+    pump(300)
+    screenshot("guides_clicked")
+    panel.options.show_options({"pass_centre": "0,0,0"})
+    assert guides.options_of({"pass_centre": (link[0], "Vertex1")}, (5, 6, 0))["pass_centre"].split(",")[0] in ("12", "-12")
+    assert panel.calculate(), panel.options.error.text()
+    assert guides.links_of(panel.obj) == {"pass_axis": link}
+    panel.reject()
