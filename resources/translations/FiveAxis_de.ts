@@ -780,8 +780,16 @@
         <translation>Bahnachse</translation>
     </message>
     <message>
+        <source>Pass Axis Picked</source>
+        <translation>Bahnachse gewählt</translation>
+    </message>
+    <message>
         <source>Pass Centre</source>
         <translation>Bahnmitte</translation>
+    </message>
+    <message>
+        <source>Pass Centre Picked</source>
+        <translation>Bahnmitte gewählt</translation>
     </message>
     <message>
         <source>Pass Strategy</source>
@@ -800,8 +808,16 @@
         <translation>Bahnen ab</translation>
     </message>
     <message>
+        <source>Passes From Picked</source>
+        <translation>Bahnanfang gewählt</translation>
+    </message>
+    <message>
         <source>Passes To</source>
         <translation>Bahnen bis</translation>
+    </message>
+    <message>
+        <source>Passes To Picked</source>
+        <translation>Bahnende gewählt</translation>
     </message>
     <message>
         <source>Passes come no closer than this, also on steep walls</source>
@@ -1152,6 +1168,10 @@
         <translation>Die Fräser der Aufspannung, einer je Zeile: Nummer, Form mit Maßen, Name</translation>
     </message>
     <message>
+        <source>The edge or round face whose axis the radial passes have; empty: as typed</source>
+        <translation>Die Kante oder runde Fläche, deren Achse die strahlenförmigen Bahnen haben; leer: wie eingegeben</translation>
+    </message>
+    <message>
         <source>The file is what the toolpath makes now; if it is not, post-process again</source>
         <translation>Die Datei ist, was der Werkzeugweg jetzt ergibt; sonst die NC-Datei neu ausgeben</translation>
     </message>
@@ -1234,6 +1254,18 @@
     <message>
         <source>The verdict as a traffic light: red, amber or green</source>
         <translation>Das Urteil als Ampel: red (rot), amber (gelb) oder green (grün)</translation>
+    </message>
+    <message>
+        <source>The vertex where the passes begin; empty: as typed</source>
+        <translation>Die Ecke, an der die Bahnen beginnen; leer: wie eingegeben</translation>
+    </message>
+    <message>
+        <source>The vertex where the passes end; empty: as typed</source>
+        <translation>Die Ecke, an der die Bahnen enden; leer: wie eingegeben</translation>
+    </message>
+    <message>
+        <source>The vertex, circle or sphere that is the centre of radial passes; empty: as typed</source>
+        <translation>Die Ecke, der Kreis oder die Kugel als Mitte strahlenförmiger Bahnen; leer: wie eingegeben</translation>
     </message>
     <message>
         <source>The work zero in the machine frame about which setups were tried</source>
@@ -1493,6 +1525,10 @@
     <message>
         <source> 1/min</source>
         <translation> 1/min</translation>
+    </message>
+    <message>
+        <source>1 pass, {length}, {time} of cutting at the feed, links not counted</source>
+        <translation>1 Bahn, {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen</translation>
     </message>
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
@@ -2035,6 +2071,10 @@
         <translation>Größte: {largest}</translation>
     </message>
     <message>
+        <source>Lay the passes alone and draw them over the part: quick, before Calculate</source>
+        <translation>Nur die Bahnen legen und über das Teil zeichnen: schnell, vor dem Berechnen</translation>
+    </message>
+    <message>
         <source>Lead</source>
         <translation>Voreilwinkel</translation>
     </message>
@@ -2295,6 +2335,10 @@
         <translation>Spitze von X, Y, Z</translation>
     </message>
     <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
         <source>Pick in the 3D view</source>
         <translation>In der 3D-Ansicht wählen</translation>
     </message>
@@ -2345,6 +2389,10 @@
     <message>
         <source>Preview for the CAM workbench</source>
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
+    </message>
+    <message>
+        <source>Preview passes</source>
+        <translation>Bahnen vorab</translation>
     </message>
     <message>
         <source>Programmed point</source>
@@ -2737,6 +2785,18 @@
     <message>
         <source>The tool stands normal to the surface, leaned by lead and tilt.</source>
         <translation>Das Werkzeug steht senkrecht zur Fläche, geneigt um Voreil- und Seitwinkel.</translation>
+    </message>
+    <message>
+        <source>Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Then click a vertex in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Then click a vertex, a circle or a sphere in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke, einen Kreis oder eine Kugel anklicken; Esc bricht ab</translation>
     </message>
     <message>
         <source>There are several paths: select the one to mark.</source>
@@ -3601,6 +3661,10 @@
     <message>
         <source>{controller} needs the number of the tool for it: give it in the group Tool.</source>
         <translation>{controller} braucht dafür die Nummer des Werkzeugs: in der Gruppe „Werkzeug“ angeben.</translation>
+    </message>
+    <message>
+        <source>{count} passes, {length}, {time} of cutting at the feed, links not counted</source>
+        <translation>{count} Bahnen, {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen</translation>
     </message>
     <message>
         <source>{count}, verified at their end points only</source>
@@ -5664,6 +5728,10 @@
         <translation>keine Facette kann bearbeitet werden: auf keiner ist eine Werkzeugachse frei; {remedy}</translation>
     </message>
     <message>
+        <source>no facet can be cut: over none of those chosen the tool axis may stand</source>
+        <translation>keine Facette kann bearbeitet werden: über keiner der gewählten darf die Werkzeugachse stehen</translation>
+    </message>
+    <message>
         <source>no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary limits of the area; turn the part, raise the largest axis angle or take another machine</source>
         <translation>keine Facette lässt sich fräsen: {down} % der Fläche zeigen nach unten, {steep} % neigen sich um mehr als {most}, {beyond} % liegen jenseits der Grenzen der Rundachsen; das Werkstück drehen, den größten Achswinkel erhöhen oder eine andere Maschine nehmen</translation>
     </message>
@@ -7068,6 +7136,10 @@
         <translation>{label} hat kein {name} an einem Volumenkörper: die Flächen neu auswählen.</translation>
     </message>
     <message>
+        <source>{label} has no {name}, which was picked: pick {option} anew.</source>
+        <translation>{label} hat {name} nicht mehr, was gewählt war: {option} neu wählen.</translation>
+    </message>
+    <message>
         <source>{label} has {named}; add one to it, or give the cutter by hand</source>
         <translation>{label} hat {named}; eines hinzufügen oder den Fräser von Hand angeben</translation>
     </message>
@@ -7350,6 +7422,22 @@
     <message>
         <source>{name} lists no sizes; save the tool once more in FreeCAD's tool editor</source>
         <translation>{name} nennt keine Maße; das Werkzeug in FreeCADs Werkzeugeditor noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>{name} of {label}</source>
+        <translation>{name} von {label}</translation>
+    </message>
+    <message>
+        <source>{name} of {label} has no axis: pick a straight or circular edge, or a cylindrical or conical face.</source>
+        <translation>{name} von {label} hat keine Achse: eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche wählen.</translation>
+    </message>
+    <message>
+        <source>{name} of {label} has no centre: pick a vertex, a circle or a sphere.</source>
+        <translation>{name} von {label} hat keine Mitte: eine Ecke, einen Kreis oder eine Kugel wählen.</translation>
+    </message>
+    <message>
+        <source>{name} of {label} is no vertex: pick a vertex, or name a CSV file of a curve.</source>
+        <translation>{name} von {label} ist keine Ecke: eine Ecke wählen oder eine CSV-Datei einer Kurve angeben.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {said}.</source>
