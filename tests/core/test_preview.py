@@ -23,6 +23,8 @@ WAYS = [
     {"passes": "scallop", "scallop": 0.05, "spiral": "on"},
     {"passes": "radial", "scallop": 0.05},
     {"passes": "morph", "scallop": 0.05},
+    {"passes": "scallop", "scallop": 0.05, "steep_shallow": 20},
+    {"passes": "frames", "scallop": 0.05, "tool_axis": "auto"},
 ]
 
 

@@ -7,7 +7,7 @@ fit, and where axes are chosen freely those that no axis gets to, which is not l
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path
 from freecad_fiveaxis.core.collision.fixtures import box_with
+from freecad_fiveaxis.core.corrections.find_frames import find_frames
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy
@@ -27,9 +28,9 @@ from .context import MillContext
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import chosen_faces
 from .milling import closed, find_standing, laid
-from .options import machine_of
+from .options import machine_of, reacher_of
 from .over_table import AUTO, largest_axis_angle
-from .settings import Settings
+from .settings import FRAMES, Settings
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +79,7 @@ def preview_passes(
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
     faces, said = chosen_faces(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress)
-    contact, untouched = laid(context)
+    contact, untouched, _ = laid(context)
     columns = _cut_rows(contact, context.keep) if context.boundary is None else _within_boundary(context, contact)
     found = (*said, *left_out, *untouched, *contact.findings)
     return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found)
@@ -89,10 +90,13 @@ def _context(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Prog
     machine, kinematics, dialect = machine_of(settings)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
     inside, said = facets_inside(settings, boundary, mesh, faces)
-    chosen = faces if boundary is None else inside
+    chosen, frames = faces if boundary is None else inside, None
     if settings.tool_axis.tool_axis == AUTO:
-        asked = ~find_standing(settings, mesh, faces) if faces is None else faces
-        keep, left_out = asked & inside & facets_under_axes(mesh, most), tuple[Finding, ...]()
+        asked = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
+        keep, left_out = asked & facets_under_axes(mesh, most), tuple[Finding, ...]()
+        if settings.passes.passes == FRAMES:  # they are what the passes lie in
+            reacher = reacher_of(settings, machine, kinematics, mesh)
+            frames, keep, left_out = find_frames(mesh, asked, reacher, most, int(settings.passes.frames), progress)
     else:
         followed = None if keeps_its_axis(settings, machine) else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
@@ -100,7 +104,7 @@ def _context(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Prog
         raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
     box = box_with(mesh.box, ())
     made = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary)
-    return made, (*said, *left_out)
+    return replace(made, frames=frames), (*said, *left_out)
 
 
 Columns = tuple[Floats, Ints, Ints]
