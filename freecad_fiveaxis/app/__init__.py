@@ -10,7 +10,7 @@ from typing import Any
 
 __all__ = [
     "annotate", "apply_setup", "audit", "compare", "create_setup", "create_toolpath", "import_machine", "left_map",
-    "post_process", "prove_signs", "recover", "setup_map", "tessellate",
+    "post_process", "preview_passes", "prove_signs", "reach_map", "recover", "setup_map", "tessellate",
 ]  # fmt: skip
 
 
@@ -50,13 +50,26 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
     ``angular_deflection`` deg; ``holder_diameter`` and ``holder_length`` mm are a holder of one cylinder. ``setup``: a Setup,
     whose machine, controller and work zero the path takes; in a document with just one Setup it takes that where it is given
     nothing of the kind; None: none. ``fixtures``: solids and meshes of the document that hold the part; the path goes around
-    them.
+    them. ``picked={"pass_centre": (body, "Edge3"), "pass_axis": (body, "Face2")}``: links of radial passes that follow the part.
     Raises FiveAxisError; then the document is as it was.
     """
     from . import arguments
     from .actions import create_toolpath as act
 
     return act(arguments.document(doc), arguments.base(base), settings)
+
+
+def preview_passes(base: Any, **settings: Any) -> Any:
+    """The passes of settings, laid without tool axes, gouge cure, links and NC; returns the core's Preview.
+
+    ``point`` (n, 3) mm about the work zero, of lines ``polyline`` (n,); ``passes``, ``length`` mm, ``time`` s of cutting alone.
+    ``base`` and settings as for :func:`create_toolpath`; or a Toolpath: without settings as it stands, else with these for its
+    own. Raises FiveAxisError. The document stays as it is.
+    """
+    from . import arguments
+    from .actions import preview_passes as act
+
+    return act(arguments.base(base), settings)
 
 
 def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False, also: Any = None) -> Any:
@@ -88,6 +101,22 @@ def left_map(toolpath: Any) -> Any:
     from .left import left_map as act
 
     return act(toolpath)
+
+
+def reach_map(base: Any, **settings: Any) -> Any:
+    """Where on a part the tool gets at all, and what is in the way elsewhere; returns the ReachMap object, computed.
+
+    ``base``: a solid, body, compound, mesh or Tessellation object, ``(object, ["Face3"])``, or a Toolpath, whose machine, tool,
+    part and fixtures are taken where no setting says otherwise. Settings as of ``fiveaxis reach``: ``machine``, ``cutter``,
+    ``shank``, ``holder``, ``tool_length``, ``origin``, ``table_height``, ``tolerance``, ``boundary``; also ``largest_axis_angle``
+    deg from Z, ``fixtures``, ``faces``, ``avoid``, ``work_zero``, ``linear_deflection`` mm, ``angular_deflection`` deg.
+    ``ReachableArea`` mm2, ``ReachableShare`` %, ``StickOut`` mm, ``Verdict`` and ``Advice`` are sentences. Raises FiveAxisError;
+    then the document is as it was.
+    """
+    from . import arguments
+    from .reach import reach_map as act
+
+    return act(arguments.base(base), settings)
 
 
 def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:

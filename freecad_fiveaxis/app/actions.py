@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_le
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 
-from . import auditing, compared, job_setup, markers, selection, tessellation, toolpath
+from . import auditing, compared, convert, guides, job_setup, markers, previewing, selection, tessellation, toolpath
 from .arguments import names
 from .convert import stl_bytes
 from .long_work import take_back
@@ -52,6 +52,7 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.create_toolpath`."""
     settings, setup = _with_setup(doc, _with_holder(settings))
     fixtures = [compared.checked(doc, one) for one in settings.pop("fixtures", None) or ()]
+    picked = settings.pop("picked", None) or {}
     extra = _extra(settings, _EXTRA)
     options = {name: value for name, value in settings.items() if name not in _OF_MESH and name not in _EXTRA}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
@@ -75,8 +76,25 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
         path = toolpath.make(doc, mesh, options, extra)
         added.append(path)
         path.Setup, path.Fixtures = setup, fixtures
+        guides.put(path, picked)
         _compute(path)
     return path
+
+
+def preview_passes(base: Any, settings: Mapping[str, Any]) -> Any:
+    """See :func:`freecad_fiveaxis.app.preview_passes`."""
+    if isinstance(getattr(base, "Proxy", None), toolpath.Toolpath):
+        doc, given = base.Document, dict(settings) or convert.options_of(base, MILL)
+        part, zero = previewing.part_of(base, settings), tuple(base.WorkZero)
+    else:
+        chosen, faces, avoid = _base(base, settings)
+        doc, (given, _) = chosen.Document, _with_setup(chosen.Document, _with_holder(settings))
+        part, zero = previewing.Part(chosen, faces, avoid, **_deflections(settings)), (0.0, 0.0, 0.0)
+    apart = (*_OF_MESH, *_EXTRA, "setup", "fixtures", "picked")
+    options = {name: value for name, value in given.items() if name not in apart and value is not None}
+    options["machine"] = options.get("machine") or DEFAULT_MACHINE
+    zero, links = _extra(given, _EXTRA).get("WorkZero", zero), guides.links_of(base) if given is not settings else {}
+    return previewing.lay(doc, part, options | guides.options_of(given.get("picked", links), zero), zero)
 
 
 def annotate(path: Any) -> Any:

@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
 from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text
 
-from . import convert, properties, tessellation, toolpath
+from . import convert, guides, properties, tessellation, toolpath
 from .arguments import names
 from .auditing import audit_options, compare_with
 from .job_setup import follow
@@ -26,10 +26,10 @@ _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "Angu
 def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     """Give a Toolpath all of these settings, as ``create_toolpath`` takes them, and compute it; returns it.
 
-    An option that is not among them goes back to its default; ``work_zero``, ``fixtures``, ``avoid`` and the deflections stay
-    unless they are given. Raises FiveAxisError; the caller's transaction then takes back what was done.
+    An option that is not among them goes back to its default; ``work_zero``, ``fixtures``, ``avoid``, ``picked`` and the
+    deflections stay unless they are given. Raises FiveAxisError; the caller's transaction then takes back what was done.
     """
-    apart = (*_OF_MESH, "avoid", "work_zero", "setup", "fixtures")
+    apart = (*_OF_MESH, "avoid", "work_zero", "setup", "fixtures", "picked")
     options = {name: value for name, value in settings.items() if name not in apart}
     options = toolpath.with_strategies(options)
     if obj.Mesh is None:
@@ -38,6 +38,8 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     _put(obj, MILL, options, settings.get("work_zero"))
     if "fixtures" in settings and list(obj.Fixtures) != list(settings["fixtures"]):
         obj.Fixtures = list(settings["fixtures"])
+    if "picked" in settings:
+        guides.put(obj, settings["picked"])
     if "setup" in settings and obj.Setup is not settings["setup"]:
         obj.Setup = settings["setup"]
     elif obj.Setup is not None:

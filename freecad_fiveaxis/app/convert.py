@@ -76,6 +76,19 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
     return options
 
 
+def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options that an object with these would ask for: a field that shows a property's default asks for nothing. Raises
+    SettingsError."""
+    given = dict(options)
+    for _, leaf in shown_options(task):
+        name, kind = leaf.name, leaf.metadata["kind"]
+        if given.get(name) is None or name in CHOSEN or kind in ("cutter", "point"):
+            continue
+        if plain(property_value(leaf, read_option(leaf, given[name]))) == plain(default_value(leaf)):
+            del given[name]
+    return given
+
+
 def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
     """The cutter; that of an audit at its default only beside a part: otherwise nobody has said that it is the one that cuts."""
     given = cutter_of(obj)

@@ -189,6 +189,7 @@ def _of_machines_and_places() -> dict[str, str]:
         "setup": translate("FiveAxis", "Setup"),
         "setup_name": translate("FiveAxis", "Name"),
         "work_zero": translate("FiveAxis", "Work zero"),
+        "largest_axis_angle": translate("FiveAxis", "Largest axis angle"),
         "spacing": translate("FiveAxis", "Spacing by"),
         "spacing_kind": translate("FiveAxis", "Spacing by"),
         "cutter_kind": translate("FiveAxis", "Cutter"),

@@ -48,7 +48,7 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
 
     An edge, a vertex or an element of a mesh among the names stands for the whole object.
     """
-    rows = [(_leaf(obj, name), name) for obj, names in chosen for name in (tuple(names) or ("",))]
+    rows = [(leaf_of(obj, name), name) for obj, names in chosen for name in (tuple(names) or ("",))]
     if not rows:
         raise SelectionError(say("Nothing is selected: {what}.", what=WHAT), None)
     objects = {id(obj): obj for obj, _ in rows}
@@ -75,7 +75,7 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
 def faces_of(base: Any, chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[str, ...]:
     """The faces' names on ``base`` out of selected ``(object, names of its elements)``. Raises SelectionError that says what to
     select where anything else is among them."""
-    rows = [(_leaf(obj, name), name.rsplit(".", 1)[-1]) for obj, names in chosen for name in (tuple(names) or ("",))]
+    rows = [(leaf_of(obj, name), name.rsplit(".", 1)[-1]) for obj, names in chosen for name in (tuple(names) or ("",))]
     if not rows:
         text = say("Nothing is selected: click faces of {label} in the 3D view, several with Ctrl.", label=base.Label)
         raise SelectionError(text, None)
@@ -110,7 +110,7 @@ def _same_face(base: Any, obj: Any, name: str) -> str:
     return "" if row is None else f"Face{row + 1}"
 
 
-def _leaf(obj: Any, name: str) -> Any:
+def leaf_of(obj: Any, name: str) -> Any:
     """What is meant by an element of a group or a part, as ``Box.Face1``: the object in it. A body stands for its features."""
     inner = obj.getSubObject(name, 1) if "." in name and not obj.isDerivedFrom("PartDesign::Body") else None
     return inner or obj

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
 
-from . import compared, convert, job_setup, results
+from . import compared, convert, guides, job_setup, results
 from .plain_errors import told_plainly
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
@@ -43,7 +43,7 @@ class Toolpath(Proxy):
     @classmethod
     def properties(cls) -> Sequence[Property]:
         """The mesh, the fixtures, the settings of task ``mill``, the work zero and the results."""
-        return (MESH, FIXTURES, job_setup.LINK, *setting_properties(MILL), WORK_ZERO, *RESULTS)
+        return (MESH, FIXTURES, job_setup.LINK, *setting_properties(MILL), *guides.LINKS.values(), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
@@ -58,7 +58,8 @@ class Toolpath(Proxy):
             raise SelectionError(text, obj.Mesh.Label)
         fixtures = check_fixtures(obj)
         named = {"fixture": [f"{one.Label}.stl" for one in fixtures]} if fixtures else {}
-        settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | named)
+        picked = guides.options_of(guides.links_of(obj), tuple(obj.WorkZero))
+        settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | picked | named)
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
         solids = tuple(compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in fixtures)
         return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())), fixtures=solids)

@@ -23,6 +23,7 @@ VIEWS = {
     "freecad_fiveaxis.app.setups": "view_providers.SetupMapView",
     "freecad_fiveaxis.app.job_setup": "job_setup_view.JobSetupView",
     "freecad_fiveaxis.app.left": "left_view.LeftMapView",
+    "freecad_fiveaxis.app.reach": "reach_view.ReachMapView",
 }
 """The module of a document object's proxy, and module and class of the view that shows it."""
 

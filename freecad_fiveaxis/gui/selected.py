@@ -12,7 +12,7 @@ import FreeCAD
 import FreeCADGui
 
 APP = "freecad_fiveaxis.app."
-TOOLPATH, AUDIT, TESSELLATION, SETUP_MAP = "Toolpath", "Audit", "Tessellation", "SetupMap"
+TOOLPATH, AUDIT, TESSELLATION, SETUP_MAP, REACH_MAP = "Toolpath", "Audit", "Tessellation", "SetupMap", "ReachMap"
 
 
 def idle() -> bool:
@@ -47,6 +47,12 @@ def selected_path(*kinds: str) -> Any:
     chosen = {path.Name: path for obj in FreeCADGui.Selection.getSelection() for path in _paths_of(obj, kinds)}
     there = chosen or {obj.Name: obj for obj in doc.findObjects("App::FeaturePython") if kind_of(obj) in kinds}
     return next(iter(there.values())) if len(there) == 1 else None
+
+
+def selected_reach_map() -> Any:
+    """The reach map that alone is selected, or None."""
+    chosen = FreeCADGui.Selection.getSelection()
+    return chosen[0] if len(chosen) == 1 and kind_of(chosen[0]) == REACH_MAP else None
 
 
 def _paths_of(obj: Any, kinds: tuple[str, ...]) -> list[Any]:

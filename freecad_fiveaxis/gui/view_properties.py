@@ -11,6 +11,8 @@ from .qt import QT_TRANSLATE_NOOP
 
 GROUP = "Five-axis"
 AXIS_COLOUR = (0.68, 0.86, 1.0)
+STROKE_COLOUR = (0.10, 0.13, 0.16)
+"""Of axes over a part that is coloured itself."""
 
 Row = tuple[str, str, Any, str]
 """Kind, name, default, documentation. A default that can be called is called when the property is made."""
@@ -72,6 +74,14 @@ LEFT: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowLabel", True,
      QT_TRANSLATE_NOOP("App::Property", "Show the values where most is left and where the cut is deepest")),
     *LEGEND,
+)  # fmt: skip
+REACH: tuple[Row, ...] = (
+    *LEGEND,
+    ("App::PropertyBool", "ShowAxes", False,
+     QT_TRANSLATE_NOOP("App::Property", "Show the tool axis with which each place is reached, as a short stroke")),
+    ("App::PropertyLength", "AxisLength", 0.0,
+     QT_TRANSLATE_NOOP("App::Property", "Length of the tool axes; 0: as the part needs it")),
+    ("App::PropertyColor", "ColourAxes", STROKE_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
 )  # fmt: skip
 
 

@@ -21,7 +21,7 @@ APP = "freecad_fiveaxis.app."
 
 ICONS = {
     "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
-    "setups": "SetupMap", "left": "LeftMap", "job_setup": "FiveAxis_JobSetup",
+    "setups": "SetupMap", "left": "LeftMap", "reach": "ReachMap", "job_setup": "FiveAxis_JobSetup",
 }  # fmt: skip
 
 
@@ -30,8 +30,8 @@ CHILDREN = ("markers", "nc_output", "setups", "left")
 
 
 def kind_of(obj: Any) -> str:
-    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``left``; empty for
-    objects that are not ours."""
+    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``left``, ``reach``; empty
+    for objects that are not ours."""
     module = type(getattr(obj, "Proxy", None)).__module__
     return module[len(APP) :].replace("auditing", "audit") if module.startswith(APP) else ""
 

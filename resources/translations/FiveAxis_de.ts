@@ -12,6 +12,10 @@
         <translation>Eine mitgelieferte Maschine oder eine Maschinendatei (.fcm)</translation>
     </message>
     <message>
+        <source>Advice</source>
+        <translation>Rat</translation>
+    </message>
+    <message>
         <source>Against</source>
         <translation>Vergleich</translation>
     </message>
@@ -64,6 +68,14 @@
         <translation>Basis</translation>
     </message>
     <message>
+        <source>Below Table</source>
+        <translation>Unter dem Tisch</translation>
+    </message>
+    <message>
+        <source>Beyond Machine</source>
+        <translation>Außerhalb der Maschine</translation>
+    </message>
+    <message>
         <source>Blend</source>
         <translation>Verschleifen</translation>
     </message>
@@ -98,6 +110,10 @@
     <message>
         <source>Boundary By</source>
         <translation>Begrenzung hält</translation>
+    </message>
+    <message>
+        <source>By so much the ball's radius is too large where the cutter itself is in the way</source>
+        <translation>Um so viel ist der Kugelradius zu groß, wo schon der Fräser im Weg ist</translation>
     </message>
     <message>
         <source>CL file (.apt, .cl) or part (.stl) that the program is compared with</source>
@@ -424,6 +440,10 @@
         <translation>Halter</translation>
     </message>
     <message>
+        <source>Holder In The Way</source>
+        <translation>Halter im Weg</translation>
+    </message>
+    <message>
         <source>How certain the offsets should be, and how near to those of the machine they are compared with</source>
         <translation>Wie sicher die Versätze sein sollen und wie nahe an denen der Maschine, mit der verglichen wird</translation>
     </message>
@@ -456,6 +476,14 @@
         <translation>Wie viele Drehlagen des Werkstücks um Z versucht werden, gleichmäßig über 360°; 1: wie es steht</translation>
     </message>
     <message>
+        <source>How much of the surface that is, in per cent</source>
+        <translation>Wie viel der Fläche das ist, in Prozent</translation>
+    </message>
+    <message>
+        <source>How much the tool reaches, in a plain sentence</source>
+        <translation>Wie viel das Werkzeug erreicht, in einem Satz</translation>
+    </message>
+    <message>
         <source>How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine file says</source>
         <translation>Wie die Steuerung ihre Achsen im Eilgang bewegt: alle gemeinsam, jede mit eigener Geschwindigkeit oder unbekannt; machine: wie es in der Maschinendatei steht</translation>
     </message>
@@ -486,6 +514,10 @@
     <message>
         <source>Labels</source>
         <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Largest Axis Angle</source>
+        <translation>Größter Achswinkel</translation>
     </message>
     <message>
         <source>Largest Overcut</source>
@@ -748,8 +780,16 @@
         <translation>Bahnachse</translation>
     </message>
     <message>
+        <source>Pass Axis Picked</source>
+        <translation>Bahnachse gewählt</translation>
+    </message>
+    <message>
         <source>Pass Centre</source>
         <translation>Bahnmitte</translation>
+    </message>
+    <message>
+        <source>Pass Centre Picked</source>
+        <translation>Bahnmitte gewählt</translation>
     </message>
     <message>
         <source>Pass Strategy</source>
@@ -768,8 +808,16 @@
         <translation>Bahnen ab</translation>
     </message>
     <message>
+        <source>Passes From Picked</source>
+        <translation>Bahnanfang gewählt</translation>
+    </message>
+    <message>
         <source>Passes To</source>
         <translation>Bahnen bis</translation>
+    </message>
+    <message>
+        <source>Passes To Picked</source>
+        <translation>Bahnende gewählt</translation>
     </message>
     <message>
         <source>Passes come no closer than this, also on steep walls</source>
@@ -824,6 +872,10 @@
         <translation>Bewiesene obere Schranke der Abweichung der Werkzeugspitze von den Sollstrecken</translation>
     </message>
     <message>
+        <source>Radius Too Large</source>
+        <translation>Radius zu groß um</translation>
+    </message>
+    <message>
         <source>Radius of the arc tangent to the surface on which the tool enters and leaves a pass; 0: along its axis</source>
         <translation>Radius des Bogens tangential zur Fläche, auf dem das Werkzeug in eine Bahn ein- und aus ihr ausfährt; 0: entlang seiner Achse</translation>
     </message>
@@ -834,6 +886,14 @@
     <message>
         <source>Rapids</source>
         <translation>Eilgänge</translation>
+    </message>
+    <message>
+        <source>Reachable Area</source>
+        <translation>Erreichte Fläche</translation>
+    </message>
+    <message>
+        <source>Reachable Share</source>
+        <translation>Erreichter Anteil</translation>
     </message>
     <message>
         <source>Reading</source>
@@ -890,6 +950,10 @@
     <message>
         <source>Shank</source>
         <translation>Schaft</translation>
+    </message>
+    <message>
+        <source>Shank In The Way</source>
+        <translation>Schaft im Weg</translation>
     </message>
     <message>
         <source>Shape and sizes of the cutter</source>
@@ -956,6 +1020,10 @@
         <translation>Die Werkzeugachse hier und da auf dem Werkzeugweg zeigen</translation>
     </message>
     <message>
+        <source>Show the tool axis with which each place is reached, as a short stroke</source>
+        <translation>Die Werkzeugachse, mit der jede Stelle erreicht wird, als kurzen Strich zeigen</translation>
+    </message>
+    <message>
         <source>Show the value at the largest deviation</source>
         <translation>Den Wert an der größten Abweichung zeigen</translation>
     </message>
@@ -1000,12 +1068,24 @@
         <translation>Langsamer Vorschub pro Minute</translation>
     </message>
     <message>
+        <source>So far the tool may lean from the work frame's Z; 180°: as far as the machine turns</source>
+        <translation>So weit darf sich das Werkzeug gegen Z des Werkstücks neigen; 180°: so weit die Maschine schwenkt</translation>
+    </message>
+    <message>
+        <source>So much farther the tool should stick out where the holder is in the way</source>
+        <translation>Um so viel sollte das Werkzeug weiter auskragen, wo der Halter im Weg ist</translation>
+    </message>
+    <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
         <translation>So viel darf stehen bleiben: die doppelte Kuppenhöhe und die Toleranz</translation>
     </message>
     <message>
         <source>Solids and meshes of the document that hold the part: the path goes around them</source>
         <translation>Körper und Netze des Dokuments, die das Teil halten: die Bahn führt darum herum</translation>
+    </message>
+    <message>
+        <source>Solids and meshes of the document that hold the part: they are in the tool's way</source>
+        <translation>Körper und Netze des Dokuments, die das Werkstück halten: sie sind dem Werkzeug im Weg</translation>
     </message>
     <message>
         <source>Spindle</source>
@@ -1030,6 +1110,42 @@
     <message>
         <source>Stepover</source>
         <translation>Zeilensprung</translation>
+    </message>
+    <message>
+        <source>Stick Out</source>
+        <translation>Auskragung</translation>
+    </message>
+    <message>
+        <source>Stick Out Area</source>
+        <translation>Fläche durch Auskragung</translation>
+    </message>
+    <message>
+        <source>Surface for which no axis that was tried is within the machine's limits</source>
+        <translation>Fläche, für die keine versuchte Achse in den Grenzen der Maschine liegt</translation>
+    </message>
+    <message>
+        <source>Surface that the tool reaches, with an axis that was tried</source>
+        <translation>Fläche, die das Werkzeug mit einer versuchten Achse erreicht</translation>
+    </message>
+    <message>
+        <source>Surface that the tool then reaches besides</source>
+        <translation>Fläche, die das Werkzeug dann zusätzlich erreicht</translation>
+    </message>
+    <message>
+        <source>Surface where a part of the tool would be below the table's face</source>
+        <translation>Fläche, bei der ein Teil des Werkzeugs unter der Tischfläche läge</translation>
+    </message>
+    <message>
+        <source>Surface where cutter and shank would be free, but not the holder</source>
+        <translation>Fläche, bei der Fräser und Schaft frei wären, der Halter aber nicht</translation>
+    </message>
+    <message>
+        <source>Surface where the cutter itself would enter the part</source>
+        <translation>Fläche, bei der schon der Fräser ins Werkstück dränge</translation>
+    </message>
+    <message>
+        <source>Surface where the cutter would be free, but not the shank</source>
+        <translation>Fläche, bei der der Fräser frei wäre, der Schaft aber nicht</translation>
     </message>
     <message>
         <source>Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with auto all that the machine reaches above its table</source>
@@ -1060,6 +1176,10 @@
         <translation>Die Fräser der Aufspannung, einer je Zeile: Nummer, Form mit Maßen, Name</translation>
     </message>
     <message>
+        <source>The edge or round face whose axis the radial passes have; empty: as typed</source>
+        <translation>Die Kante oder runde Fläche, deren Achse die strahlenförmigen Bahnen haben; leer: wie eingegeben</translation>
+    </message>
+    <message>
         <source>The file is what the toolpath makes now; if it is not, post-process again</source>
         <translation>Die Datei ist, was der Werkzeugweg jetzt ergibt; sonst die NC-Datei neu ausgeben</translation>
     </message>
@@ -1070,6 +1190,10 @@
     <message>
         <source>The machined surface: what the map covers</source>
         <translation>Die bearbeitete Fläche: was die Karte umfasst</translation>
+    </message>
+    <message>
+        <source>The map is of the part and the settings as they are now</source>
+        <translation>Die Karte gilt für Werkstück und Einstellungen, wie sie jetzt sind</translation>
     </message>
     <message>
         <source>The map is of the toolpath as it is now</source>
@@ -1104,8 +1228,16 @@
         <translation>Der Volumenkörper, Körper, Verbund oder das Netz, und seine Flächen, die gefräst werden</translation>
     </message>
     <message>
+        <source>The surface that was looked at</source>
+        <translation>Die betrachtete Fläche</translation>
+    </message>
+    <message>
         <source>The tessellation, or any mesh, that is milled</source>
         <translation>Die Tessellierung oder ein anderes Netz, das gefräst wird</translation>
+    </message>
+    <message>
+        <source>The tessellation, or any mesh, that the tool is to reach</source>
+        <translation>Die Tessellation oder irgendein Netz, die das Werkzeug erreichen soll</translation>
     </message>
     <message>
         <source>The toolpath or audit that is marked</source>
@@ -1132,8 +1264,24 @@
         <translation>Das Urteil als Ampel: red (rot), amber (gelb) oder green (grün)</translation>
     </message>
     <message>
+        <source>The vertex where the passes begin; empty: as typed</source>
+        <translation>Die Ecke, an der die Bahnen beginnen; leer: wie eingegeben</translation>
+    </message>
+    <message>
+        <source>The vertex where the passes end; empty: as typed</source>
+        <translation>Die Ecke, an der die Bahnen enden; leer: wie eingegeben</translation>
+    </message>
+    <message>
+        <source>The vertex, circle or sphere that is the centre of radial passes; empty: as typed</source>
+        <translation>Die Ecke, der Kreis oder die Kugel als Mitte strahlenförmiger Bahnen; leer: wie eingegeben</translation>
+    </message>
+    <message>
         <source>The work zero in the machine frame about which setups were tried</source>
         <translation>Der Werkstücknullpunkt im Maschinensystem, um den herum Aufspannungen erprobt wurden</translation>
+    </message>
+    <message>
+        <source>Tighter Than Cutter</source>
+        <translation>Zu eng für den Fräser</translation>
     </message>
     <message>
         <source>Tilt</source>
@@ -1276,6 +1424,10 @@
         <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
     </message>
     <message>
+        <source>What would help where holder or cutter are in the way, in plain sentences</source>
+        <translation>Was hülfe, wo Halter oder Fräser im Weg sind, in Sätzen</translation>
+    </message>
+    <message>
         <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
         <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
     </message>
@@ -1306,6 +1458,10 @@
     <message>
         <source>Whether the program is safe to run, and why, in a plain sentence</source>
         <translation>Ob das Programm sicher ist und warum, in einem einfachen Satz</translation>
+    </message>
+    <message>
+        <source>Whole Area</source>
+        <translation>Ganze Fläche</translation>
     </message>
     <message>
         <source>Width of the path in pixels</source>
@@ -1377,6 +1533,10 @@
     <message>
         <source> 1/min</source>
         <translation> 1/min</translation>
+    </message>
+    <message>
+        <source>1 pass, {length}, {time} of cutting at the feed, links not counted</source>
+        <translation>1 Bahn, {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen</translation>
     </message>
     <message>
         <source>A controller with tool tip control (RTCP) guides the tip along the line itself.</source>
@@ -1919,6 +2079,10 @@
         <translation>Größte: {largest}</translation>
     </message>
     <message>
+        <source>Lay the passes alone and draw them over the part: quick, before Calculate</source>
+        <translation>Nur die Bahnen legen und über das Teil zeichnen: schnell, vor dem Berechnen</translation>
+    </message>
+    <message>
         <source>Lead</source>
         <translation>Voreilwinkel</translation>
     </message>
@@ -2179,6 +2343,10 @@
         <translation>Spitze von X, Y, Z</translation>
     </message>
     <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
         <source>Pick in the 3D view</source>
         <translation>In der 3D-Ansicht wählen</translation>
     </message>
@@ -2231,6 +2399,10 @@
         <translation>Vorschau für den Arbeitsbereich CAM</translation>
     </message>
     <message>
+        <source>Preview passes</source>
+        <translation>Bahnen vorab</translation>
+    </message>
+    <message>
         <source>Programmed point</source>
         <translation>Programmierter Punkt</translation>
     </message>
@@ -2249,6 +2421,10 @@
     <message>
         <source>Rapids</source>
         <translation>Eilgänge</translation>
+    </message>
+    <message>
+        <source>Reach map</source>
+        <translation>Erreichbarkeit</translation>
     </message>
     <message>
         <source>Recompute</source>
@@ -2357,6 +2533,10 @@
     <message>
         <source>Show folder</source>
         <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Show the tool axes</source>
+        <translation>Werkzeugachsen zeigen</translation>
     </message>
     <message>
         <source>Shown in the view</source>
@@ -2621,6 +2801,18 @@
     <message>
         <source>The tool stands normal to the surface, leaned by lead and tilt.</source>
         <translation>Das Werkzeug steht senkrecht zur Fläche, geneigt um Voreil- und Seitwinkel.</translation>
+    </message>
+    <message>
+        <source>Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Then click a vertex in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Then click a vertex, a circle or a sphere in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke, einen Kreis oder eine Kugel anklicken; Esc bricht ab</translation>
     </message>
     <message>
         <source>There are several paths: select the one to mark.</source>
@@ -2931,8 +3123,16 @@
         <translation>Kugelfräser</translation>
     </message>
     <message>
+        <source>below the table</source>
+        <translation>unter dem Tisch</translation>
+    </message>
+    <message>
         <source>beyond limits, or below the table: {count} places</source>
         <translation>außerhalb der Grenzen oder unter dem Tisch: {count} Stellen</translation>
+    </message>
+    <message>
+        <source>beyond the machine's limits</source>
+        <translation>außerhalb der Maschinengrenzen</translation>
     </message>
     <message>
         <source>bull nose mill</source>
@@ -3015,6 +3215,10 @@
         <translation>Schnitt, nach Abweichung gefärbt</translation>
     </message>
     <message>
+        <source>cutter too large</source>
+        <translation>Fräser zu groß</translation>
+    </message>
+    <message>
         <source>cutter {depth} in the part between passes</source>
         <translation>Fräser zwischen Bahnen {depth} im Werkstück</translation>
     </message>
@@ -3073,6 +3277,10 @@
     <message>
         <source>grbl with five axes</source>
         <translation>grbl mit fünf Achsen</translation>
+    </message>
+    <message>
+        <source>holder in the way</source>
+        <translation>Halter im Weg</translation>
     </message>
     <message>
         <source>impossible: {why}</source>
@@ -3291,6 +3499,10 @@
         <translation>Eilgang, gestrichelt</translation>
     </message>
     <message>
+        <source>reached</source>
+        <translation>erreicht</translation>
+    </message>
+    <message>
         <source>reading the CL file</source>
         <translation>die CL-Datei wird gelesen</translation>
     </message>
@@ -3329,6 +3541,10 @@
     <message>
         <source>setups</source>
         <translation>Aufspannungen</translation>
+    </message>
+    <message>
+        <source>shank in the way</source>
+        <translation>Schaft im Weg</translation>
     </message>
     <message>
         <source>shank or holder collides: {count} places</source>
@@ -3479,6 +3695,10 @@
         <translation>{controller} braucht dafür die Nummer des Werkzeugs: in der Gruppe „Werkzeug“ angeben.</translation>
     </message>
     <message>
+        <source>{count} passes, {length}, {time} of cutting at the feed, links not counted</source>
+        <translation>{count} Bahnen, {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen</translation>
+    </message>
+    <message>
         <source>{count}, verified at their end points only</source>
         <translation>{count}, nur an ihren Endpunkten nachgewiesen</translation>
     </message>
@@ -3547,6 +3767,10 @@
     <message>
         <source>{over_tolerance} blocks are over the tolerance; this is the worst.</source>
         <translation>{over_tolerance} NC-Sätze liegen über der Toleranz; dieser ist der schlimmste.</translation>
+    </message>
+    <message>
+        <source>{share} % reached</source>
+        <translation>{share} % erreicht</translation>
     </message>
     <message>
         <source>{shown} of {count} places: those at the recommended height</source>
@@ -3990,6 +4214,10 @@
     <message>
         <source>Let the tool stick out {step} farther and it reaches {area} more.</source>
         <translation>Kragt das Werkzeug {step} weiter aus, erreicht es {area} mehr.</translation>
+    </message>
+    <message>
+        <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.</source>
+        <translation>Lassen Sie das Werkzeug {step} weiter auskragen, dann erreicht es {area} von den {held}, bei denen der Halter im Weg ist.</translation>
     </message>
     <message>
         <source>Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells them. Correct them from the machine's data sheet.</source>
@@ -4566,6 +4794,18 @@
     <message>
         <source>What an axis change buys on {part} passes that come within {change} of the pole (peak rate and travel of {letter}, blocks that would hold {tolerance}): {rows}.</source>
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
+    </message>
+    <message>
+        <source>Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.</source>
+        <translation>Wo der Fräser zu groß ist, passt eine Kugel von {diameter}, deren Radius um {more} kleiner ist, auf 90 % dieser Fläche.</translation>
+    </message>
+    <message>
+        <source>Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area.</source>
+        <translation>Wo der Fräser zu groß ist, passt auch eine Kugel von einem Zehntel nicht auf 90 % dieser Fläche.</translation>
+    </message>
+    <message>
+        <source>Where the holder is in the way, no tool that sticks out up to 80 mm farther helps.</source>
+        <translation>Wo der Halter im Weg ist, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
     </message>
     <message>
         <source>While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its straight segment, and the surface with it.</source>
@@ -5304,6 +5544,10 @@
         <translation>größter Achswinkel {angle} liegt außerhalb; mehr als 0 und höchstens 180° angeben</translation>
     </message>
     <message>
+        <source>largest axis angle {angle} is out of range; it must be above 0 and at most 180</source>
+        <translation>Größter Achswinkel {angle} liegt außerhalb des Bereichs; er muss über 0 und höchstens 180 sein</translation>
+    </message>
+    <message>
         <source>leave Z out</source>
         <translation>Z weglassen</translation>
     </message>
@@ -5518,6 +5762,10 @@
     <message>
         <source>no facet can be cut: no tool axis is free on any; {remedy}</source>
         <translation>keine Facette kann bearbeitet werden: auf keiner ist eine Werkzeugachse frei; {remedy}</translation>
+    </message>
+    <message>
+        <source>no facet can be cut: over none of those chosen the tool axis may stand</source>
+        <translation>keine Facette kann bearbeitet werden: über keiner der gewählten darf die Werkzeugachse stehen</translation>
     </message>
     <message>
         <source>no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} % need a tool axis beyond the machine's rotary limits; give the axis about which the part is turned, or take another machine</source>
@@ -6936,6 +7184,10 @@
         <translation>{label} hat kein {name} an einem Volumenkörper: die Flächen neu auswählen.</translation>
     </message>
     <message>
+        <source>{label} has no {name}, which was picked: pick {option} anew.</source>
+        <translation>{label} hat {name} nicht mehr, was gewählt war: {option} neu wählen.</translation>
+    </message>
+    <message>
         <source>{label} has {named}; add one to it, or give the cutter by hand</source>
         <translation>{label} hat {named}; eines hinzufügen oder den Fräser von Hand angeben</translation>
     </message>
@@ -7218,6 +7470,22 @@
     <message>
         <source>{name} lists no sizes; save the tool once more in FreeCAD's tool editor</source>
         <translation>{name} nennt keine Maße; das Werkzeug in FreeCADs Werkzeugeditor noch einmal speichern</translation>
+    </message>
+    <message>
+        <source>{name} of {label}</source>
+        <translation>{name} von {label}</translation>
+    </message>
+    <message>
+        <source>{name} of {label} has no axis: pick a straight or circular edge, or a cylindrical or conical face.</source>
+        <translation>{name} von {label} hat keine Achse: eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche wählen.</translation>
+    </message>
+    <message>
+        <source>{name} of {label} has no centre: pick a vertex, a circle or a sphere.</source>
+        <translation>{name} von {label} hat keine Mitte: eine Ecke, einen Kreis oder eine Kugel wählen.</translation>
+    </message>
+    <message>
+        <source>{name} of {label} is no vertex: pick a vertex, or name a CSV file of a curve.</source>
+        <translation>{name} von {label} ist keine Ecke: eine Ecke wählen oder eine CSV-Datei einer Kurve angeben.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {said}.</source>
@@ -8024,6 +8292,17 @@
     <message>
         <source>Prove the signs…</source>
         <translation>Vorzeichen nachweisen…</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_Reach</name>
+    <message>
+        <source>Colour the part by where the tool gets at all, and by what is in the way elsewhere</source>
+        <translation>Das Werkstück danach färben, wo das Werkzeug überhaupt hinkommt und was sonst im Weg ist</translation>
+    </message>
+    <message>
+        <source>Reach map…</source>
+        <translation>Erreichbarkeit…</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,7 @@ def test_every_property_of_every_object_is_translated(doc, ball, tmp_path):
     output = app.post_process(path, tmp_path / "ball.ngc")
     audit = app.audit(doc, tmp_path / "ball.ngc", "trunnion_ac", tolerance=50)
     objects = [path.Mesh, path, output, app.annotate(path), audit, app.setup_map(path, region=(5, 0, 0), grid=(2, 1, 1))]
-    objects.append(app.left_map(path))
+    objects += [app.left_map(path), app.reach_map((ball, ["Face1"]), machine="trunnion_ac", cutter="ball:6")]
     for obj in objects:
         texts = set(shown_texts(obj))
         assert len(texts) > 5, obj.Name

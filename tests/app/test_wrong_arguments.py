@@ -14,6 +14,7 @@ CALLS = {
                         ("doc", ("part", [3])), (7, "part"), ("Doc", "part")],
     "post_process": [(None, "o.ngc"), ("path", None), ("path", 5), ("path", b"o.ngc"), (3, "o.ngc"), ("part", "o.ngc"), ("path", "o.ngc", False, 5),
                      ("path", "o.ngc", False, {"x.txt": 3})],
+    "preview_passes": [(None,), (3,), ("Box",), ((),), (("part", 3),), (("part", [3]),)],
     "annotate": [(None,), (3,), ("part",), ("Toolpath",)],
     "left_map": [(None,), (3,), ("part",), ("Toolpath",)],
     "audit": [(None, "a.ngc", "trunnion_ac"), ("doc", None, "trunnion_ac"), ("doc", 5, "trunnion_ac"), ("doc", "a.ngc", None), ("doc", "a.ngc", 5),

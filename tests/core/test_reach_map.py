@@ -14,12 +14,14 @@ from thorough import some_in_core
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.collision import still_positions
+from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, tip_at
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.studies import reach_map as module
 from freecad_fiveaxis.core.studies.reach_map import reach_map
+from freecad_fiveaxis.core.studies.smaller_ball import smaller_ball
 from freecad_fiveaxis.core.tool import Cutter
 
 BALL = Cutter(6.0, 30.0)
@@ -232,3 +234,25 @@ def test_a_cl_file_is_no_part(tmp_path, capsys):
     report = tmp_path / "a.json"
     assert cli.main(["reach", str(path), "--machine", "trunnion_ac", "--report", str(report)]) == cli.UNUSABLE
     assert "no part" in capsys.readouterr().err and not report.exists()
+
+
+def test_the_ball_that_would_fit_is_that_of_the_closed_form():
+    """In a slot 5 mm wide and 20 deep a ball of radius r up to 2.5 is free but for a strip of r beside both edges of the floor, on
+    floor and walls: 4 r of 45 mm. A share of s leaves r up to 11.25 (1 - s), of which the tenths of 3 mm below are tried."""
+    mesh, reacher = slot(5.0, 20.0, 20.0), Reacher(BALL)
+    middle = mesh.vertex[mesh.face].mean(axis=1)
+    found = reach_map(mesh, reacher, (np.abs(middle[:, 0]) < 3.0) & (middle[:, 2] > 5.0))
+    assert found.area_of(Obstacle.CUTTER) == pytest.approx(found.area.sum()) == pytest.approx(45.0 * 20.0)
+    for share, radius in ((0.907, 0.9), (0.85, 1.5), (0.8, 2.1), (0.999, 0.0)):
+        assert smaller_ball(mesh, reacher, found, share) == pytest.approx(radius), share
+
+
+def test_no_smaller_ball_is_named_where_none_is_missing_and_fixtures_are_in_the_way(coarse):
+    reacher = Reacher(BALL)
+    wide = slot(14.0, 20.0, 60.0)
+    assert smaller_ball(block(), reacher, reach_map(block(), reacher), 0.9) is None, "nowhere too large"
+    flat = Reacher(Cutter(6.0, 20.0, 0.0))
+    assert smaller_ball(wide, flat, reach_map(wide, flat), 0.9) is None, "no ball"
+    clamp = Fixture("clamp", profile(np.array([(-7, 20), (7, 20), (7, 30), (-7, 30)]), 60.0))
+    free, held = reach_map(wide, reacher), reach_map(wide, reacher, None, fixtures=(clamp,))
+    assert held.area_of(Obstacle.NONE) < free.area_of(Obstacle.NONE) - 0.5 * 14.0 * 60.0

@@ -84,7 +84,7 @@ def off(contact, point):
 # ------------------------------------------------------------------------------------------------ where the line runs
 
 
-@pytest.mark.parametrize("degrees", [20.0, 45.0, 70.0])
+@pytest.mark.parametrize("degrees", [45.0, *(pytest.param(one, marks=pytest.mark.slow) for one in (20.0, 70.0))])
 def test_a_hemisphere_is_divided_on_a_circle_and_the_passes_overlap_by_a_stepover(degrees):
     """The circle on which the slope is DEG has the radius R sin DEG; facets are 2 deg high."""
     mesh, radius, bound = hemisphere(), 15.0, math.radians(degrees)
@@ -109,6 +109,7 @@ def samples_of(mesh, chosen):
     return mesh.vertex[mesh.face[chosen]].reshape(-1, 3)
 
 
+@pytest.mark.slow
 def test_every_strategy_goes_a_stepover_beyond_the_line():
     """Upright planes end where their strip does: on a cylinder along X a straight line in closed form."""
     turn = np.linspace(0, math.pi, 91)
@@ -187,7 +188,7 @@ def cut_of(name):
 @pytest.mark.parametrize(
     "strategy", ["scallop", *(pytest.param(one, marks=pytest.mark.thorough) for one in ("planes", "radial"))]
 )
-@pytest.mark.parametrize("name", PARTS)
+@pytest.mark.parametrize("name", [pytest.param(one, marks=[pytest.mark.slow] * ("box" in one)) for one in PARTS])
 def test_every_place_is_as_near_to_a_pass_as_with_the_worse_of_both_alone(name, strategy):
     mesh, keep = cut_of(name)
     contact, _ = laid(mesh, 35, strategy, keep=keep)
@@ -233,6 +234,7 @@ def test_nothing_is_told_of_what_the_other_strategy_cuts():
     assert laid(mesh, 40, keep=keep)[1] == ()
 
 
+@pytest.mark.slow
 def test_at_the_rim_of_a_strip_no_planes_are_too_far_apart(monkeypatch):
     """Behind the rim of the fillet's strip the next level plane is on the ends of the box, 20 mm off."""
     mesh = filleted_box(20.0, 12.0, 4.0, 12)
@@ -272,6 +274,7 @@ def dome_height(x, y):
     return np.where(out < 14, 0.02 * x + 0.06 * y, 0.02 * x + 0.06 * y - 0.09 * np.maximum(out - 14, 0) ** 2)
 
 
+@pytest.mark.slow
 def test_turned_shifted_and_scaled_the_passes_go_along():
     mesh = hilly()
     plain, _ = laid(mesh, 35)
@@ -321,7 +324,7 @@ def test_no_pass_that_lies_in_the_strip_is_a_stub():
             assert not slopes.strip[cKDTree(middle).query(line.mean(axis=0))[1]]
 
 
-@pytest.mark.parametrize("strategy", ["scallop", "morph"])
+@pytest.mark.parametrize("strategy", ["scallop", pytest.param("morph", marks=pytest.mark.slow)])
 def test_both_parts_become_spirals_where_they_can(strategy):
     polar = np.linspace(0, math.pi / 2, 46)
     mesh = revolved(15 * np.sin(polar[::-1]), 15 * np.cos(polar[::-1]), 120)
@@ -375,6 +378,7 @@ def test_the_same_bytes_as_the_one_strategy_where_the_part_lies_on_one_side(file
     assert program("a.ngc", "--passes", "scallop", "--steep-shallow", "40") == level
 
 
+@pytest.mark.slow
 def test_with_faces_to_machine_and_to_avoid(files):
     found = made(files, faces=str(files / "sides.stl"))
     assert slope_at(found).min() > 0.1 and slope_at(found).max() == pytest.approx(90)

@@ -63,7 +63,7 @@ def test_the_menu_lists_all_commands(window):
 
 
 ORDER = [
-    ["JobSetup", "Tessellate", "Toolpath", "Setup", "Compare"], ["Play", "Left", "Annotate"], ["PostProcess", "Audit"],
+    ["JobSetup", "Tessellate", "Reach", "Toolpath", "Setup", "Compare"], ["Play", "Left", "Annotate"], ["PostProcess", "Audit"],
     ["ProveSigns", "Recover", "ImportMachine"],
 ]  # fmt: skip
 """Of the work: plan, look, write and judge; then what is about machines."""
@@ -94,7 +94,7 @@ def test_commands_are_enabled_when_they_can_apply(doc, tool_button, until):
     until(lambda: enabled(tool_button) == FILES_ONLY, 20000, "those for files alone")
     part = doc.addObject("Part::Box", "Box")
     doc.recompute()
-    of_a_part = FILES_ONLY | {"JobSetup", "Tessellate", "Toolpath", "Setup"}
+    of_a_part = FILES_ONLY | {"JobSetup", "Tessellate", "Reach", "Toolpath", "Setup"}
     until(lambda: enabled(tool_button) == of_a_part, 20000, "those for a part")
     app.create_toolpath(doc, part, **COARSE)
     of_a_path = {command.removeprefix("FiveAxis_") for command in commands.NAMES}
@@ -295,7 +295,7 @@ def pointers(monkeypatch):
     return seen
 
 
-@pytest.mark.parametrize("name", ["Toolpath", "Audit", "Setup"])
+@pytest.mark.parametrize("name", ["Toolpath", "Audit", "Setup", "Reach"])
 def test_the_pointer_is_busy_while_a_panel_gets_its_fields(name, box, select, press, pointers, panel_button, panel_closed):
     select(box)
     press(f"FiveAxis_{name}")

@@ -96,7 +96,7 @@ def mill_context(
     inside, said = facets_inside(settings, boundary, mesh, faces)
     chosen = faces if boundary is None else inside
     if settings.tool_axis.tool_axis == AUTO:
-        standing = standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None)
+        standing = find_standing(settings, mesh, faces)
         faces = (~standing if faces is None else faces) & inside
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
@@ -122,6 +122,11 @@ def mill_context(
     return MillContext(
         settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary
     ), left_out
+
+
+def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
+    """The facets (f,) that the part stands on, which stay uncut where axes are chosen freely and nobody says which are cut."""
+    return np.asarray(standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None))
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:

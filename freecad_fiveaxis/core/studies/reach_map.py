@@ -13,12 +13,14 @@ axis between those tried.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.collision.fixtures import Fixture, join_obstacles
 from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, enters, obstacles
 from freecad_fiveaxis.core.collision.rest_material import surface_samples
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
@@ -71,11 +73,14 @@ class ReachMap:
         return float(self.area[self.obstacle == obstacle].sum())
 
 
-def reach_map(mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent) -> ReachMap:
-    """Where the tool gets on these ``facets`` (f,), None: on all. Raises SettingsError for sizes that no tool has."""
+def reach_map(
+    mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent, fixtures: Sequence[Fixture] = ()
+) -> ReachMap:
+    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as the part is. Raises
+    SettingsError for sizes that no tool has."""
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)
-    tree, normal = facet_tree(mesh), mesh.normal[facet]
+    tree, normal = facet_tree(join_obstacles(mesh, fixtures)), mesh.normal[facet]
     obstacle, tilt = np.full(len(point), int(Obstacle.LIMITS)), np.full(len(point), np.nan)
     axis = np.full((len(point), 3), np.nan)
     for part in batches(len(point)):
@@ -161,9 +166,7 @@ def _longer(
         if not len(rows):
             break
         progress("reach", (len(TILTS) + k / len(LONGER)) / (len(TILTS) + 1))
-        longer = Reacher(
-            reacher.cutter, (*reacher.shank, (width, step)), reacher.holder, reacher.kinematics, reacher.limit, reacher.table
-        )
+        longer = replace(reacher, shank=(*reacher.shank, (width, step)))
         met, tilt, axis = obstacle.copy(), np.empty(len(point)), np.empty((len(point), 3))
         for angle in TILTS:
             _try(longer, tree, point, normal, angle, rows[met[rows] != Obstacle.NONE], met, tilt, axis)

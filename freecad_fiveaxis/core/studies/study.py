@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
+from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
@@ -69,11 +70,12 @@ class Comparison:
 
 @dataclass(frozen=True, eq=False)
 class ReachTrial:
-    """``found``: the reach map of the part."""
+    """``found``: the reach map of the part, by the ``reacher``."""
 
     settings: Settings
     found: ReachMap
     findings: tuple[Finding, ...]
+    reacher: Reacher
 
 
 Trial = SetupTrial | Comparison | ReachTrial
@@ -87,9 +89,11 @@ def run(settings: Settings, progress: Progress = silent) -> Trial:
 
 
 def try_reach(
-    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
-) -> ReachTrial:
-    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`. Raises FiveAxisError."""
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
+    fixtures: Sequence[Fixture] = (), most: float = math.pi,
+) -> ReachTrial:  # fmt: skip
+    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
+    rad from +Z it may lean. Raises FiveAxisError."""
     machine, setup, _ = stood(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
@@ -101,8 +105,9 @@ def try_reach(
     faces, said = faces if boundary is None else inside, said + outside
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
-    reacher = Reacher(settings.cutter.cutter, tool.shank, tool.holder, chain(machine, setup), settings.proof.tolerance, table)
-    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress), mesh.findings + said + below)
+    limit, cutter = settings.proof.tolerance, settings.cutter.cutter
+    reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
+    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress, fixtures), mesh.findings + said + below, reacher)
 
 
 def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:

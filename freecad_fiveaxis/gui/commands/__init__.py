@@ -16,13 +16,14 @@ from .left import Left
 from .play import Play
 from .post_process import PostProcess
 from .prove_signs import ProveSigns
+from .reach import Reach
 from .recover import Recover
 from .setup import Setup
 from .tessellate import Tessellate
 from .toolpath import Toolpath
 
 WORK = (
-    (JobSetup, Tessellate, Toolpath, Setup, Compare),
+    (JobSetup, Tessellate, Reach, Toolpath, Setup, Compare),
     (Play, Left, Annotate),
     (PostProcess, Audit),
 )  # fmt: skip

@@ -209,7 +209,9 @@ class Form(QtCore.QObject):
 
     def said(self) -> dict[str, Any]:
         """The options and the extras."""
-        return self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
+        said = self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
+        links = {name: field.link for name, field in self.fields.items() if hasattr(field, "link")}
+        return said | ({"picked": {name: link for name, link in links.items() if link and name in said}} if links else {})
 
     def show_options(self, options: Mapping[str, Any]) -> None:
         """Fill the fields; one that the options do not name keeps what it shows. ``edited`` tells of it once, at the end."""
@@ -220,6 +222,8 @@ class Form(QtCore.QObject):
             elif name in options:
                 self.wished.pop(name, None)
                 field.show_value(options[name])
+            if "picked" in options and hasattr(field, "show_link"):
+                field.show_link(options["picked"].get(name))
         self.filling = False
         self._changed()
 

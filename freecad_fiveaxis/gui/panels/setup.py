@@ -93,7 +93,7 @@ class SetupPanel(PathPanel):
         section = ("setup", translate("FiveAxis", "Setup"), ["region", "grid", "turns", "table_height"])
         form = Form("setup", doc, [section], group="SetupSettings", given={"machine": machine})
         super().__init__(doc, translate("FiveAxis", "Where to clamp"), form, obj)
-        form.fields["table_height"].editor.setPlaceholderText(_table_of(machine))
+        form.fields["table_height"].editor.setPlaceholderText(table_of(machine))
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
@@ -171,7 +171,7 @@ class SetupPanel(PathPanel):
             write_asking(file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error)
 
 
-def _table_of(machine: str) -> str:
+def table_of(machine: str) -> str:
     """What the empty field of the table's height says: the machine's own, where its file has one."""
     from freecad_fiveaxis.core.base.errors import FiveAxisError
     from freecad_fiveaxis.core.machine import load_machine

@@ -18,14 +18,18 @@ from .avoid import AvoidField
 from .fields import QuantityField
 from .fixtures import FixturesField
 from .form import SPACING, Form, Section
+from .guides import AxisField, PlaceField
 from .job_setup import FAR, SHARED, SetupField, ask, shown
 from .panel_widget import PanelWidget
 from .path_panel import DRAWN, PathPanel, fit, is_seen, show
 from .picking import PointField
+from .preview import PreviewRow
 from .scale_offer import ScaleOffer
 
 EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
 """Fields that are no options of the core."""
+PLACES = ("from_", "to", "pass_centre")
+"""Options that are places, and may be picked."""
 
 
 class ToolpathPanel(PathPanel):
@@ -38,14 +42,19 @@ class ToolpathPanel(PathPanel):
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
         part = base if obj is None else obj.Mesh
-        solid = _milled(part)
+        solid = milled(part)
         extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
+        extras += [*(PlaceField(name, self._zero) for name in PLACES), AxisField(self._zero)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer = ScaleOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
         self.scale_offer.chosen.connect(self.scale_part)
         self.setup.edited.connect(self._take_setup)
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
+
+    def _zero(self) -> Sequence[float]:
+        """The work zero of the form, mm, document."""
+        return self.options.fields["work_zero"].value()
 
     def _take_setup(self) -> None:
         """Show what the setup says in the fields that it holds, which then are its own to change, and offer its cutters."""
@@ -80,10 +89,37 @@ class ToolpathPanel(PathPanel):
         return True
 
     def _widget(self, title: str) -> Any:
-        head = (self.calculate_button, self.summary, self.shown_parts, self.scale_offer, self.options.error)
+        self.preview = PreviewRow(self.doc, self.calculate_button, self.preview_passes)
+        head = (self.preview, self.summary, self.shown_parts, self.scale_offer, self.options.error)
         return PanelWidget(title, head, self.options.widget)
 
+    def preview_passes(self) -> bool:
+        """Lay the passes of what the form says, draw them and say what they come to; whether that went well. The document stays
+        as it is, and what is computed there too."""
+        from freecad_fiveaxis import app
+
+        self.preview.clear()
+        if not self.options.check():
+            return False
+        said = self.options.said()
+        base = (self.base, self.faces) if self.obj is None else self.obj
+        try:
+            with waiting(translate("FiveAxis", "Preview passes")):
+                found = app.preview_passes(base, **said)
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._tell(error)
+            return False
+        self.preview.show_passes(found, said["work_zero"])
+        return True
+
+    def _close(self) -> None:
+        self.preview.clear()
+        super()._close()
+
     def _edited(self) -> None:
+        self.preview.clear()
+        for name in PLACES:
+            self.options.fields[name].follow_zero()
         self._follow_tool_axis()
         super()._edited()
         self.scale_offer.show_for(None if self.stale else self.obj)
@@ -202,10 +238,11 @@ def preferred() -> dict[str, Any]:
 
 def edit(obj: Any) -> ToolpathPanel:
     """Open the panel for a Toolpath that is there."""
-    from freecad_fiveaxis.app import changes, tessellation
+    from freecad_fiveaxis.app import changes, guides, tessellation
 
     panel = ToolpathPanel(obj.Document, obj=obj)
     values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup, "fixtures": obj.Fixtures}
+    values["picked"] = guides.links_of(obj)
     mesh = _tessellation(obj)
     if mesh is not None:
         values |= {"linear_deflection": mesh.LinearDeflection.Value, "angular_deflection": mesh.AngularDeflection.Value}
@@ -214,8 +251,8 @@ def edit(obj: Any) -> ToolpathPanel:
     return show(panel)
 
 
-def _milled(part: Any) -> Any:
-    """Find the solid that a tessellation is of; of any other object itself, None where it was deleted."""
+def milled(part: Any) -> Any:
+    """Give the solid that a tessellation is of; of any other object itself, None where it was deleted."""
     base = getattr(part, "Base", None) if part is not None and is_mesh(part) else None
     return base[0] if base else part
 

@@ -45,11 +45,11 @@ def left_surface(mesh: Mesh, left: RestMaterial, scale: HeightScale) -> Any:
         whole = facet_heights(left, len(mesh.face), scale.tolerance, scale.allowed)
         rows = np.flatnonzero(~np.isnan(whole))
         corner, height = mesh.vertex[mesh.face[rows]], whole[rows]
-    look = (nodes.unpickable(), nodes.flat(), _outside_only(), nodes.nearer(NEARER))
-    return nodes.separate(*look, _faces(corner, height_colours(height, scale)))
+    look = (nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER))
+    return nodes.separate(*look, shaded_faces(corner, height_colours(height, scale)))
 
 
-def _faces(corner: Floats, rgb: Floats) -> Any:
+def shaded_faces(corner: Floats, rgb: Floats) -> Any:
     """Triangles ``corner`` (k, 3, 3), each in one colour ``rgb`` (k, 3), somewhat darker where it looks away from the light.
 
     The view's own light would shade the colours until nobody finds them in the legend.
@@ -64,7 +64,7 @@ def _faces(corner: Floats, rgb: Floats) -> Any:
     return faces
 
 
-def _outside_only() -> Any:
+def outside_only() -> Any:
     """Faces are seen from outside the part only: those of its far side would shine through thin walls."""
     hints = coin.SoShapeHints()
     hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID

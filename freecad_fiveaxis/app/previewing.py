@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The passes of settings that are not computed yet: laid by the core, kept by whoever asked. The document holds none of them.
+
+The mesh of the tool path is taken where it is that of the settings; any other one is made, and thrown away.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from freecad_fiveaxis.core.base.files import read_bytes
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.jobs import preview
+from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
+
+from . import convert, selection, tessellation, toolpath
+from .long_work import check_open, listening, run
+
+
+@dataclass(frozen=True)
+class Part:
+    """What is milled: the ``base`` and names of its ``faces``, without those to ``avoid``, meshed with the deflections ``linear``
+    mm and ``angular`` deg; ``mesh``: the object that may be its mesh already."""
+
+    base: Any
+    faces: Sequence[str] = ()
+    avoid: Sequence[str] = ()
+    linear: float = tessellation.LINEAR
+    angular: float = tessellation.ANGULAR
+    mesh: Any = None
+
+
+def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
+    """The part of a Toolpath with the settings that are of its mesh; without them as its mesh has them. Raises SelectionError."""
+    mesh = path.Mesh
+    if mesh is None:
+        raise toolpath.mesh_is_gone(path)
+    if not hasattr(mesh, "LinearDeflection"):
+        if settings.get("avoid"):
+            raise tessellation.no_names(mesh)
+        return Part(mesh)
+    base, faces = tessellation.chosen(mesh)
+    avoid, linear = settings.get("avoid"), settings.get("linear_deflection")
+    return Part(
+        base, faces, tessellation.avoided(mesh) if avoid is None else tuple(avoid),
+        mesh.LinearDeflection.Value if linear is None else linear,
+        settings.get("angular_deflection") or mesh.AngularDeflection.Value, mesh,
+    )  # fmt: skip
+
+
+def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[float]) -> preview.Preview:
+    """The passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises FiveAxisError, Cancelled."""
+    options = toolpath.with_strategies(convert.given_options(MILL, options))
+    settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
+    with listening() as listener:
+        facets, runs = _find_facets(part, work_zero, listener)
+        check_open(doc)
+
+        def work(told: Progress) -> preview.Preview:
+            stl = facets()
+            mesh = convert.mesh_of(stl, told)
+            return preview.preview_passes(settings, told, mesh, convert.facet_mask(stl, mesh, runs))
+
+        return run(work, listener, doc)
+
+
+def _find_facets(part: Part, work_zero: Sequence[float], progress: Progress) -> tuple[Callable[[], bytes], Sequence[int]]:
+    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those that are milled."""
+    if _is_meshed(part):
+        return convert.facets_of(part.mesh, work_zero).stl, tuple(part.mesh.FacetRuns)
+    if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):
+        return convert.facets_of(part.base, work_zero).stl, tuple(getattr(part.base, "FacetRuns", ()))
+    progress("tessellate", 0.0)
+    mesh, runs = tessellation.meshed(part.base, part.faces, part.linear, part.angular, progress, part.avoid)
+    mesh.Placement = convert.moved_to_zero(mesh.Placement, work_zero)
+    with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream
+        path = os.path.join(folder, "part.stl")
+        mesh.write(path)
+        stl = read_bytes(path, "part")
+    return lambda: stl, runs
+
+
+def _is_meshed(part: Part) -> bool:
+    """Whether the mesh object is that of the part as it is now."""
+    mesh = part.mesh
+    if mesh is None or mesh.State != ["Up-to-date"] or mesh.MadeOf != tessellation.made_of(mesh):
+        return False
+    known = (mesh.LinearDeflection.Value, mesh.AngularDeflection.Value, tessellation.avoided(mesh))
+    return known == (part.linear, part.angular, tuple(part.avoid))

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The passes of the settings, laid without anything that comes after them: no tool axes, gouge cure, links, joints and NC.
+
+They are those of :func:`.milling.mill` but for what these later stages leave out or trim: places under which the cutter does not
+fit, and where axes are chosen freely those that no axis gets to, which is not looked at here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.errors import ReachError
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path
+from freecad_fiveaxis.core.collision.fixtures import box_with
+from freecad_fiveaxis.core.corrections.find_frames import find_frames
+from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy
+
+from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
+from .context import MillContext
+from .fewer_axes import keeps_its_axis, suit_tool_axis
+from .job import chosen_faces
+from .milling import closed, find_standing, laid
+from .options import machine_of, reacher_of
+from .over_table import AUTO, largest_axis_angle
+from .settings import FRAMES, Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Preview:
+    """``point`` (n, 3) mm, work frame, of the lines ``polyline`` (n,) that the cutter touches the part along, one row after the
+    other; ``pass_`` (n,) that each is of; ``feed`` mm/min. ``findings``: what stays uncut, and how the facets were chosen."""
+
+    point: Floats
+    polyline: Ints
+    pass_: Ints
+    feed: float
+    findings: tuple[Finding, ...] = ()
+
+    def __post_init__(self) -> None:
+        freeze(self, None, point="f3", polyline="i", pass_="i")
+
+    @property
+    def passes(self) -> int:
+        """How many passes there are."""
+        return len(np.unique(self.pass_))
+
+    @property
+    def length(self) -> float:
+        """Length of all lines, mm; links are not among them."""
+        step = np.linalg.norm(np.diff(self.point, axis=0), axis=1)
+        return float(step[np.diff(self.polyline) == 0].sum())
+
+    @property
+    def time(self) -> float:
+        """How long cutting alone takes at the feed, s."""
+        return 60.0 * self.length / self.feed
+
+    @property
+    def sizes(self) -> Ints:
+        """How many rows (k,) each line has."""
+        return np.diff(np.flatnonzero(np.diff(self.polyline, prepend=-1, append=-1)))
+
+
+def preview_passes(
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
+) -> Preview:
+    """Lay the passes of the settings, and nothing more. ``mesh``: what to mill, where it is at hand and ``settings.source`` only
+    its name; ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for what cannot be used."""
+    settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
+    find_pass_strategy(settings.passes.passes)
+    mesh = read_stl(settings.source, progress) if mesh is None else mesh
+    faces, said = chosen_faces(settings, mesh, faces, progress)
+    context, left_out = _context(settings, mesh, faces, progress)
+    contact, untouched, _ = laid(context)
+    columns = _cut_rows(contact, context.keep) if context.boundary is None else _within_boundary(context, contact)
+    found = (*said, *left_out, *untouched, *contact.findings)
+    return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found)
+
+
+def _context(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> tuple[MillContext, tuple[Finding, ...]]:
+    """As :func:`.milling.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
+    machine, kinematics, dialect = machine_of(settings)
+    boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
+    inside, said = facets_inside(settings, boundary, mesh, faces)
+    chosen, frames = faces if boundary is None else inside, None
+    if settings.tool_axis.tool_axis == AUTO:
+        asked = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
+        keep, left_out = asked & facets_under_axes(mesh, most), tuple[Finding, ...]()
+        if settings.passes.passes == FRAMES:  # they are what the passes lie in
+            reacher = reacher_of(settings, machine, kinematics, mesh)
+            frames, keep, left_out = find_frames(mesh, asked, reacher, most, int(settings.passes.frames), progress)
+    else:
+        followed = None if keeps_its_axis(settings, machine) else kinematics
+        keep, left_out = facets_within_limits(mesh, followed, most, chosen)
+    if not keep.any():
+        raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
+    box = box_with(mesh.box, ())
+    made = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary)
+    return replace(made, frames=frames), (*said, *left_out)
+
+
+Columns = tuple[Floats, Ints, Ints]
+"""Points (n, 3) mm, lines (n,) and passes (n,)."""
+
+
+def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
+    """The rows on facets that are cut; a line ends where others lie between."""
+    rows = np.flatnonzero(keep[contact.face])
+    segment, line = contact.segment[rows], contact.polyline[rows]
+    begins = (np.diff(line, prepend=-1) != 0) | (np.diff(segment, prepend=-1) > 1)
+    return contact.point[rows], np.cumsum(begins) - 1, contact.pass_[rows]
+
+
+def _within_boundary(context: MillContext, contact: ContactPath) -> Columns:
+    """The rows within the boundary; the centre of a cutter that is no ball is taken as over the surface's normal."""
+    offset = bounded(context, closed(context, contact))
+    cutter = context.settings.cutter
+    if context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:
+        sat, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
+        offset, _ = bounded_by_hub(context, sat, axis)
+    return offset.point, offset.polyline, offset.pass_
+
+
+def _without_doubles(point: Floats, line: Ints, pass_: Ints) -> Columns:
+    """Without rows at the place of the one before, as where a facet's exit is the next one's entry."""
+    same = (np.diff(line, prepend=-1) == 0) & (np.diff(point, axis=0, prepend=point[:1]) == 0.0).all(axis=1)
+    return point[~same], line[~same], pass_[~same]

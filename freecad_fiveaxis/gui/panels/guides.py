@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields of what leads passes: typed, or picked in the 3D view and then named by the object that it is of.
+
+A field that is picked gives the numbers that the pick has now; whoever edits these lets go of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from freecad_fiveaxis.app.labels import option_hint
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
+
+from .fields import Field, TextField, width_of
+from .picking import Pick
+from .triple import LAST, TripleField
+
+Zero = Callable[[], Sequence[float]]
+"""Gives the work zero, mm, document."""
+Link = tuple[Any, str]
+"""An object and the name of an element of it."""
+
+
+class ElementPick(Pick):
+    """Waits for one vertex, edge or face; ``found`` gets the object and the element's name."""
+
+    def addSelection(self, doc: str, name: str, element: str, _spot: Any) -> None:
+        """FreeCAD calls this when something is selected."""
+        from freecad_fiveaxis.app.selection import leaf_of
+
+        if self.running and element:  # an empty element: chosen in the tree
+            obj = FreeCAD.getDocument(doc).getObject(name)
+            link = leaf_of(obj, element), element.rsplit(".", 1)[-1]
+            later(lambda: self._take(link))
+
+
+class Picker(QtCore.QObject):
+    """The button beside a field, and the link that was picked with it. ``show`` gets what the link says now, as the option."""
+
+    def __init__(self, field: Field, zero: Zero, wanted: str, show: Callable[[Any], None]) -> None:
+        super().__init__()
+        self.field, self.zero, self.show = field, zero, show
+        self.link: Link | None = None
+        self.seen_from: tuple[float, ...] = ()
+        self.named = QtWidgets.QLabel()
+        self.named.setObjectName(field.name + "_picked")
+        self.named.setWordWrap(True)
+        self.named.hide()
+        self.button = QtWidgets.QToolButton()
+        self.button.setObjectName(field.name + "_pick")
+        self.button.setText(translate("FiveAxis", "Pick"))
+        self.button.setToolTip(wanted)
+        self.button.setCheckable(True)
+        self.button.clicked.connect(self._pressed)
+        self.pick = ElementPick(self.found, lambda: self.button.setChecked(False))
+
+    def _pressed(self, down: bool) -> None:
+        if down:
+            self.pick.start()
+        else:
+            self.pick.stop()
+
+    def found(self, link: Link) -> None:
+        """Take a link that the user has picked; say what is needed where it is none that can be used."""
+        from freecad_fiveaxis.app import wording
+        from freecad_fiveaxis.core.base.errors import FiveAxisError
+
+        try:
+            self.take(link)
+        except FiveAxisError as error:
+            self.field.show_error(wording.told(error))
+            return
+        FreeCADGui.Selection.addSelection(link[0].Document.Name, link[0].Name, link[1])  # it lights up
+        self.field.edited.emit()
+
+    def take(self, link: Link | None) -> None:
+        """Show a link and what it says; None: there is none. Raises FiveAxisError for what cannot be used."""
+        from freecad_fiveaxis.app import guides, wording
+
+        if link is not None:
+            self.seen_from = tuple(self.zero())
+            self.show(guides.options_of({self.field.name: link}, self.zero())[self.field.name])
+        self.link = link
+        self.named.setText(wording.told(guides.name_of(link)) if link else "")
+        self.named.setVisible(link is not None)
+
+    def let_go(self) -> None:
+        """The numbers were edited: they are the user's own from now on."""
+        if self.link is not None:
+            self.take(None)
+
+
+def show_link(picker: Picker, link: Link | None) -> None:
+    """Show a link that is kept already; one that is gone stays, and its field says so."""
+    from freecad_fiveaxis.app import wording
+    from freecad_fiveaxis.core.base.errors import FiveAxisError
+
+    try:
+        picker.take(link)
+    except FiveAxisError as error:
+        picker.link = link
+        picker.named.setText(wording.told(error))
+        picker.named.show()
+
+
+class PlaceField(TextField):
+    """A place: a word, X,Y,Z about the work zero, or what is picked; as the centre of radial passes a circle or a sphere too."""
+
+    def __init__(self, name: str, zero: Zero) -> None:
+        super().__init__(name, _hint(name))
+        wanted = translate("FiveAxis", "Then click a vertex in the 3D view; Esc stops it")
+        if name == "pass_centre":
+            wanted = translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
+        self.picker = Picker(self, zero, wanted, self._show)
+        self.pick, self.browse, self.line = self.picker.pick, self.picker.button, self.editor
+        self.editor.textEdited.connect(lambda *_: self.picker.let_go())
+        self.editor = _with(self.line, self.picker.named, self.name)
+
+    @property
+    def link(self) -> Link | None:
+        """What was picked."""
+        return self.picker.link
+
+    def focus_widget(self) -> Any:
+        """The line."""
+        return self.line
+
+    def room(self) -> int:
+        """The name of what is picked may be long."""
+        return width_of(self.line, "0" * 12)
+
+    def value(self) -> str:
+        """The text."""
+        return str(self.line.text()).strip()
+
+    def show_value(self, value: str | None) -> None:
+        """The text, as typed."""
+        self.picker.let_go()
+        self._show(value)
+
+    def show_link(self, link: Link | None) -> None:
+        """A link, or none."""
+        show_link(self.picker, link)
+
+    def follow_zero(self) -> None:
+        """Show the picked place about a work zero that was changed."""
+        if self.link is not None and tuple(self.picker.zero()) != self.picker.seen_from:
+            show_link(self.picker, self.link)
+
+    def _show(self, value: str | None) -> None:
+        self.line.setText(value or "")
+
+
+class AxisField(TripleField):
+    """The axis of radial passes: a direction, or an edge or round face that has one."""
+
+    def __init__(self, zero: Zero) -> None:
+        super().__init__("pass_axis", "vector", _hint("pass_axis"))
+        wanted = translate(
+            "FiveAxis", "Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it"
+        )
+        self.picker = Picker(self, zero, wanted, self._show)
+        self.pick = self.picker.pick
+        self.row.addWidget(self.picker.button, LAST, 0)
+        self.row.addWidget(self.picker.named, LAST, 1, 1, 2)
+        self.showing = False
+
+    @property
+    def link(self) -> Link | None:
+        """What was picked."""
+        return self.picker.link
+
+    def show_value(self, value: Sequence[float] | None) -> None:
+        """Three numbers, as typed."""
+        if hasattr(self, "picker"):
+            self.picker.let_go()
+        self._show(value)
+
+    def show_link(self, link: Link | None) -> None:
+        """A link, or none."""
+        show_link(self.picker, link)
+
+    def _show(self, value: Sequence[float] | None) -> None:
+        self.showing = True
+        super().show_value(value)
+        self.showing = False
+
+    def _changed(self, *_: Any) -> None:
+        if not self.showing:
+            self.picker.let_go()
+            super()._changed()
+
+
+def _with(line: Any, named: Any, name: str) -> Any:
+    """An editor with a line of words below it."""
+    whole = QtWidgets.QWidget()
+    whole.setObjectName(name + "_whole")
+    column = QtWidgets.QVBoxLayout(whole)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(2)
+    column.addWidget(line)
+    column.addWidget(named)
+    return whole
+
+
+def _hint(name: str) -> str:
+    from freecad_fiveaxis.app.properties import shown_options
+
+    return option_hint(next(leaf for _, leaf in shown_options("mill") if leaf.name == name))

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The reach map on the document side: the numbers of the command line, areas in closed form, and it follows its part."""
+
+import json
+import math
+
+import FreeCAD
+import numpy as np
+import Part
+import pytest
+
+from freecad_fiveaxis import app
+from freecad_fiveaxis.app import reach, results
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.collision.obstacles import Obstacle
+from freecad_fiveaxis.core.studies import reach_map as module
+
+TOOL = {"machine": "trunnion_ac", "cutter": "ball:6:20", "holder": "40x30", "tolerance": 0.02}
+
+pytestmark = pytest.mark.usefixtures("kept")
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    monkeypatch.setattr(module, "PLACES", 80)
+
+
+def slot_shape(length=160.0):
+    """A block 60 mm wide and 40 high with a slot 14 wide and 30 deep down its middle, open at both ends."""
+    profile = [(-30, 0), (30, 0), (30, 40), (7, 40), (7, 10), (-7, 10), (-7, 40), (-30, 40), (-30, 0)]
+    return Part.Face(Part.makePolygon([(x, 0, z) for x, z in profile])).extrude(FreeCAD.Vector(0, length, 0))
+
+
+@pytest.fixture
+def slot(doc):
+    obj = doc.addObject("Part::Feature", "Slot")
+    obj.Shape = slot_shape()
+    doc.recompute()
+    return obj
+
+
+def floor(obj):
+    """The object, and the name of its face at z = 10, the slot's floor."""
+    (name,) = [f"Face{at}" for at, face in enumerate(obj.Shape.Faces, 1) if abs(face.CenterOfMass.z - 10.0) < 1e-6]
+    return obj, [name]
+
+
+def test_the_holder_keeps_the_tool_from_the_floor_of_a_slot_that_is_narrower_than_it(doc, slot):
+    """A tool that sticks out 20 mm does not get to the floor 30 mm deep below a holder of 40 mm, save beside the open ends, where
+    it leans out; and near the walls not even the ball does."""
+    made = app.reach_map(floor(slot), **TOOL)
+    whole = 14.0 * 160.0
+    assert made.WholeArea.Value == pytest.approx(whole)
+    held, tight = made.HolderInTheWay.Value, made.TighterThanCutter.Value
+    ends = 2 * 14.0 * 25.0
+    assert whole - ends - 2 * 3.5 * 160.0 < held <= whole - 2 * 2.0 * 160.0 + 1.0
+    assert tight == pytest.approx(2 * 3.0 * 160.0, rel=0.4) and made.ReachableArea.Value + held + tight == pytest.approx(whole)
+    assert made.StickOut.Value == 30.0 - 20.0 and made.StickOutArea.Value >= reach.ENOUGH * held
+    assert "stick out 10 mm farther and it reaches" in made.Advice and "mm²" in made.Advice
+    assert "holder in the way" in made.Verdict and made.ReachableShare == pytest.approx(100 * made.ReachableArea.Value / whole)
+    assert made.State == ["Up-to-date"] and made.UpToDate and not reach.out_of_date(made)
+
+
+def test_the_stick_out_that_is_named_frees_nine_tenths_of_what_the_holder_held(slot):
+    made = app.reach_map(floor(slot), **TOOL)
+    held = made.HolderInTheWay.Value
+    longer = app.reach_map(made.Mesh, **TOOL, shank=f"6x{made.StickOut.Value}")
+    assert longer.HolderInTheWay.Value <= (1.0 - reach.ENOUGH) * held + 1.0
+    shorter = app.reach_map(made.Mesh, **TOOL, shank="6x5")
+    assert shorter.HolderInTheWay.Value > (1.0 - reach.ENOUGH) * held
+
+
+def test_the_numbers_are_those_of_the_command_line(slot, tmp_path):
+    file, report = tmp_path / "slot.stl", tmp_path / "reach.json"
+    mesh = app.tessellate(slot, file)
+    made = app.reach_map(mesh, **TOOL)
+    assert cli.main(["reach", str(file), "--machine", "trunnion_ac", "--cutter", "ball:6:20", "--holder", "40x30", "--tolerance",
+                     "0.02", "--report", str(report), "--quiet"]) == 0  # fmt: skip
+    told = json.loads(report.read_text(encoding="utf-8"))["summary"]
+    assert made.WholeArea.Value == told["area"] and made.ReachableArea.Value == told["reachable_area"]
+    assert made.ReachableShare == pytest.approx(100.0 * told["reachable_share"], rel=1e-12)
+    keys = {"TighterThanCutter": "tighter_than_cutter", "BeyondMachine": "beyond_machine", "BelowTable": "below_table",
+            "ShankInTheWay": "shank", "HolderInTheWay": "holder"}  # fmt: skip
+    assert {name: getattr(made, name).Value for name in keys} == {name: told["by_reason"][key] for name, key in keys.items()}
+    assert {"longer": made.StickOut.Value, "area": made.StickOutArea.Value} in told["stick_out"]
+    other = app.reach_map(mesh, **{**TOOL, "cutter": "ball:6:30"})
+    assert other.HolderInTheWay.Value != told["by_reason"]["holder"], "another tool has other numbers"
+
+
+def test_a_toolpath_gives_its_machine_tool_part_and_fixtures(doc, slot):
+    clamp = doc.addObject("Part::Box", "Clamp")
+    clamp.Length, clamp.Width, clamp.Height = 14, 20, 25
+    clamp.Placement.Base = FreeCAD.Vector(-7, 70, 10)
+    doc.recompute()
+    settings = {"machine": "trunnion_bc", "cutter": "ball:6:60", "holder": "30x30", "work_zero": (1, 2, 3)}
+    path = app.create_toolpath(doc, floor(slot), **settings, passes="planes", stepover=6, gouge="off", linearize="off")
+    free = app.reach_map(path)
+    assert (free.Machine, free.Holder, free.CutterLength.Value, tuple(free.WorkZero)) == ("trunnion_bc", "30x30", 60, (1, 2, 3))
+    assert free.Mesh is path.Mesh and free.WholeArea.Value == pytest.approx(14.0 * 160.0)
+    path.Fixtures = [clamp]
+    held = app.reach_map(path)
+    assert held.Fixtures == [clamp]
+    lost = free.ReachableArea.Value - held.ReachableArea.Value
+    assert lost >= 8.0 * 20.0, "the floor below the clamp, but for what is beside the walls"
+
+
+def test_an_axis_that_may_lean_less_reaches_less(slot):
+    sides = [f"Face{at}" for at, face in enumerate(slot.Shape.Faces, 1) if abs(abs(face.CenterOfMass.x) - 30.0) < 1e-6]
+    mesh = app.tessellate(slot, faces=sides)
+    tool = {"machine": "trunnion_ac", "cutter": "ball:6:60", "table_height": -1000}
+    assert app.reach_map(mesh, **tool).ReachableShare > 99.0
+    upright = app.reach_map(mesh, **tool, largest_axis_angle=5)
+    assert upright.ReachableArea.Value == 0.0 and upright.BeyondMachine.Value == pytest.approx(2 * 40.0 * 160.0)
+    found = reach.found_of(app.reach_map(mesh, **tool, largest_axis_angle=60))
+    _, axis = reach.axis_field(found)
+    assert len(axis) and (axis[:, 2] >= math.cos(math.radians(60.0)) - 1e-9).all()
+    for wrong in (0, 200):
+        with pytest.raises(FiveAxisError, match="largest axis angle"):
+            app.reach_map(mesh, **tool, largest_axis_angle=wrong)
+
+
+def test_the_map_follows_its_part_and_says_when_it_is_old(doc, slot):
+    made = app.reach_map(slot, **TOOL)
+    before = made.HolderInTheWay.Value
+    made.Holder = ""
+    assert "recompute" in reach.out_of_date(made)
+    doc.recompute()
+    assert not reach.out_of_date(made) and made.HolderInTheWay.Value == 0.0 < before and "stick out" not in made.Advice
+    slot.Shape = slot_shape(80.0)
+    doc.recompute()
+    assert made.UpToDate and made.WholeArea.Value == pytest.approx(slot.Shape.Area, rel=1e-5)
+
+
+def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_asked(slot, reopen):
+    made = app.reach_map(floor(slot), **TOOL, work_zero=(1, 2, 3), largest_axis_angle=120)
+    kept = {name: made.getPropertyByName(name) for name in ("Verdict", "Advice", "UpToDate", "Fingerprint", "LargestAxisAngle")}
+    areas = {name: getattr(made, name).Value for name in reach.AREAS.values()}
+    places = reach.found_of(made).chart.obstacle
+    made = reopen(slot.Document).ReachMap
+    assert made.Proxy.last is None and {name: made.getPropertyByName(name) for name in kept} == kept
+    assert {name: getattr(made, name).Value for name in areas} == pytest.approx(areas, rel=1e-12)
+    assert reach.out_of_date(made) == ""
+    np.testing.assert_array_equal(reach.found_of(made).chart.obstacle, places)
+
+
+def test_a_deleted_solid_and_a_deleted_mesh_are_told(doc, slot):
+    made = app.reach_map(floor(slot), **TOOL)
+    doc.removeObject("Slot")
+    assert "was deleted" in reach.out_of_date(made)
+    doc.recompute()
+    assert not made.UpToDate or "Invalid" in made.Mesh.State
+    doc.removeObject(made.Mesh.Name)
+    doc.recompute()
+    assert "Invalid" in made.State and "was deleted" in made.getStatusString() and not made.UpToDate
+
+
+def test_what_cannot_be_leaves_nothing_behind(doc, slot):
+    names = [one.Name for one in doc.Objects]
+    wrong = ({"cutter": "ball:-6"}, {"machine": "no_such"}, {"wings": 2}, {"fixtures": [slot]}, {"holder": "40"})
+    for settings in wrong:
+        with pytest.raises(FiveAxisError):
+            app.reach_map(slot, **{**TOOL, **settings})
+        assert [one.Name for one in doc.Objects] == names, settings
+    for nothing in (None, "Slot", doc.addObject("App::FeaturePython", "Other")):
+        with pytest.raises(FiveAxisError, match="select a solid"):
+            app.reach_map(nothing, **TOOL)
+    doc.removeObject("Other")
+
+    def stop(stage, fraction):
+        if stage == "reach":
+            raise Cancelled("stopped")
+
+    from freecad_fiveaxis.app.long_work import reporting
+
+    with pytest.raises(Cancelled), reporting(stop):
+        app.reach_map(slot, **TOOL)
+    assert [one.Name for one in doc.Objects] == names
+
+
+def test_the_places_of_the_picture_are_those_of_the_map(slot):
+    from freecad_fiveaxis.core.collision.rest_material import surface_parts
+
+    found = reach.found_of(app.reach_map(floor(slot), **TOOL))
+    corner, _ = surface_parts(found.mesh, found.chart.spacing, reach.chosen_facets(found))
+    np.testing.assert_allclose(corner.mean(axis=1), found.chart.point)
+    held = found.chart.point[found.chart.obstacle == Obstacle.HOLDER]
+    assert np.isclose(held[:, 2], 10.0).all() and (np.abs(held[:, 0]) < 7.0 - 2.0).all()
+    assert results.out_of_date(found and slot.Document.ReachMap) == ""
