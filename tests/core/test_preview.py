@@ -25,6 +25,7 @@ WAYS = [
     {"passes": "morph", "scallop": 0.05},
     {"passes": "scallop", "scallop": 0.05, "steep_shallow": 20},
     {"passes": "frames", "scallop": 0.05, "tool_axis": "auto"},
+    {"passes": "rotary", "scallop": 0.05, "tool_axis": "from_axis", "pass_axis": (1, 0, 0), "pass_centre": "10,10,-5"},
 ]
 
 
