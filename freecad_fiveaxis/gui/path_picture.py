@@ -104,10 +104,10 @@ class Picture:
         goes with the markers: one switch leaves the plain path."""
         for name, prop in SWITCHES.items():
             self.nodes.turn(name, getattr(self.vobj, prop))
-        markers = markers_of(self.obj)
-        marked = self.vobj.ShowMarkers if markers is None else markers.ViewObject.Visibility
-        self.nodes.turn("marks", markers is None and marked)
-        self.nodes.turn("label", markers is None and marked and self.vobj.ShowLabel)
+        theirs = _markers_shown(markers_of(self.obj))
+        marked = self.vobj.ShowMarkers if theirs is None else theirs
+        self.nodes.turn("marks", theirs is None and marked)
+        self.nodes.turn("label", theirs is None and marked and self.vobj.ShowLabel)
         self.nodes.turn("curves", marked and self.vobj.ShowCurves)
 
     def _write(self) -> None:
@@ -138,3 +138,13 @@ class Picture:
             deviation, line = float(self.figures.judged.segment[row]), int(self.figures.program.line[row])
         told = labels.Told(deviation, line, self.figures.tolerance, rgb(self.vobj.ColourGood), rgb(self.vobj.ColourBad))
         return labels.of_marks([mark.place for mark in marks], [mark.kind for mark in marks], values, told)
+
+
+def _markers_shown(markers: Any) -> bool | None:
+    """Whether a path's Markers object is shown; None where there is none, or none any more: undo keeps what it takes away."""
+    if markers is None:
+        return None
+    try:
+        return bool(markers.ViewObject.Visibility)
+    except RuntimeError:
+        return None

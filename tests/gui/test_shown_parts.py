@@ -85,6 +85,21 @@ def test_the_switch_of_the_markers_is_that_of_the_markers_object_where_there_is_
     assert shown_parts.is_shown(path, "ShowMarkers") and path.ViewObject.ShowMarkers
 
 
+def test_where_markers_are_undone_and_redone_the_path_is_drawn_as_before(path, pump):
+    """Undo keeps the object that it takes away, with a view that is gone."""
+    doc = path.Document
+    doc.openTransaction("Annotate")
+    app.annotate(path)
+    doc.commitTransaction()
+    pump(300)
+    for step in (doc.undo, doc.redo, doc.undo):
+        step()
+        drawn(path).refresh()
+        pump(300)
+        drawn(path).refresh()
+    assert shown_parts.is_shown(path, "ShowMarkers")
+
+
 @pytest.mark.parametrize("with_object", [False, True])
 def test_label_and_curves_of_the_worst_blocks_go_with_the_markers_and_come_back(
     with_object, path, doc, field, click, until, screenshot

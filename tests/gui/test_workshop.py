@@ -268,8 +268,8 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     assert doc.UndoCount == 0 or "Prove" not in str(doc.UndoNames)
 
 
-def test_a_machine_is_imported_with_its_findings(empty, folder, press, field, type_into, click, until, panel_button, screenshot,
-                                                 tmp_path, pump, panel_closed):  # fmt: skip
+def test_a_machine_is_imported_with_its_findings(empty, whole_screen, folder, press, field, type_into, click, until, panel_button,
+                                                 screenshot, tmp_path, pump, panel_closed):  # fmt: skip
     source = tmp_path / "theirs.fcm"
     data = json.loads((ROOT / "resources" / "machines" / "trunnion_ac.fcm").read_text(encoding="utf-8"))
     data.pop("fiveaxis", None)

@@ -198,7 +198,9 @@ class AxisField(TripleField):
 def _with(line: Any, named: Any, name: str) -> Any:
     """An editor with a line of words below it."""
     whole = QtWidgets.QWidget()
-    whole.setObjectName(name + "_whole")
+    whole.setObjectName(name)
+    whole.setAccessibleName(line.accessibleName())
+    line.setObjectName(name + "_line")
     column = QtWidgets.QVBoxLayout(whole)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(2)
