@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
 
 from . import compared, convert, results
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
 from .schema import Proxy, is_restored
 from .selection import SelectionError
@@ -69,7 +69,7 @@ class Audit(Proxy):
         if self.whole and name == PART.name and obj.Part is not None and not is_restored(obj):
             obj.PartLabel = obj.Part.Label
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.tool import kind_of
 
 from . import results
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -47,7 +47,7 @@ class Preview(Proxy):
         """Those of this kind of object."""
         return PROPERTIES
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """Draw the toolpath as it is now. Raises the core's errors where it cannot be computed."""
         if obj.Toolpath is None:

@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.tool import cutter_text, parse_cutter
 
 from . import cam, convert, tool_bit, wording
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, WORK_ZERO, Property, property_name, setting_properties
 from .schema import Proxy, is_restored
 
@@ -52,7 +52,7 @@ class JobSetup(Proxy):
             for path in paths_of(obj):
                 copy_shared(obj, path, (name,))
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """Nothing is computed."""
 

@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.report import Figures
 
 from . import results, wording
 from .long_work import listening, run, take_back
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -100,7 +100,7 @@ class LeftMap(Proxy):
         """The toolpath and the results."""
         return PROPERTIES
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         obj.UpToDate = False

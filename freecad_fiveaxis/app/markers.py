@@ -12,7 +12,7 @@ from freecad_fiveaxis.core import report
 from freecad_fiveaxis.core.base.sentences import Area, say
 from freecad_fiveaxis.core.collision import GOUGES
 
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property
 from .results import figures_of
 from .schema import Proxy
@@ -53,7 +53,7 @@ class Markers(Proxy):
         """The path, and place, kind, label, depth and area of each marker."""
         return PROPERTIES
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         if obj.Path is None:

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.files import check_writable, read_bytes, write_a
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import results, wording
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, RESULT, Property
 from .schema import Proxy
 from .selection import SelectionError
@@ -53,7 +53,7 @@ class NCOutput(Proxy):
         """Those of this kind of object."""
         return PROPERTIES
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """See whether the file is still what the toolpath makes. Writes nothing."""
         obj.UpToDate = _is_up_to_date(obj)

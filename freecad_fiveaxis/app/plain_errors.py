@@ -40,7 +40,7 @@ class _Traceless:
             delattr(sys, LIMIT)
 
 
-def told_plainly(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None]:
+def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None]:
     """Decorator of a proxy's ``execute``: what was foreseen is raised as before, and printed without a trace."""
 
     @functools.wraps(execute)

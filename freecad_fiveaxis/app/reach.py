@@ -37,7 +37,7 @@ from . import compared, convert, results, selection, tessellation, wording
 from .arguments import names
 from .job_setup import DEFAULT_MACHINE
 from .long_work import listening, run, take_back
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import Property, setting_properties, shown_options
 from .reach_properties import ANY_ANGLE, PROPERTIES
 from .schema import Proxy
@@ -103,7 +103,7 @@ class ReachMap(Proxy):
         solids = [compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in check_fixtures(obj)]
         return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())), fixtures=tuple(solids))
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         obj.UpToDate = False

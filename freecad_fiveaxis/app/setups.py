@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict
 
 from . import changes, convert, wording
 from .long_work import is_open, run, take_back
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import (
     FINGERPRINT,
     QT_TRANSLATE_NOOP,
@@ -169,7 +169,7 @@ class SetupMap(Proxy):
         if name in OWN:
             self.wants_trials = True
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         if self.wants_trials or not obj.Fingerprint:

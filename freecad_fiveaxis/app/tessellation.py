@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
 
 from . import meshing, selection
 from .long_work import check_open, listening, take_back
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULT, Property
 from .schema import Proxy
 
@@ -93,7 +93,7 @@ class Tessellation(Proxy):
         if name in ("Base", "Avoid", "LinearDeflection", "AngularDeflection"):
             self.built = False
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         if not self.built:

@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
 
 from . import compared, convert, guides, job_setup, results
-from .plain_errors import told_plainly
+from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, setting_properties
 from .schema import Proxy
 from .selection import SelectionError, is_mesh
@@ -83,7 +83,7 @@ class Toolpath(Proxy):
         if name == job_setup.LINK.name:
             job_setup.follow(obj)
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj: Any) -> None:
         """FreeCAD recomputes the object."""
         results.execute(obj)

@@ -5,12 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.app import left, wording
-from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.app import left
 from freecad_fiveaxis.core.report.rest_material_map import HeightScale, height_scale
 
 from .qt import translate
@@ -19,7 +17,7 @@ from .scene.left_nodes import bar_marks, left_surface, scale_ramp
 from .scene.marks import GOUGE_COLOURS, OVERCUT
 from .scene.on_screen import Label, Labels, LegendBox
 from .scene.units import area_text, length_text
-from .waiting import waiting
+from .waiting import find_for_drawing
 
 MARK_DIGITS = 3
 
@@ -58,15 +56,7 @@ class LeftPicture:
         if known is not None:
             self.failed = ""
         elif self.vobj.Visibility and not self.failed:
-            try:
-                with waiting(translate("FiveAxis", "Draw {label}").format(label=self.obj.Label)) as listener:
-                    known = left.heights_of(self.obj, listener)
-            except Cancelled:
-                self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
-            except FiveAxisError as error:
-                self.failed = wording.told(error)
-                self.obj.touch()
-                FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+            known, self.failed = find_for_drawing(self.obj, left.heights_of)
         return known
 
     def _write(self) -> None:

@@ -5,20 +5,16 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
-
-from freecad_fiveaxis.app import results, wording
-from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.app import results
 from freecad_fiveaxis.core.report import Drawing, Figures, draw
 
 from . import findings_panel, redraw
-from .qt import translate
 from .scene import labels, words
 from .scene.on_screen import Label, LegendBox
 from .scene.path_nodes import Look, PathNodes
 from .view_properties import rgb
 from .view_providers import markers_of
-from .waiting import waiting
+from .waiting import find_for_drawing
 
 SWITCHES = {
     "cuts": "ShowCuts", "links": "ShowLinks", "rapids": "ShowRapids", "axes": "ShowAxes",
@@ -80,16 +76,8 @@ class Picture:
 
     def _compute(self) -> Any:
         """The result after the document was opened. Where that fails, the view and the object say why."""
-        text = translate("FiveAxis", "Draw {label}").format(label=self.obj.Label)
-        try:
-            with waiting(text) as listener:
-                results.figures_of(self.obj, listener)
-        except Cancelled:
-            self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
-        except FiveAxisError as error:
-            self.failed = wording.told(error)
-            self.obj.touch()
-            FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+        _, why = find_for_drawing(self.obj, results.figures_of)
+        self.failed = why or self.failed
         return self.obj.Proxy.last
 
     def _look(self) -> Look:
@@ -104,10 +92,10 @@ class Picture:
         goes with the markers: one switch leaves the plain path."""
         for name, prop in SWITCHES.items():
             self.nodes.turn(name, getattr(self.vobj, prop))
-        theirs = _markers_shown(markers_of(self.obj))
-        marked = self.vobj.ShowMarkers if theirs is None else theirs
-        self.nodes.turn("marks", theirs is None and marked)
-        self.nodes.turn("label", theirs is None and marked and self.vobj.ShowLabel)
+        markers = markers_of(self.obj)
+        marked = self.vobj.ShowMarkers if markers is None else markers.ViewObject.Visibility
+        self.nodes.turn("marks", markers is None and marked)
+        self.nodes.turn("label", markers is None and marked and self.vobj.ShowLabel)
         self.nodes.turn("curves", marked and self.vobj.ShowCurves)
 
     def _write(self) -> None:
@@ -138,13 +126,3 @@ class Picture:
             deviation, line = float(self.figures.judged.segment[row]), int(self.figures.program.line[row])
         told = labels.Told(deviation, line, self.figures.tolerance, rgb(self.vobj.ColourGood), rgb(self.vobj.ColourBad))
         return labels.of_marks([mark.place for mark in marks], [mark.kind for mark in marks], values, told)
-
-
-def _markers_shown(markers: Any) -> bool | None:
-    """Whether a path's Markers object is shown; None where there is none, or none any more: undo keeps what it takes away."""
-    if markers is None:
-        return None
-    try:
-        return bool(markers.ViewObject.Visibility)
-    except RuntimeError:
-        return None

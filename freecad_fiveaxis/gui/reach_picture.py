@@ -5,12 +5,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.app import reach, wording
-from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.app import reach
 from freecad_fiveaxis.core.collision.obstacles import Obstacle
 
 from .qt import translate
@@ -19,7 +17,7 @@ from .scene.on_screen import LegendBox
 from .scene.reach_nodes import COLOURS, SHARE, patches, reach_axes, reach_surface
 from .scene.units import area_text
 from .view_properties import rgb
-from .waiting import waiting
+from .waiting import find_for_drawing
 
 
 def reason_text(obstacle: Obstacle) -> str:
@@ -92,15 +90,7 @@ class ReachPicture:
         if known is not None:
             self.failed = ""
         elif self.vobj.Visibility and not self.failed:
-            try:
-                with waiting(translate("FiveAxis", "Draw {label}").format(label=self.obj.Label)) as listener:
-                    known = reach.found_of(self.obj, listener)
-            except Cancelled:
-                self.failed = translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
-            except FiveAxisError as error:
-                self.failed = wording.told(error)
-                self.obj.touch()
-                FreeCAD.Console.PrintError(f"{self.obj.Label}: {error}\n")
+            known, self.failed = find_for_drawing(self.obj, reach.found_of)
         return known
 
     def _legend(self) -> overlay.Legend:

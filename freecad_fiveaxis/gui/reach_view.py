@@ -8,10 +8,10 @@ from typing import Any
 import FreeCAD
 
 from . import redraw, view_properties
-from .view_providers import PictureView, kind_of
+from .view_providers import MapView, kind_of
 
 
-class ReachMapView(PictureView):
+class ReachMapView(MapView):
     """A reach map: the part's surface, coloured by what keeps the tool from it."""
 
     ROWS, SWITCHES = view_properties.REACH, ("ShowAxes", "ShowLegend", "FoldLegend")
@@ -55,25 +55,6 @@ class ReachMapView(PictureView):
     def look_again(self) -> None:
         """Something that the map depends on has changed."""
         redraw.soon(self)
-
-    def getElementPicked(self, point: Any) -> str:
-        """The parts of the surface have no names."""
-        return ""
-
-    def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """An entry that folds the legend."""
-        self.add_fold(menu)
-
-    def setEdit(self, vobj: Any, mode: int = 0) -> bool:
-        """Open the panel."""
-        if mode:
-            return False
-        self.doubleClicked(vobj)
-        return True
-
-    def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
-        """The panel closes itself."""
-        return True
 
     def doubleClicked(self, vobj: Any) -> bool:
         """Open the panel."""

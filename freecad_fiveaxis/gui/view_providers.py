@@ -37,8 +37,16 @@ def kind_of(obj: Any) -> str:
 
 
 def markers_of(path: Any) -> Any:
-    """The Markers object of a path, or None."""
-    return next((one for one in path.InList if kind_of(one) == "markers" and one.Path is path), None)
+    """The Markers object of a path, or None. One that undo took away may still be told to lead here, but has no name any more."""
+    return next((one for one in path.InList if kind_of(one) == "markers" and one.Path is path and _has_name(one)), None)
+
+
+def _has_name(obj: Any) -> bool:
+    """Whether an object is in its document."""
+    try:
+        return bool(obj.Name) and obj.ViewObject is not None
+    except RuntimeError:
+        return False
 
 
 class View:
@@ -322,19 +330,11 @@ class MarkersView(PictureView):
         return True
 
 
-class SetupMapView(PictureView):
-    """A map of setups: a point for each work zero tried, coloured by deviation, the recommended one with its value."""
-
-    ROWS = view_properties.SETUPS
-
-    def make_picture(self) -> Any:
-        """The map."""
-        from .setup_picture import SetupPicture
-
-        return SetupPicture(self.vobj)
+class MapView(PictureView):
+    """A map that has a panel of its own: it opens by a double click or *Edit*, and closes itself."""
 
     def getElementPicked(self, point: Any) -> str:
-        """The points have no names."""
+        """What is drawn has no names."""
         return ""
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
@@ -351,6 +351,18 @@ class SetupMapView(PictureView):
     def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
         """The panel closes itself."""
         return True
+
+
+class SetupMapView(MapView):
+    """A map of setups: a point for each work zero tried, coloured by deviation, the recommended one with its value."""
+
+    ROWS = view_properties.SETUPS
+
+    def make_picture(self) -> Any:
+        """The map."""
+        from .setup_picture import SetupPicture
+
+        return SetupPicture(self.vobj)
 
     def doubleClicked(self, vobj: Any) -> bool:
         """Open the panel."""

@@ -12,8 +12,9 @@ the mouse is pressed is asked for instead.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 import FreeCAD
 
@@ -145,6 +146,23 @@ def waiting(text: str) -> Iterator[Waiting]:
     finally:
         listener.stop()
         keys.give_back()
+
+
+def find_for_drawing(obj: Any, find: Callable[[Any, Waiting], Any]) -> tuple[Any, str]:
+    """Find what is to be drawn of an object, after its document was opened; or give None and why that failed, for the legend: the
+    object is touched then, and the report view says why too."""
+    from freecad_fiveaxis.app import wording
+    from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+
+    try:
+        with waiting(translate("FiveAxis", "Draw {label}").format(label=obj.Label)) as listener:
+            return find(obj, listener), ""
+    except Cancelled:
+        return None, translate("FiveAxis", "Not drawn, as you stopped it: recompute to draw it")
+    except FiveAxisError as error:
+        obj.touch()
+        FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
+        return None, wording.told(error)
 
 
 @contextmanager

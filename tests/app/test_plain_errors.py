@@ -8,7 +8,7 @@ import traceback
 import pytest
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app.plain_errors import told_plainly
+from freecad_fiveaxis.app.plain_errors import hide_trace
 from freecad_fiveaxis.app.selection import SelectionError
 
 
@@ -18,7 +18,7 @@ class Failing:
     def __init__(self, error):
         self.error = error
 
-    @told_plainly
+    @hide_trace
     def execute(self, obj):
         raise self.error
 

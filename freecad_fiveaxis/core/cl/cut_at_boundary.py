@@ -72,7 +72,7 @@ def cut_at_boundary(
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": columns["fill"] & ~begins}
     beside, wall = _still_beside(path, taken.taken(kept))
     cut = OffsetPath(**columns, beside=beside, wall=wall)
-    cut = replace(cut, findings=(*path.findings, _told(path, cut, boundary)))
+    cut = replace(cut, findings=(*path.findings, _report_cut(path, cut, boundary)))
     return cut, None if along is None else along[kept]
 
 
@@ -221,7 +221,7 @@ def _long(place: Floats, begins: Bools) -> Bools:
     return np.repeat(length > LEAST, np.diff(first, append=len(begins)))
 
 
-def _told(path: OffsetPath, cut: OffsetPath, boundary: Boundary) -> Finding:
+def _report_cut(path: OffsetPath, cut: OffsetPath, boundary: Boundary) -> Finding:
     """What of the passes is left."""
     left, whole = _length(cut), _length(path)
     text = say(

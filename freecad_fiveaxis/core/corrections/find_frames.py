@@ -77,7 +77,7 @@ def find_frames(
     frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
     elsewhere = np.zeros(len(free), np.bool_)
     elsewhere[rest] = looked.free.any(axis=1)
-    said = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _told(frames))
+    said = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _report_frames(frames))
     return frames, _facets_seen(frames, places, mesh, keep), said
 
 
@@ -192,7 +192,7 @@ def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: in
     return (Finding(Severity.WARNING, "outside-frames", text, lost, 0.0, "mm2", place=(x, y, z)),)
 
 
-def _told(frames: Frames) -> Finding:
+def _report_frames(frames: Frames) -> Finding:
     """How many frames there are, and their axes."""
     shown = "; ".join(",".join(f"{number:g}" for number in (np.round(axis, 3) + 0.0).tolist()) for axis in frames.axis)
     text = say("The part is cut in {count} frames, each with a tool axis of its own: {axes}.", count=len(frames.axis), axes=shown)

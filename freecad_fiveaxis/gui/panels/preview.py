@@ -41,7 +41,7 @@ class PreviewRow(QtWidgets.QWidget):
         if self.picture is None:
             self.picture = PreviewPicture(self.doc, self._forget_line)
         self.picture.show(found, origin)
-        self.line.setText(told(found))
+        self.line.setText(summarize(found))
         self.line.show()
 
     def clear(self) -> None:
@@ -55,7 +55,7 @@ class PreviewRow(QtWidgets.QWidget):
         self.line.hide()
 
 
-def told(found: Any) -> str:
+def summarize(found: Any) -> str:
     """What the passes of a Preview come to, in one line."""
     one = translate("FiveAxis", "1 pass, {length}, {time} of cutting at the feed, links not counted")
     many = translate("FiveAxis", "{count} passes, {length}, {time} of cutting at the feed, links not counted")
