@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Passes drawn before they are computed: the button, the lines in the view, the line of words, and when both go away again."""
 
+import time
+
 import FreeCADGui
 import Part
 import pytest
 
 from freecad_fiveaxis import app
+from freecad_fiveaxis.core.jobs import preview
 from freecad_fiveaxis.gui import preview_picture
 from freecad_fiveaxis.gui.panels import toolpath
+from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
 COARSE = {
     "passes": "planes", "cutter": "ball:6", "stepover": 2.0, "direction": 0.0, "max_axis_angle": 50.0, "feed": 600.0,
@@ -94,23 +98,25 @@ def test_what_cannot_be_laid_is_told_in_the_panel(panel, pump):
 
 
 def test_esc_stops_it_and_the_panel_stays(panel, monkeypatch, pump):
-    from freecad_fiveaxis.core.jobs import preview
-
     def endless(settings, progress, *_):
-        while True:
+        for _ in range(1000):
             progress("placing passes", 0.0)
+            time.sleep(0.05)
+        raise AssertionError("nobody stopped it")
 
     def escape():
-        box = next(
-            one for one in QtWidgets.QApplication.topLevelWidgets() if one.objectName() == "FiveAxisWaiting" and one.isVisible()
-        )
-        QtWidgets.QApplication.postEvent(box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
+        for box in QtWidgets.QApplication.topLevelWidgets():
+            if box.objectName() == "FiveAxisWaiting" and box.isVisible():
+                QtWidgets.QApplication.postEvent(
+                    box, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+                )
 
-    from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
-
+    timer = QtCore.QTimer()
+    timer.timeout.connect(escape)
     monkeypatch.setattr(preview, "preview_passes", endless)
-    QtCore.QTimer.singleShot(300, escape)
+    timer.start(300)
     assert not panel.preview_passes() and drawn(panel) == 0
+    timer.stop()
     monkeypatch.undo()
     assert panel.preview_passes() and FreeCADGui.Control.activeDialog()
     panel.reject()
