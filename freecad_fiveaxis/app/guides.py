@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What leads the passes, picked from the document: where they begin and end, the centre and the axis of radial ones.
+"""What guides the passes, picked from the document: where they begin and end, boundary, centre and axis.
 
 link      an object and the name of a vertex, edge or face of it. It is looked at anew whenever the path is computed, so that the
           passes follow the solid. An option that is linked counts no more by itself.
+curve     what an edge becomes, with the edges that go on from it smoothly; of a face its borders. Its chords are within CHORD.
 """
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
 import Part
 
+from freecad_fiveaxis.core.base.curve_text import END_OF_LINE
 from freecad_fiveaxis.core.base.sentences import Option, say
 
 from . import selection
@@ -23,11 +27,11 @@ Link = tuple[Any, str]
 LINKS = {
     "from_": Property(
         "PassesFromPicked", "App::PropertyLinkSubGlobal", "Passes",
-        QT_TRANSLATE_NOOP("App::Property", "The vertex where the passes begin; empty: as typed"),
+        QT_TRANSLATE_NOOP("App::Property", "The vertex or edge where the passes begin; empty: as typed"),
     ),
     "to": Property(
         "PassesToPicked", "App::PropertyLinkSubGlobal", "Passes",
-        QT_TRANSLATE_NOOP("App::Property", "The vertex where the passes end; empty: as typed"),
+        QT_TRANSLATE_NOOP("App::Property", "The vertex or edge where the passes end; empty: as typed"),
     ),
     "pass_centre": Property(
         "PassCentrePicked", "App::PropertyLinkSubGlobal", "Passes",
@@ -37,9 +41,17 @@ LINKS = {
         "PassAxisPicked", "App::PropertyLinkSubGlobal", "Passes",
         QT_TRANSLATE_NOOP("App::Property", "The edge or round face whose axis the radial passes have; empty: as typed"),
     ),
+    "boundary": Property(
+        "BoundaryPicked", "App::PropertyLinkSubGlobal", "Passes",
+        QT_TRANSLATE_NOOP("App::Property", "The face, or the closed edges, at which the passes end; empty: as typed"),
+    ),
 }  # fmt: skip
 PLACES = 12
 """Digits of a picked length or direction."""
+CHORD = 0.002
+"""mm that the chords of a picked curve may be off it."""
+SMOOTH = 1.0
+"""deg; edges that meet at less go on from one another."""
 
 
 def links_of(obj: Any) -> dict[str, Link]:
@@ -61,10 +73,15 @@ def options_of(links: Mapping[str, Link], work_zero: Sequence[float]) -> dict[st
     found: dict[str, Any] = {}
     for option, (obj, name) in links.items():
         read = _READERS[option](obj, name)
-        if option != "pass_axis":
-            read = ",".join(f"{at - zero:.{PLACES}g}" for at, zero in zip(read, work_zero, strict=True))
-        found[option] = read
+        found[option] = read if option == "pass_axis" else _text_of(read, work_zero)
     return found
+
+
+def _text_of(curves: list[list[Any]], zero: Sequence[float]) -> str:
+    """Curves of points as an option has them: one point, or lines, about the ``zero``."""
+    lines = [[[at - off for at, off in zip(point, zero, strict=True)] for point in one] for one in curves]
+    text = [[",".join(f"{at:.{PLACES}g}" for at in point) for point in one] for one in lines]
+    return (END_OF_LINE + END_OF_LINE).join(END_OF_LINE.join(one) for one in text)
 
 
 def name_of(link: Link) -> str:
@@ -72,11 +89,18 @@ def name_of(link: Link) -> str:
     return say("{name} of {label}", name=link[1], label=link[0].Label)
 
 
-def _element(obj: Any, name: str, option: str) -> Any:
-    """The vertex, edge or face in the document's coordinates. Raises SelectionError where it is gone."""
+def _shape(obj: Any) -> Any:
+    """The shape of an object in the document's coordinates."""
     shape = Part.getShape(obj)
     if not shape.isNull():
         shape.Placement = selection.holder_of(obj).multiply(shape.Placement)
+    return shape
+
+
+def _element(obj: Any, name: str, option: str, shape: Any = None) -> Any:
+    """The vertex, edge or face of an object, in the document's coordinates. Raises SelectionError where it is gone."""
+    shape = _shape(obj) if shape is None else shape
+    if not shape.isNull():
         kind, number = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
         there = {"Vertex": shape.Vertexes, "Edge": shape.Edges, "Face": shape.Faces}.get(kind, [])
         if number and 0 < int(number) <= len(there):
@@ -88,16 +112,87 @@ def _element(obj: Any, name: str, option: str) -> Any:
     raise selection.SelectionError(text, name)
 
 
-def _point(obj: Any, name: str, option: str) -> tuple[float, float, float]:
-    """The point that a vertex is, mm, document."""
-    point = getattr(_element(obj, name, option), "Point", None)
-    if point is None:
-        text = say("{name} of {label} is no vertex: pick a vertex, or name a CSV file of a curve.", name=name, label=obj.Label)
-        raise selection.SelectionError(text, name)
-    return tuple(point)
+def _guide(obj: Any, name: str, option: str) -> list[list[Any]]:
+    """The point that a vertex is, or the points of an edge and of those that go on from it smoothly; mm, document."""
+    shape = _shape(obj)
+    element = _element(obj, name, option, shape)
+    if element.ShapeType == "Vertex":
+        return [[element.Point]]
+    if element.ShapeType == "Edge" and not element.Degenerated:
+        return [_points(_smooth_chain(shape, element))]
+    text = say("{name} of {label} is no vertex or edge: pick one, or name a CSV file of a curve.", name=name, label=obj.Label)
+    raise selection.SelectionError(text, name)
 
 
-def _centre(obj: Any, name: str) -> tuple[float, float, float]:
+def _boundary(obj: Any, name: str) -> list[list[Any]]:
+    """The borders of a face; of an edge the closed wire it is in that is widest from above; mm, document."""
+    shape = _shape(obj)
+    element = _element(obj, name, "boundary", shape)
+    if element.ShapeType == "Face":
+        return [_points(wire.OrderedEdges) for wire in element.Wires]
+    if element.ShapeType == "Edge":
+        around = [_points(wire.OrderedEdges) for wire in shape.Wires if wire.isClosed() and _holds(wire, element)]
+        if around:
+            return [max(around, key=_area_from_above)]
+    text = say("{name} of {label} bounds nothing: pick a face, or an edge of a closed wire.", name=name, label=obj.Label)
+    raise selection.SelectionError(text, name)
+
+
+def _holds(wire: Any, edge: Any) -> bool:
+    return any(one.isSame(edge) for one in wire.Edges)
+
+
+def _area_from_above(curve: list[Any]) -> float:
+    return abs(sum(one.x * other.y - one.y * other.x for one, other in itertools.pairwise(curve)))
+
+
+def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
+    """The edge, and the edges of the shape before and after it that go on without a corner, one at each end."""
+    chain = [edge]
+    for at_end in (True, False):
+        while (found := _next(shape, chain, at_end)) is not None:
+            chain = [*chain, found] if at_end else [found, *chain]
+    return Part.__sortEdges__(chain)
+
+
+def _next(shape: Any, chain: list[Any], at_end: bool) -> Any:
+    """The one edge that goes on from the end, or the beginning, of a chain; None where there is none, or a choice."""
+    edge, before = (chain[-1], chain[-2:-1]) if at_end else (chain[0], chain[1:2])
+    ends = [one for one in edge.Vertexes if not any(one.isSame(other) for last in before for other in last.Vertexes)]
+    if edge.isClosed() or not ends:
+        return None
+    end = ends[-1] if at_end else ends[0]
+    others = [one for one in shape.Edges if not one.Degenerated and not any(one.isSame(own) for own in chain)]
+    others = [one for one in others if any(end.isSame(vertex) for vertex in one.Vertexes)]
+    smooth = [one for one in others if _way_from(one, end).getAngle(-_way_from(edge, end)) < math.radians(SMOOTH)]
+    return smooth[0] if len(smooth) == 1 else None
+
+
+def _way_from(edge: Any, vertex: Any) -> Any:
+    """The direction in which an edge leaves a vertex of it."""
+    begins = edge.valueAt(edge.FirstParameter).distanceToPoint(vertex.Point) < edge.valueAt(edge.LastParameter).distanceToPoint(
+        vertex.Point
+    )
+    return edge.tangentAt(edge.FirstParameter) if begins else -edge.tangentAt(edge.LastParameter)
+
+
+def _points(edges: Sequence[Any]) -> list[Any]:
+    """Points along edges that follow one another, each but once; of closed ones the first again at the end."""
+    runs = [edge.discretize(Deflection=CHORD) for edge in edges]
+    if len(runs) > 1 and _gap(runs[0][-1], runs[1]) > _gap(runs[0][0], runs[1]):
+        runs[0].reverse()
+    found = runs[0]
+    for run in runs[1:]:
+        found += run[1:] if found[-1].distanceToPoint(run[0]) <= found[-1].distanceToPoint(run[-1]) else run[-2::-1]
+    return found
+
+
+def _gap(point: Any, run: list[Any]) -> float:
+    """How far a point is from the nearer end of a run."""
+    return min(point.distanceToPoint(run[0]), point.distanceToPoint(run[-1]))
+
+
+def _centre(obj: Any, name: str) -> list[list[Any]]:
     """The point that an element means, mm, document."""
     element = _element(obj, name, "pass_centre")
     point = getattr(element, "Point", None)
@@ -106,7 +201,7 @@ def _centre(obj: Any, name: str) -> tuple[float, float, float]:
     if point is None:
         text = say("{name} of {label} has no centre: pick a vertex, a circle or a sphere.", name=name, label=obj.Label)
         raise selection.SelectionError(text, name)
-    return tuple(point)
+    return [[point]]
 
 
 def _axis(obj: Any, name: str) -> tuple[float, float, float]:
@@ -143,5 +238,6 @@ def _kind(element: Any) -> str:
 
 
 _READERS = {
-    "from_": partial(_point, option="from_"), "to": partial(_point, option="to"), "pass_centre": _centre, "pass_axis": _axis,
+    "from_": partial(_guide, option="from_"), "to": partial(_guide, option="to"), "boundary": _boundary, "pass_centre": _centre,
+    "pass_axis": _axis,
 }  # fmt: skip

@@ -23,11 +23,12 @@ TEXTS = {
     "from_": QT_TRANSLATE_NOOP(
         "App::Property",
         "Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the "
-        "points of a curve",
+        "points of a curve (or these, a ; between two)",
     ),
     "to": QT_TRANSLATE_NOOP(
         "App::Property",
-        "Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve",
+        "Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, "
+        "a ; between two)",
     ),
     "pass_centre": QT_TRANSLATE_NOOP(
         "App::Property",
@@ -45,7 +46,7 @@ TEXTS = {
     "boundary": QT_TRANSLATE_NOOP(
         "App::Property",
         "CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line "
-        "between two",
+        "between two (or the lines themselves, a ; between two)",
     ),
     "boundary_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K along which the boundary is seen"),
     "boundary_by": QT_TRANSLATE_NOOP("App::Property", "What stays inside the boundary: the contact, or the cutter's centre"),

@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.made import Milled
 from freecad_fiveaxis.core.jobs.new_speed import change_speed, without_speed
+from freecad_fiveaxis.core.jobs.outputs import curve_files
 from freecad_fiveaxis.core.jobs.settings import Settings
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.report import Figures
@@ -68,8 +69,8 @@ def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ..
     Raises FileError for a file that cannot be read."""
     groups = {type(getattr(settings, top.name)): getattr(settings, top.name) for top in fields(Settings)}
     leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
-    leaves = [(cls, leaf) for cls, leaf in leaves if leaf.name not in unread]
-    named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups]
+    leaves = [(cls, leaf) for cls, leaf in leaves if leaf.name not in (*unread, "boundary")]
+    named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups] + curve_files(settings)
     return tuple(hashlib.sha256(read_bytes(name, "file")).hexdigest() for name in named if name)
 
 

@@ -112,6 +112,10 @@
         <translation>Begrenzung hält</translation>
     </message>
     <message>
+        <source>Boundary Picked</source>
+        <translation>Begrenzung gewählt</translation>
+    </message>
+    <message>
         <source>By so much the ball's radius is too large where the cutter itself is in the way</source>
         <translation>Um so viel ist der Kugelradius zu groß, wo schon der Fräser im Weg ist</translation>
     </message>
@@ -120,8 +124,8 @@
         <translation>CL-Datei (.apt, .cl) oder Werkstück (.stl), womit das Programm verglichen wird</translation>
     </message>
     <message>
-        <source>CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line between two</source>
-        <translation>CSV-Datei geschlossener Kurven, an denen die Bahnen enden: je Zeile X,Y,Z in mm, im Koordinatensystem des Werkstücknullpunkts, eine Leerzeile zwischen zwei</translation>
+        <source>CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line between two (or the lines themselves, a ; between two)</source>
+        <translation>CSV-Datei geschlossener Kurven, an denen die Bahnen enden: je Zeile X,Y,Z in mm, im Koordinatensystem des Werkstücknullpunkts, eine Leerzeile zwischen zwei (oder die Zeilen selbst, ein ; zwischen zweien)</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -1180,6 +1184,10 @@
         <translation>Die Kante oder runde Fläche, deren Achse die strahlenförmigen Bahnen haben; leer: wie eingegeben</translation>
     </message>
     <message>
+        <source>The face, or the closed edges, at which the passes end; empty: as typed</source>
+        <translation>Die Fläche oder die geschlossenen Kanten, an denen die Bahnen enden; leer: wie eingegeben</translation>
+    </message>
+    <message>
         <source>The file is what the toolpath makes now; if it is not, post-process again</source>
         <translation>Die Datei ist, was der Werkzeugweg jetzt ergibt; sonst die NC-Datei neu ausgeben</translation>
     </message>
@@ -1264,12 +1272,12 @@
         <translation>Das Urteil als Ampel: red (rot), amber (gelb) oder green (grün)</translation>
     </message>
     <message>
-        <source>The vertex where the passes begin; empty: as typed</source>
-        <translation>Die Ecke, an der die Bahnen beginnen; leer: wie eingegeben</translation>
+        <source>The vertex or edge where the passes begin; empty: as typed</source>
+        <translation>Die Ecke oder Kante, an der die Bahnen beginnen; leer: wie eingegeben</translation>
     </message>
     <message>
-        <source>The vertex where the passes end; empty: as typed</source>
-        <translation>Die Ecke, an der die Bahnen enden; leer: wie eingegeben</translation>
+        <source>The vertex or edge where the passes end; empty: as typed</source>
+        <translation>Die Ecke oder Kante, an der die Bahnen enden; leer: wie eingegeben</translation>
     </message>
     <message>
         <source>The vertex, circle or sphere that is the centre of radial passes; empty: as typed</source>
@@ -1428,12 +1436,12 @@
         <translation>Was hülfe, wo Halter oder Fräser im Weg sind, in Sätzen</translation>
     </message>
     <message>
-        <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
-        <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
+        <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, a ; between two)</source>
+        <translation>Wo Bahnen gleicher Kuppenhöhe und Übergangsbahnen beginnen: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
     </message>
     <message>
-        <source>Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve</source>
-        <translation>Wo Übergangsbahnen enden: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve</translation>
+        <source>Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, a ; between two)</source>
+        <translation>Wo Übergangsbahnen enden: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
     </message>
     <message>
         <source>Where the markers stand in the document</source>
@@ -1671,6 +1679,10 @@
         <translation>Sicher auf</translation>
     </message>
     <message>
+        <source>Choose a CSV file with the points of the curve</source>
+        <translation>CSV-Datei mit den Punkten der Kurve wählen</translation>
+    </message>
+    <message>
         <source>Choose a file</source>
         <translation>Datei wählen</translation>
     </message>
@@ -1789,6 +1801,10 @@
     <message>
         <source>Corrections</source>
         <translation>Korrekturen</translation>
+    </message>
+    <message>
+        <source>Curves (*.csv)</source>
+        <translation>Kurven (*.csv)</translation>
     </message>
     <message>
         <source>Cut pattern</source>
@@ -2803,12 +2819,16 @@
         <translation>Das Werkzeug steht senkrecht zur Fläche, geneigt um Voreil- und Seitwinkel.</translation>
     </message>
     <message>
+        <source>Then click a face, or an edge of a closed wire, in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Fläche oder eine Kante eines geschlossenen Kantenzugs anklicken; Esc bricht ab</translation>
+    </message>
+    <message>
         <source>Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it</source>
         <translation>Danach in der 3D-Ansicht eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche anklicken; Esc bricht ab</translation>
     </message>
     <message>
-        <source>Then click a vertex in the 3D view; Esc stops it</source>
-        <translation>Danach in der 3D-Ansicht eine Ecke anklicken; Esc bricht ab</translation>
+        <source>Then click a vertex or an edge in the 3D view; Esc stops it</source>
+        <translation>Danach in der 3D-Ansicht eine Ecke oder Kante anklicken; Esc bricht ab</translation>
     </message>
     <message>
         <source>Then click a vertex, a circle or a sphere in the 3D view; Esc stops it</source>
@@ -5112,8 +5132,8 @@
         <translation>Begrenzung {name} kreuzt sich bei {place}, entlang {axis} gesehen; Kurven angeben, die das nicht tun</translation>
     </message>
     <message>
-        <source>boundary {name} is no file of closed curves: give X,Y,Z in mm on a line each, a blank line between two curves, at most {most} points, none beyond {farthest}</source>
-        <translation>Begrenzung {name} ist keine Datei geschlossener Kurven: je Zeile X,Y,Z in mm angeben, eine Leerzeile zwischen zwei Kurven, höchstens {most} Punkte, keiner jenseits von {farthest}</translation>
+        <source>boundary {name} holds no closed curves: give X,Y,Z in mm on a line each, a blank line between two curves, at most {most} points, none beyond {farthest}</source>
+        <translation>Begrenzung {name} enthält keine geschlossenen Kurven: je Zeile X,Y,Z in mm angeben, eine Leerzeile zwischen zwei Kurven, höchstens {most} Punkte, keiner jenseits von {farthest}</translation>
     </message>
     <message>
         <source>calls, whose moves are missing here; post one program without them</source>
@@ -7476,6 +7496,10 @@
         <translation>{name} von {label}</translation>
     </message>
     <message>
+        <source>{name} of {label} bounds nothing: pick a face, or an edge of a closed wire.</source>
+        <translation>{name} von {label} begrenzt nichts: eine Fläche oder eine Kante eines geschlossenen Kantenzugs wählen.</translation>
+    </message>
+    <message>
         <source>{name} of {label} has no axis: pick a straight or circular edge, or a cylindrical or conical face.</source>
         <translation>{name} von {label} hat keine Achse: eine gerade oder kreisförmige Kante oder eine Zylinder- oder Kegelfläche wählen.</translation>
     </message>
@@ -7484,8 +7508,8 @@
         <translation>{name} von {label} hat keine Mitte: eine Ecke, einen Kreis oder eine Kugel wählen.</translation>
     </message>
     <message>
-        <source>{name} of {label} is no vertex: pick a vertex, or name a CSV file of a curve.</source>
-        <translation>{name} von {label} ist keine Ecke: eine Ecke wählen oder eine CSV-Datei einer Kurve angeben.</translation>
+        <source>{name} of {label} is no vertex or edge: pick one, or name a CSV file of a curve.</source>
+        <translation>{name} von {label} ist keine Ecke oder Kante: eine wählen oder eine CSV-Datei einer Kurve angeben.</translation>
     </message>
     <message>
         <source>{name} stands in {count} lines: {said}.</source>

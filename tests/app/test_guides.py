@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Centre and axis of radial passes that are links: they are what the solid says, follow it, and are missed when they are gone."""
+"""Guides, boundary, centre and axis of passes that are links: they are what the solid says, follow it, and are missed when they are gone."""
+
+import itertools
+import math
 
 import FreeCAD
 import Part
@@ -101,8 +104,8 @@ def test_a_vertex_is_where_scallop_passes_begin_and_where_morphing_ones_end(doc,
     border = app.create_toolpath(doc, disc, **given)
     assert results.nc_of(path) == results.nc_of(typed) != results.nc_of(border)
     assert settings(path).from_ == pytest.approx(tuple(place))
-    with pytest.raises(SelectionError, match="is no vertex: pick a vertex, or name a CSV file of a curve"):
-        guides.options_of({"to": (disc, rim(disc))}, (0, 0, 0))
+    with pytest.raises(SelectionError, match="is no vertex or edge: pick one, or name a CSV file of a curve"):
+        guides.options_of({"to": (disc, wall(disc))}, (0, 0, 0))
 
 
 def test_other_settings_leave_the_links_unless_they_are_given(doc, disc):
@@ -112,3 +115,101 @@ def test_other_settings_leave_the_links_unless_they_are_given(doc, disc):
     assert guides.links_of(path)
     changes.change_toolpath(path, {**options, "picked": {}})
     assert not guides.links_of(path)
+
+
+def points(text):
+    """The points of each curve of an option's text."""
+    return [[tuple(map(float, point.split(","))) for point in curve.split(";")] for curve in text.split(";;")]
+
+
+def length(curve):
+    return sum(math.dist(one, other) for one, other in itertools.pairwise(curve))
+
+
+def edge_at(obj, *middle):
+    rows = [one.CenterOfMass.distanceToPoint(FreeCAD.Vector(*middle)) < 1e-6 for one in obj.Shape.Edges]
+    return f"Edge{rows.index(True) + 1}"
+
+
+def face_at(obj, z):
+    rows = [abs(one.BoundBox.ZMin - z) + abs(one.BoundBox.ZMax - z) < 1e-6 for one in obj.Shape.Faces]
+    return f"Face{rows.index(True) + 1}"
+
+
+@pytest.fixture
+def pocketed(doc):
+    """40 x 30 x 10 mm with upright edges rounded by 5 mm and a hole of 4 mm radius in its middle."""
+    made = doc.addObject("Part::Feature", "Pocketed")
+    block = Part.makeBox(40, 30, 10)
+    block = block.makeFillet(5, [one for one in block.Edges if abs(one.tangentAt(0).z) > 0.9])
+    made.Shape = block.cut(Part.makeCylinder(4, 10, FreeCAD.Vector(20, 15, 0)))
+    doc.recompute()
+    return made
+
+
+def test_edges_lead_morphing_passes_as_their_points_do(doc):
+    block = doc.addObject("Part::Feature", "Block")
+    block.Shape = Part.makeBox(20, 10, 5)
+    doc.recompute()
+    given = {**GIVEN, "passes": "morph", "stepover": None, "scallop": 0.2, "faces": [face_at(block, 5)]}
+    picked = {"from_": (block, edge_at(block, 10, 0, 5)), "to": (block, edge_at(block, 10, 10, 5))}
+    path = app.create_toolpath(doc, block, picked=picked, **given)
+    assert settings(path).from_ in ("-1,-2,2;19,-2,2", "19,-2,2;-1,-2,2"), settings(path).from_
+    typed = app.create_toolpath(doc, block, from_="-1,-2,2;19,-2,2", to="-1,8,2;19,8,2", **given)
+    across = app.create_toolpath(doc, block, from_="-1,-2,2;-1,8,2", to="19,-2,2;19,8,2", **given)
+    assert results.nc_of(path) == results.nc_of(typed) != results.nc_of(across)
+    block.Shape = Part.makeBox(30, 10, 5)
+    doc.recompute()
+    assert "29,-2,2" in settings(path).from_ and not results.out_of_date(path)
+
+
+def test_an_edge_goes_on_smoothly_round_the_part_and_stops_at_corners(doc, pocketed):
+    (outline,) = points(guides.options_of({"from_": (pocketed, edge_at(pocketed, 20, 0, 10))}, (0, 0, 0))["from_"])
+    assert outline[0] == pytest.approx(outline[-1]) and len(set(outline)) >= len(outline) - 1
+    assert length(outline) == pytest.approx(2 * (30 + 20) + 2 * math.pi * 5, rel=1e-3)
+    assert max(math.dist(*pair) for pair in itertools.pairwise(outline)) == pytest.approx(30)
+    (hole,) = points(guides.options_of({"to": (pocketed, edge_at(pocketed, 20, 15, 10))}, (20, 15, 0))["to"])
+    assert length(hole) == pytest.approx(2 * math.pi * 4, rel=1e-3) and all(
+        math.hypot(x, y) == pytest.approx(4) for x, y, _ in hole
+    )
+    box = doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    assert len(points(guides.options_of({"from_": (box, "Edge1")}, (0, 0, 0))["from_"])[0]) == 2
+
+
+def test_a_face_bounds_the_passes_with_its_hole_and_an_edge_with_its_wire(doc, pocketed):
+    outline, hole = points(guides.options_of({"boundary": (pocketed, face_at(pocketed, 10))}, (0, 0, 0))["boundary"])
+    assert length(outline) == pytest.approx(100 + 10 * math.pi, rel=1e-3) and length(hole) == pytest.approx(8 * math.pi, rel=1e-3)
+    assert outline[0] == pytest.approx(outline[-1]) and hole[0] == pytest.approx(hole[-1])
+    (alone,) = points(guides.options_of({"boundary": (pocketed, edge_at(pocketed, 20, 0, 10))}, (0, 0, 0))["boundary"])
+    assert length(alone) == pytest.approx(length(outline)) and all(z == pytest.approx(10) for *_, z in alone)
+    sketch = doc.addObject("Part::Feature", "Drawn")
+    corners = [FreeCAD.Vector(*at) for at in ((10, 5, 10), (30, 5, 10), (30, 25, 10), (10, 25, 10), (10, 5, 10))]
+    sketch.Shape = Part.makePolygon(corners)
+    doc.recompute()
+    link = {"boundary": (sketch, "Edge3")}
+    given = {**GIVEN, "passes": "planes", "stepover": 1.0}
+    path = app.create_toolpath(doc, pocketed, picked=link, **given)
+    typed = app.create_toolpath(doc, pocketed, boundary="9,3,7;29,3,7;29,23,7;9,23,7;9,3,7", **given)
+    free = app.create_toolpath(doc, pocketed, **given)
+    assert results.nc_of(path) == results.nc_of(typed) != results.nc_of(free)
+    sketch.Placement.Base = FreeCAD.Vector(0, 2, 0)
+    doc.recompute()
+    assert results.nc_of(path) != results.nc_of(typed) and guides.links_of(path) == link
+    for name in ("Vertex1", "Edge9"):
+        with pytest.raises(SelectionError, match="bounds nothing: pick a face" if name == "Vertex1" else "has no Edge9"):
+            guides.options_of({"boundary": (sketch, name)}, (0, 0, 0))
+
+
+def test_a_guide_curve_in_a_file_that_has_changed_makes_the_path_out_of_date(doc, disc, tmp_path):
+    curve = tmp_path / "curve.csv"
+    given = {**GIVEN, "passes": "scallop", "scallop": 0.2, "stepover": None, "faces": [face_at(disc, 5)], "from_": str(curve)}
+    given["work_zero"] = (20.0, 10.0, 3.0)
+    curve.write_text("-10,0,2\n10,0,2\n")
+    path = app.create_toolpath(doc, disc, **given)
+    nc = results.nc_of(path)
+    assert not results.out_of_date(path)
+    curve.write_text("0,-10,2\n0,10,2\n")
+    path.touch()
+    doc.recompute()
+    assert results.nc_of(path) != nc

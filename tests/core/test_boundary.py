@@ -6,6 +6,7 @@ import json
 import math
 from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -477,3 +478,53 @@ def test_reach_setup_and_compare_keep_to_it_too(tmp_path, capsys):
         cl.write_text("GOTO/0,0,0,0,0,1\nGOTO/9,0,0,0,0,1\n")
         assert main([task, str(cl), machine, "trunnion_ac", *curve, "--quiet"]) == 2
         assert "--boundary needs the part" in capsys.readouterr().err
+
+
+def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
+    """Guides and boundaries may be given as what their files would hold; the job file's folder then does not count."""
+    stl = tmp_path / "plate.stl"
+    write_stl(from_triangles(PLATE), stl)
+    file = written(tmp_path / "outline.csv", RECTANGLE, ISLAND)
+    lines = ";".join(Path(file).read_text().splitlines())
+    assert lines.count(";;") == 1
+    nc = [str(tmp_path / f"{name}.ngc") for name in "ab"]
+    base = ["mill", str(stl), "--machine", "trunnion_ac", "--controller", "linuxcnc", "--cutter", "ball:6", "--stepover", "1"]
+    base += ["--passes", "scallop", "--spindle", "off", "--quiet", "--boundary"]
+    guide = tmp_path / "guide.csv"
+    guide.write_text("x,y,z\n5,5,0\n5,25,0\n")
+    assert main([*base, file, "--from", str(guide), "-o", nc[0]]) == 0
+    assert main([*base, lines, "--from", "5,5,0;5,25,0", "-o", nc[1]]) == 0
+    one, other = (Path(path).read_text() for path in nc)
+    assert one == other and one.count("\n") > 100
+    job_ = tmp_path / "in" / "job.json"
+    job_.parent.mkdir()
+    given = {
+        "task": "mill",
+        "source": str(stl),
+        "machine": "trunnion_ac",
+        "controller": "linuxcnc",
+        "cutter": "ball:6",
+        "stepover": 1,
+    }
+    given |= {"passes": "scallop", "spindle": "off", "boundary": lines, "from": "5,5,0;5,25,0", "output": str(tmp_path / "c.ngc")}
+    job_.write_text(json.dumps(given))
+    assert main(["run", str(job_), "--quiet"]) == 0
+    assert (tmp_path / "c.ngc").read_text() == one
+
+
+@pytest.mark.parametrize(
+    ("option", "given", "told"),
+    [
+        ("--boundary", "0,0,0;1,0,0;2,0", "boundary 0,0,0;1,0,0;2,0 holds no closed curves"),
+        ("--boundary", "0,0;1,1;" * 30, "boundary " + ("0,0;1,1;" * 30)[:39] + "… holds no closed curves"),
+        ("--from", "1,2,3;x,y,z", "guide curve 1,2,3;x,y,z needs two points or more"),
+        ("--from", "1,2,3;", "guide curve 1,2,3; needs two points or more"),
+    ],
+)
+def test_lines_that_are_no_curve_are_refused(tmp_path, capsys, option, given, told):
+    stl = tmp_path / "plate.stl"
+    write_stl(from_triangles(PLATE), stl)
+    out = tmp_path / "x.ngc"
+    given = ["--machine", "trunnion_ac", "--controller", "linuxcnc", "--cutter", "ball:6", "--spindle", "off", option, given]
+    assert main(["mill", str(stl), "-o", str(out), *given]) == 2
+    assert told in capsys.readouterr().err and not out.exists()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Centre and axis of radial passes picked in the 3D view: taken, named, lit up, let go, followed and missed."""
+"""Guides, boundary, centre and axis of passes picked in the 3D view: taken, named, lit up, let go, followed and missed."""
 
 import FreeCAD
 import FreeCADGui
@@ -133,4 +133,23 @@ def test_the_mouse_picks_a_face_of_a_body_whose_axis_is_kept(doc, field, view_cl
     assert guides.options_of({"pass_centre": (link[0], "Vertex1")}, (5, 6, 0))["pass_centre"].split(",")[0] in ("12", "-12")
     assert panel.calculate(), panel.options.error.text()
     assert guides.links_of(panel.obj) == {"pass_axis": link}
+    panel.reject()
+
+
+def test_a_face_is_picked_as_boundary_and_an_edge_as_guide(doc, disc, panel, click, field, until, pump, screenshot):
+    top = named(disc, "Face", lambda one: one.CenterOfMass.z > 4.9)
+    panel.options.show_options({"passes": "scallop", "boundary": "missing.csv"})
+    assert not panel.options.check() and "missing.csv" in panel.options.fields["boundary"].error.text()
+    pick(panel, "boundary", disc, top, click, field, until)
+    text = panel.options.fields["boundary"].value()
+    assert text.count(";") > 20 and field("boundary_picked").text() == f"{top} of Disc" and panel.options.check()
+    pick(panel, "from_", disc, rim(disc), click, field, until)
+    assert panel.options.said()["picked"] == {"boundary": (disc, top), "from_": (disc, rim(disc))}
+    pump(300)
+    screenshot("boundary_picked")
+    assert panel.preview_passes() and panel.calculate(), panel.options.error.text()
+    assert guides.links_of(panel.obj) == panel.options.said()["picked"] and panel.obj.Passes > 3
+    pick(panel, "boundary", disc, "Vertex1", click, field, until)
+    assert "bounds nothing: pick a face, or an edge of a closed wire" in panel.options.fields["boundary"].error.text()
+    assert panel.options.fields["boundary"].value() == text
     panel.reject()

@@ -94,10 +94,8 @@ def check_own(job: BatchJob) -> None:
 
 def key_of(job: BatchJob, settings: Settings) -> str:
     """The hash of all that the job is made of. Raises FileError where a file cannot be read."""
-    guides = (settings.passes.from_, settings.passes.to)
-    more = [guide for guide in guides if isinstance(guide, str) and guide.lower().endswith(".csv")]
     told = flat_options(settings) | {"version": __version__, "ending": job.suffix}
-    hashes = [hashlib.sha256(read_bytes(path, "file")).hexdigest() for path in (*files_read(settings), *more)]
+    hashes = [hashlib.sha256(read_bytes(path, "file")).hexdigest() for path in files_read(settings)]
     return hashlib.sha256(json.dumps([told, hashes], sort_keys=True).encode()).hexdigest()
 
 

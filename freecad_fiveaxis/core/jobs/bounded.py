@@ -4,13 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.curve_text import name_source
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import one_line
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.cl.cut_at_boundary import cut_at_boundary
@@ -30,7 +29,7 @@ def boundary_of(settings: Settings) -> Boundary | None:
     chosen = settings.boundary
     if chosen.boundary is None:
         return None
-    return read_boundary(chosen.boundary, one_line(Path(chosen.boundary).name), chosen.boundary_axis)
+    return read_boundary(chosen.boundary, name_source(chosen.boundary), chosen.boundary_axis)
 
 
 def facets_inside(

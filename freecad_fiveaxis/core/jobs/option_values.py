@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from freecad_fiveaxis.core.base import quantity
+from freecad_fiveaxis.core.base.curve_text import is_inline
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import is_name
 from freecad_fiveaxis.core.base.sentences import IN_FULL, Option, Sentence, Template, measure, say
@@ -104,8 +105,8 @@ def _counts(given: Any, name: str) -> Vector:
 
 
 def _place(given: Any, name: str) -> str | Vector:
-    """A word or a file's name; three lengths where it is X,Y,Z."""
-    if isinstance(given, str) and given.count(",") != 2:
+    """A word, a file's name or a curve; three lengths where it is X,Y,Z."""
+    if isinstance(given, str) and (given.count(",") != 2 or is_inline(given)):
         return read_text(given, name)
     return quantity.parse_triple(given, quantity.LENGTHS, name)
 

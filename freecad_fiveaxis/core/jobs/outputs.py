@@ -9,6 +9,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
+from freecad_fiveaxis.core.base.curve_text import ENDING, is_inline
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, same_file, write_all
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -51,16 +52,23 @@ def check_outputs(settings: Settings, read: Iterable[str] = ()) -> None:
 
 
 def files_read(settings: Settings) -> list[str]:
-    """Every file that the job reads: source, programs, parts and machines."""
+    """Every file that the job reads: source, programs, parts, curves and machines."""
     machines = (settings.machine.machine, *settings.compare.machines)
     of_machines = [os.fspath(path) for name in machines if name and (path := machine_path(name)) is not None]
-    return [name for name in (settings.source, *_paths(settings, False), *of_machines) if name]
+    return [name for name in (settings.source, *_paths(settings, False), *curve_files(settings), *of_machines) if name]
+
+
+def curve_files(settings: Settings) -> list[str]:
+    """The files of guide curves, and of the boundary."""
+    guides = [one for one in (settings.passes.from_, settings.passes.to) if isinstance(one, str) and one.lower().endswith(ENDING)]
+    boundary = settings.boundary.boundary
+    return guides if boundary is None or is_inline(boundary) else [*guides, boundary]
 
 
 def _paths(settings: Settings, written: bool) -> Iterator[str]:
     """The files that the options name, those to write or those to read."""
     for name, value in _values(settings):
-        if (name in WRITTEN) == written and value:
+        if (name in WRITTEN) == written and value and name != "boundary":
             yield from (value,) if isinstance(value, str) else value
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The boundary within which passes are kept: closed curves of a CSV file, seen along an axis.
+"""The boundary within which passes are kept: closed curves, seen along an axis.
 
 boundary   an outer curve and islands in it, or several of both: what is inside follows from the even-odd rule.
 contact    the boundary holds the contact points; ``centre``: the centre of the cutter.
@@ -7,16 +7,13 @@ contact    the boundary holds the contact points; ``centre``: the centre of the 
 
 from __future__ import annotations
 
-import csv
-import io
-import itertools
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.curve_text import read_runs
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Point, Sentence, say
@@ -54,7 +51,7 @@ class Boundary:
 
 
 def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
-    """Read the closed curves of a CSV file: a point X,Y,Z in mm a line, a blank line between two curves, perhaps names of the
+    """Read closed curves, :mod:`.curve_text`: a point X,Y,Z in mm a line, a blank line between two curves, perhaps names of the
     columns first. ``axis``: I,J,K, any length above 0. Raises SettingsError, FileError for what is no boundary."""
     curves = [_closed(curve, name, number) for number, curve in enumerate(_read_curves(path, name), 1)]
     basis = _across(axis)
@@ -94,16 +91,7 @@ def _listed(axis: Vector) -> str:
 
 def _read_curves(path: str, name: str) -> list[Floats]:
     """The curves (n, 3) of the file, as they stand there. Raises SettingsError, FileError."""
-    data = read_bytes(path, "boundary")
-    if len(data) > MOST_BYTES:
-        raise SettingsError(_unreadable(name), path)
-    try:
-        rows = list(csv.reader(io.StringIO(data.decode("utf-8-sig", "replace"), newline="")))
-    except csv.Error:
-        raise SettingsError(_unreadable(name), path) from None
-    runs = [list(run) for some, run in itertools.groupby(rows, lambda row: any(cell.strip() for cell in row)) if some]
-    if runs and not _is_number(runs[0][0][0]):
-        runs = [run for run in (runs[0][1:], *runs[1:]) if run]  # the names of the columns
+    runs = read_runs(path, "boundary", MOST_BYTES)
     if not runs or sum(map(len, runs)) > MOST_POINTS:
         raise SettingsError(_unreadable(name), path)
     try:
@@ -117,18 +105,10 @@ def _read_curves(path: str, name: str) -> list[Floats]:
 
 def _unreadable(name: str) -> Sentence:
     return say(
-        "boundary {name} is no file of closed curves: give X,Y,Z in mm on a line each, a blank line between two curves, at most "
+        "boundary {name} holds no closed curves: give X,Y,Z in mm on a line each, a blank line between two curves, at most "
         "{most} points, none beyond {farthest}",
         name=name, most=MOST_POINTS, farthest=Length(1e6),
     )  # fmt: skip
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 def _closed(curve: Floats, name: str, number: int) -> Floats:

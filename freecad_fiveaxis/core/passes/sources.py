@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the distance of constant-scallop passes begins: the region's border, a point, or a curve in a CSV file."""
+"""Where the distance of constant-scallop passes begins: the region's border, a point, or a curve."""
 
 from __future__ import annotations
-
-import csv
-import io
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.base.curve_text import is_inline, name_source, read_runs
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
 from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
@@ -45,33 +42,22 @@ def read_curve(source: str | Vector, option: Option = FROM) -> Floats | None:
         return np.array([source], dtype=np.float64)
     if source == BORDER:
         return None
-    if not source.lower().endswith(".csv"):
+    if not (source.lower().endswith(".csv") or is_inline(source)):
         raise SettingsError(
             say("{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them", option=option,
                 source=repr(source)), source,
         )  # fmt: skip
-    text = read_bytes(source, "guide curve").decode("utf-8-sig", "replace")
-    rows = [row for row in csv.reader(io.StringIO(text, newline="")) if any(cell.strip() for cell in row)]
-    if rows and not _is_number(rows[0][0]):
-        rows = rows[1:]  # the names of the columns
+    rows = [row for run in read_runs(source, "guide curve") for row in run]
     try:
         point = np.array([[float(cell) for cell in row[:3]] for row in rows[:MOST_POINTS]], dtype=np.float64)
     except ValueError:
         point = np.empty(0)
     if point.ndim != 2 or point.shape[1] != 3 or len(point) < 2 or len(rows) > MOST_POINTS or not np.isfinite(point).all():
         raise SettingsError(
-            say("guide curve {source} needs two points or more, X,Y,Z in mm on a line each, at most {most}", source=source,
-                most=MOST_POINTS), source,
+            say("guide curve {source} needs two points or more, X,Y,Z in mm on a line each, at most {most}",
+                source=name_source(source), most=MOST_POINTS), source,
         )  # fmt: skip
     return point
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | None) -> tuple[Ints, Floats]:

@@ -16,6 +16,7 @@ from freecad_fiveaxis.app.labels import option_hint
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, later, translate
 
 from .fields import Field, TextField, width_of
+from .files import all_files
 from .picking import Pick
 from .triple import LAST, TripleField
 
@@ -108,17 +109,32 @@ def show_link(picker: Picker, link: Link | None) -> None:
 
 
 class PlaceField(TextField):
-    """A place: a word, X,Y,Z about the work zero, or what is picked; as the centre of radial passes a circle or a sphere too."""
+    """A place or a curve: a word, X,Y,Z about the work zero, a CSV file of a curve, or what is picked."""
 
     def __init__(self, name: str, zero: Zero) -> None:
         super().__init__(name, _hint(name))
-        wanted = translate("FiveAxis", "Then click a vertex in the 3D view; Esc stops it")
-        if name == "pass_centre":
-            wanted = translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
-        self.picker = Picker(self, zero, wanted, self._show)
+        self.picker = Picker(self, zero, _wanted(name), self._show)
         self.pick, self.browse, self.line = self.picker.pick, self.picker.button, self.editor
         self.editor.textEdited.connect(lambda *_: self.picker.let_go())
-        self.editor = _with(self.line, self.picker.named, self.name)
+        self.file = QtWidgets.QToolButton() if name != "pass_centre" else None
+        self.editor = _with(self.line, self.file, self.picker.named, self.name)
+        if self.file is not None:
+            self.file.clicked.connect(lambda *_: self._choose_file())
+
+    def _choose_file(self) -> None:
+        kinds = ";;".join([translate("FiveAxis", "Curves (*.csv)"), all_files()])
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, translate("FiveAxis", "Choose a file"), "", kinds)
+        if path:
+            self.show_value(path)
+            self.edited.emit()
+
+    def check(self) -> None:
+        """Raises FileError for a boundary that is a file which cannot be read."""
+        from freecad_fiveaxis.core.base.curve_text import is_inline
+        from freecad_fiveaxis.core.base.files import check_readable
+
+        if self.name == "boundary" and self.value() and not is_inline(self.value()):
+            check_readable(self.value())
 
     @property
     def link(self) -> Link | None:
@@ -153,6 +169,7 @@ class PlaceField(TextField):
 
     def _show(self, value: str | None) -> None:
         self.line.setText(value or "")
+        self.line.setCursorPosition(0)
 
 
 class AxisField(TripleField):
@@ -195,8 +212,17 @@ class AxisField(TripleField):
             super()._changed()
 
 
-def _with(line: Any, named: Any, name: str) -> Any:
-    """An editor with a line of words below it."""
+def _wanted(name: str) -> str:
+    """What may be clicked for an option."""
+    if name == "pass_centre":
+        return translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
+    if name == "boundary":
+        return translate("FiveAxis", "Then click a face, or an edge of a closed wire, in the 3D view; Esc stops it")
+    return translate("FiveAxis", "Then click a vertex or an edge in the 3D view; Esc stops it")
+
+
+def _with(line: Any, file: Any, named: Any, name: str) -> Any:
+    """An editor with a button for a file beside it, None for none, and a line of words below it."""
     whole = QtWidgets.QWidget()
     whole.setObjectName(name)
     whole.setAccessibleName(line.accessibleName())
@@ -204,7 +230,14 @@ def _with(line: Any, named: Any, name: str) -> Any:
     column = QtWidgets.QVBoxLayout(whole)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(2)
-    column.addWidget(line)
+    row = QtWidgets.QHBoxLayout()
+    row.addWidget(line)
+    if file is not None:
+        file.setText("…")
+        file.setToolTip(translate("FiveAxis", "Choose a CSV file with the points of the curve"))
+        file.setObjectName(name + "_browse")
+        row.addWidget(file)
+    column.addLayout(row)
     column.addWidget(named)
     return whole
 

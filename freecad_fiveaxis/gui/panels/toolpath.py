@@ -28,8 +28,8 @@ from .scale_offer import ScaleOffer
 
 EXTRAS = ("work_zero", "linear_deflection", "angular_deflection")
 """Fields that are no options of the core."""
-PLACES = ("from_", "to", "pass_centre")
-"""Options that are places, and may be picked."""
+PLACES = ("from_", "to", "pass_centre", "boundary")
+"""Options that are places or curves, and may be picked."""
 
 
 class ToolpathPanel(PathPanel):

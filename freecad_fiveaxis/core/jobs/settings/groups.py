@@ -50,7 +50,7 @@ class PassSettings:
     )
     from_: str | Vector = option(
         "border", "place", "where scallop and morph passes begin: at the region's border, at a point X,Y,Z or along a curve, a "
-        "file of X,Y,Z on each line",
+        "file of X,Y,Z on each line (or the lines themselves, a ; between two)",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     to: str | Vector = option(
@@ -124,7 +124,8 @@ class BoundarySettings:
     boundary: str | None = option(
         None,
         "path",
-        "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two: passes end at them [none]",
+        "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two (or the lines themselves, a ; between "
+        "two, and ;; between two curves): passes end at them [none]",
         (*FROM_SOLID, REACH),
     )
     boundary_axis: Vector = option(
