@@ -80,4 +80,4 @@ def lines_of(found: Preview, origin: Sequence[float]) -> Any:
     made.vertexProperty = nodes.vertices(found.point)
     made.numVertices.setValues(0, len(found.sizes), np.ascontiguousarray(found.sizes, np.int32))
     look = (nodes.unpickable(), nodes.flat(), nodes.nearer(NEARER), nodes.colour(COLOUR), nodes.style(WIDTH))
-    return nodes.without_box(nodes.separate(place, *look, made))
+    return nodes.separate(place, *look, made)

@@ -63,6 +63,17 @@ def test_passes_are_drawn_and_told_and_the_document_stays(doc, panel, field, cli
     assert drawn(panel) == 0
 
 
+def test_they_are_seen_too_where_the_part_is_hidden(block, panel, pump, screenshot, pixels):
+    """Nothing else is drawn then that says how deep the view is."""
+    block.ViewObject.Visibility = False
+    pump(200)
+    bare = pixels(screenshot("preview_hidden_before"), PINK, 40)
+    assert panel.preview_passes()
+    pump(300)
+    assert pixels(screenshot("preview_hidden"), PINK, 40) > bare + 300
+    panel.reject()
+
+
 def test_they_go_when_a_field_is_changed_a_path_computed_the_part_changed_or_the_panel_closed(doc, block, panel, until, pump):
     def lay():
         assert panel.preview_passes(), panel.options.error.text()

@@ -23,9 +23,11 @@ from freecad_fiveaxis.app.units import area_text
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.drawing import STROKES
 from freecad_fiveaxis.core.report.rest_material_map import height_scale
+from freecad_fiveaxis.gui.panels import toolpath
 from freecad_fiveaxis.gui.scene import (
     camera,
     colours,
+    covers,
     labels,
     layout,
     left_nodes,
@@ -300,6 +302,32 @@ def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome
     assert (left, top) == (layout.EDGE, view.getSize()[1] - layout.EDGE)
     assert overlapping(np.concatenate([before, legend.box])), "the labels stood elsewhere: nothing is shown"
     until(lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the labels beside it")
+
+
+OVERLAYS = tuple(int(part) for part in FreeCAD.Version()[:2]) >= (1, 0)
+
+
+@pytest.mark.usefixtures("whole_screen")
+@pytest.mark.skipif(not OVERLAYS, reason="this FreeCAD lays no panels over a view")
+def test_labels_stand_beside_a_panel_that_lies_over_the_view(scene, doc, until, screenshot, monkeypatch):
+    """A label whose place lies just left of the panel would reach under it."""
+    box, label, ball = doc.addObject("Part::Box", "Box"), on_screen.Labels(), nodes.coin.SoSphere()
+    doc.recompute()
+    ball.radius = 20.0
+    view = scene(nodes.separate(ball, label.root))
+    size = view.getSize()
+    toolpath.create(box)
+    until(lambda: len(covers.covered_boxes(size)), 20000, "a panel over the view")
+    covered = covers.covered_boxes(size)
+    place = view.getPoint(int(covered[0, 0]) - 40, int(covered[0, 1] + covered[0, 3]) // 2)
+    label.show([on_screen.Label(tuple(place), "0.1278 mm, NC line 1000, left of the panel", BAD)])
+    until(lambda: view.redraw() or len(standing(label)), 20000, "the label")
+    screenshot("scene-covered")
+    assert not overlapping(np.concatenate([standing(label), covered]))
+    monkeypatch.setattr(on_screen, "covered_boxes", lambda size: layout.NONE)
+    label.show([on_screen.Label(tuple(place), "0.1278 mm, NC line 1000, left of the panel", BAD)])
+    until(lambda: view.redraw() or len(standing(label)), 20000, "the label")
+    assert overlapping(np.concatenate([standing(label), covered])), "it would have stood there"
 
 
 def test_an_idle_view_is_not_drawn_again_and_again_because_labels_find_their_places(dome, scene, pump, until):

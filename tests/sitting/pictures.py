@@ -241,6 +241,9 @@ def hide(user: Sitting, label: str) -> None:
 
 
 def leave_part(user: Sitting) -> None:
+    """Close the document that is open, if there is one, without keeping what was changed."""
+    if not user.row("Toolpath"):
+        return
     user.hands.press("ctrl+w")
     user.hands.click(user.eyes.find("push button", story.DISCARD))
 
@@ -290,7 +293,58 @@ def path_over(user: Sitting, label: str) -> None:
     user.in_tree("Toolpath")
 
 
-STEPS = [start, select, tool_path, calculate, post_process, play, audit, left_map, setup_map]
+def whole_part(user: Sitting, camera: Camera) -> None:
+    """Where a tool gets, the passes before they are computed, the path, and what it leaves: docs/whole-part.md."""
+    leave_part(user)
+    open_file(user, os.path.join(PARTS, "knob.FCStd"), "Knob")
+    user.hands.click(user.in_tree("Knob"))
+    user.press_tool("Fit [Aa]ll")
+    away(user, 2)
+    user.press_tool("Reach map.*")
+    set_tool(user)
+    user.press("Calculate")
+    user.eyes.find("label", ".*cutter too large.*", 240)
+    nothing_selected(user)
+    camera.still("whole-1-reach")
+    user.press("OK")
+    hide(user, "Reach map")
+    hide(user, "Knob")
+    story.tool_path(user)
+    set_tool(user)
+    bring(user, "Spindle speed")
+    story.fill(user, "Spindle speed", SPINDLE)
+    user.press("Preview passes")
+    user.eyes.find("label", r"\d+ passes,.*", 60)
+    nothing_selected(user)
+    camera.still("whole-2-preview")
+    story.calculate(user)
+    nothing_selected(user)
+    camera.still("whole-3-path")
+    story.keep(user)
+    user.in_tree("Toolpath")
+    nothing_selected(user)
+    user.hands.click(user.in_tree("Toolpath"))
+    user.press_tool("What is left.*")
+    time.sleep(8)
+    nothing_selected(user)
+    camera.still("whole-4-left")
+
+
+def set_tool(user: Sitting) -> None:
+    """A ball of 6 mm on a shank, in a holder, as the fields of a panel ask for them."""
+    for field, text in TOOL:
+        story.fill(user, field, text)
+
+
+TOOL = (("Diameter", "6 mm"),)
+"""Labels of boxes, and what is typed there."""
+
+STEPS = [start, select, tool_path, calculate, post_process, play, audit, left_map, setup_map, whole_part]
+
+
+def wanted(names: list[str]) -> list:
+    """The steps so named, after the start; all of them where none is named."""
+    return [one for one in STEPS if not names or one is start or one.__name__ in names]
 
 
 def main() -> int:
@@ -304,7 +358,7 @@ def main() -> int:
         user = Sitting(desk, FOLDER, part)
         camera = Camera(user)
         try:
-            for step in STEPS:
+            for step in wanted(sys.argv[2:]):
                 print(f"pictures: {step.__name__}", flush=True)
                 step(user, camera)
                 with open(os.path.join(FOLDER, "film.json"), "w", encoding="utf-8") as file:

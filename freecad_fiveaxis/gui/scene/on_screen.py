@@ -3,9 +3,9 @@
 
 A view has one legend, that of the foremost of the objects which are drawn in it; the others' would bury the part. Whatever is
 hidden, deleted or in another document is not drawn, so it asks for nothing: the next one's legend comes by itself. It stands at
-the left, where no panel of FreeCAD 1.1 lies over the view, and labels go out of its way. A label stands beside its place with a
-line to it, which is solid where the place is seen, and dashed where the part lies before it, as a hidden edge in a drawing; where
-there is no room, the less important labels are left out.
+the left, where no panel of FreeCAD 1.1 lies over the view, and labels go out of its way, and of such panels'. A label stands
+beside its place with a line to it, which is solid where the place is seen, and dashed where the part lies before it, as a hidden
+edge in a drawing; where there is no room, the less important labels are left out.
 
 All of it is drawn over everything else, cannot be picked, and is not part of the scene's box.
 """
@@ -23,6 +23,7 @@ from pivy import coin
 from freecad_fiveaxis.gui import qt
 
 from . import layout, nodes
+from .covers import covered_boxes
 from .overlay import INK, PAPER, Legend, image, label_picture, legend_picture
 
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -263,7 +264,7 @@ class Labels(_Overlay):
         if not len(self.places):
             return layout.NONE
         anchor = layout.projected(self.places, clip, size)
-        taken = np.concatenate([view.taken(id(self)), view.later(id(self))])
+        taken = np.concatenate([view.taken(id(self)), view.later(id(self)), covered_boxes(size)])
         middle = np.concatenate([layout.NONE, *view.middles.values()])
         self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots, middle)
         seen = self.slots >= 0

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where panels of FreeCAD 1.0 and later lie over the view (*overlays*): what is placed there would not be seen."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, main_window
+
+from .layout import NONE
+
+KIND = "Gui::OverlayTabWidget"
+_panels: list[Any] = []
+"""FreeCAD makes them with its window, and keeps them."""
+
+
+def covered_boxes(size: tuple[int, int]) -> np.ndarray:
+    """Find the boxes (n, 4) pixels that panels cover of the active view, if it has ``size`` (width and height) pixels."""
+    shown = [panel for panel in _overlays() if panel.isVisible()]
+    viewport = _viewport() if shown else None
+    if viewport is None:
+        return NONE
+    scale = size[0] / max(viewport.width(), 1)  # pixels of the screen for one of Qt's
+    if abs(viewport.height() * scale - size[1]) > 2.0:
+        return NONE
+    return np.array([_box(panel, viewport) for panel in shown], float).reshape(-1, 4) * scale
+
+
+def _overlays() -> list[Any]:
+    if not _panels:
+        _panels.extend(one for one in main_window().findChildren(QtWidgets.QTabWidget) if one.metaObject().className() == KIND)
+        _panels.append(None)  # looked for, also where there are none
+    return _panels[:-1]
+
+
+def _viewport() -> Any:
+    """The widget that draws the active view; None where another window is active."""
+    area = main_window().findChild(QtWidgets.QMdiArea)
+    window = area.currentSubWindow() if area is not None else None
+    drawn = window.findChild(QtWidgets.QGraphicsView) if window is not None else None
+    return drawn.viewport() if drawn is not None else None
+
+
+def _box(panel: Any, viewport: Any) -> tuple[float, float, float, float]:
+    """Left, bottom, right and top of a panel, from the lower left corner of the view."""
+    corner = viewport.mapFromGlobal(panel.mapToGlobal(QtCore.QPoint(0, 0)))
+    top = viewport.height() - corner.y()
+    return corner.x(), top - panel.height(), corner.x() + panel.width(), top
