@@ -57,6 +57,9 @@ pass, with a retract of its own, into every corner of every pass."""
 AMPLE = 1.001
 """Times the distance from which any place counts as left out: passes beyond it are not looked for."""
 
+SURELY = 1.0 - 1e-12
+"""Of a distance: what is so near is so by any rounding."""
+
 DENSE = 0.2
 """Steps between the samples of a pass from which the gaps are measured."""
 
@@ -238,17 +241,28 @@ def _gaps(surface: Surface, steps: Floats, main: PassField) -> Bools:
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     near, normal = _sampled(contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat)
     near, normal = _thinned(near, normal, THIN * surface.flat)
-    where = (PLACES @ mesh.vertex[mesh.face]).reshape(-1, 3)
+    if not len(near):
+        return np.ones(len(mesh.face), np.bool_)
     facing = FACING * surface.flat
-    out = np.ones(len(where), np.bool_)
-    if len(near):
-        tree = cKDTree(np.concatenate([near, facing * normal], axis=1))
-        looking = np.repeat(facing * mesh.normal, len(PLACES), axis=0)
-        enough = GAP * 0.5 * np.repeat(across, len(PLACES))
-        far = tree.query(np.concatenate([where, looking], axis=1), distance_upper_bound=AMPLE * float(enough.max()))[0]
-        out = far > enough
-    left_out: Bools = np.any(out.reshape(len(mesh.face), -1), axis=1)
-    return _touching(mesh.face, left_out)
+    samples = np.concatenate([near, facing * normal], axis=1)
+    return _touching(mesh.face, _left_out(mesh, samples, facing * mesh.normal, GAP * 0.5 * across))
+
+
+def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats) -> Bools:
+    """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is and where its
+    facet is ``looking`` (f, 3)."""
+    tree, most = cKDTree(samples), AMPLE * float(enough.max())
+    corner = mesh.vertex[mesh.face]
+    far, nearest = tree.query(np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most)
+    found = np.flatnonzero(far <= most)
+    place = (PLACES @ corner).reshape(-1, len(PLACES), 3)
+    left: Bools = np.ones(place.shape[:2], np.bool_)
+    to_one = samples[nearest[found]]  # what is nearest to a facet's middle is near enough to most of its places
+    off = ((place[found] - to_one[:, None, :3]) ** 2).sum(axis=2) + ((looking[found] - to_one[:, 3:]) ** 2).sum(axis=1)[:, None]
+    left[found] = np.sqrt(off) > SURELY * enough[found, None]
+    row, at = np.nonzero(left)
+    left[row, at] = tree.query(np.concatenate([place[row, at], looking[row]], axis=1), distance_upper_bound=most)[0] > enough[row]
+    return np.asarray(left.any(axis=1))
 
 
 def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
@@ -261,9 +275,14 @@ def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple
 
 def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
     """One of the points (n, 3), with its normal, in each cell of ``step`` mm and of ``THIN`` of the normal."""
+    if not len(point):
+        return point, normal
     cell = np.floor(np.concatenate([point / step, normal / THIN], axis=1)).astype(np.int64)
-    order = np.lexsort(cell.T)
-    new = np.append(True, (np.diff(cell[order], axis=0) != 0).any(axis=1))[: len(order)]
+    cell -= cell.min(axis=0)
+    size = cell.max(axis=0) + 1
+    keys = cell[:, 0], cell[:, 1] * size[2] + cell[:, 2], (cell[:, 3] * size[4] + cell[:, 4]) * size[5] + cell[:, 5]
+    order = np.lexsort(keys)
+    new = np.append(True, np.any([np.diff(key[order]) != 0 for key in keys], axis=0))
     first = order[new]
     return point[first], normal[first]
 
