@@ -10,6 +10,7 @@ import pytest
 from mesh_shapes import field as height_field
 from mesh_shapes import sphere
 from scipy.spatial import cKDTree
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.cl.cl_path import Motion
@@ -292,7 +293,7 @@ def boss(tmp_path_factory):
 
 def made(file, **more):
     options = {"machine": "trunnion_ac", "controller": "linuxcnc", "cutter": "ball:6", "passes": "zlevel", "stepover": 1.0}
-    options["tool_axis"] = "facet_mean"
+    options |= {"tool_axis": "facet_mean", **UNCURED}
     return job.make(build_settings("mill", str(file), {**options, **more}))
 
 
@@ -310,7 +311,19 @@ def test_a_program_has_fewer_links_and_no_more_rapids(boss):
 def test_off_is_the_default_and_open_planes_give_the_same_program(boss, tmp_path):
     def program(name, *more):
         out = tmp_path / name
-        given = ["--machine", "trunnion_ac", "--cutter", "ball:6", "--stepover", "2", "--tool-axis", "facet_mean", "--quiet"]
+        given = [
+            "--machine",
+            "trunnion_ac",
+            "--cutter",
+            "ball:6",
+            "--stepover",
+            "2",
+            "--tool-axis",
+            "facet_mean",
+            "--quiet",
+            "--gouge",
+            "off",
+        ]
         assert cli.main(["mill", str(boss), *given, "-o", str(out), *more]) == 0
         return out.read_bytes()
 
