@@ -11,6 +11,7 @@ from gouge_examples import prism
 from mesh_shapes import field as height_field
 from scipy.spatial import cKDTree
 from test_spirals import dense, lines, revolved, samples
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
@@ -370,7 +371,7 @@ def test_the_same_bytes_as_the_one_strategy_where_the_part_lies_on_one_side(file
     def program(name, *more):
         out = tmp_path / name
         given = [word for key, value in JOB.items() for word in (f"--{key.replace('_', '-')}", str(value))]
-        given += ["--scallop", str(4 * SCALLOP)]
+        given += ["--scallop", str(4 * SCALLOP), "--gouge", "off", "--linearize", "off"]
         assert cli.main(["mill", str(files / "cone.stl"), *given, "--quiet", "-o", str(out), *more]) == 0
         return out.read_bytes()
 
@@ -392,7 +393,7 @@ def test_with_faces_to_machine_and_to_avoid(files):
 def test_with_a_boundary(files, tmp_path):
     curve = tmp_path / "b.csv"
     curve.write_text("-10,-25,0\n10,-25,0\n10,25,0\n-10,25,0\n-10,-25,0\n")
-    found = made(files, boundary=str(curve), boundary_axis="0,0,1", scallop=4 * SCALLOP)
+    found = made(files, boundary=str(curve), boundary_axis="0,0,1", scallop=4 * SCALLOP, **UNCURED)
     assert np.abs(found.offset.point[:, 0]).max() == pytest.approx(10, abs=1e-6)
     assert {True, False} == set(np.unique(found.offset.point[:, 2] < 6).tolist())
 
