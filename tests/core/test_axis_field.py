@@ -287,17 +287,17 @@ def test_single_contacts_without_a_free_axis_are_a_note(held, severity):
 @pytest.mark.thorough
 def test_where_no_axis_is_free_the_given_one_stays_and_is_told_apart_and_counted():
     """The holder does not go into the slot, and within 20 deg the tool cannot lean out of its ends."""
-    path, given, (axis, free, findings), _, _ = milled(deep_slot, 20.0)
+    path, given, (axis, free, findings), _, _ = milled(deep_slot, 20.0, nodes=NODES)
     floor = np.isclose(path.point[:, 2], 10.0) & (np.abs(path.point[:, 0]) < 3.9) & (np.abs(path.point[:, 1] - 15.0) < 5.0)
     assert floor.any() and (axis[floor] == given[floor]).all() and not free[floor].any() and free.any()
     (finding,) = findings
     assert finding.code == "no-free-axis" and finding.value > 9 and "no tool axis was found" in finding.text
-    assert milled(plate)[2][2] == () and milled(plate)[2][1].all()
+    assert milled(plate, nodes=NODES)[2][2] == () and milled(plate, nodes=NODES)[2][1].all()
 
 
 @pytest.mark.thorough
 def test_lead_goes_on_top_where_that_is_free():
-    _, _, (axis, _, _), _, _ = milled(plate, lead=0.2)
+    _, _, (axis, _, _), _, _ = milled(plate, nodes=NODES, lead=0.2)
     np.testing.assert_allclose(angle(axis, np.array([0.0, 0.0, 1.0])), math.degrees(0.2), atol=1e-9)
 
 
