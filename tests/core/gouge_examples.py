@@ -59,11 +59,11 @@ def step(height=6.0):
     return prism([(-30, -10), (30, -10), (30, height), (0, height), (0, 0), (-30, 0)])
 
 
-def shelf(gap=12.0, roof=4.0, back=15.0):
+def shelf(gap=12.0, roof=4.0, back=15.0, length=40.0):
     """A floor at z = 0 from y = -25, a wall at y = ``back``, and a roof from y = 0 on, ``gap`` mm over the floor and ``roof`` mm
     thick."""
     wall, top = back + 5.0, gap + roof
-    return prism([(-25, -5), (wall, -5), (wall, top), (0, top), (0, gap), (back, gap), (back, 0), (-25, 0)])
+    return prism([(-25, -5), (wall, -5), (wall, top), (0, top), (0, gap), (back, gap), (back, 0), (-25, 0)], length)
 
 
 def corner(side=20.0, thick=10.0):

@@ -294,13 +294,13 @@ def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are
 
 
 def test_report_is_the_default_and_changes_no_byte(milled):
-    wide = ("stepover", 4.0)
+    wide = ("stepover", 8.0)
     assert milled(wide, ("singularity", "report")).nc == milled(wide).nc != milled(wide, ("singularity", "deform")).nc
     assert milled(wide, ("singularity", "report"), ("max_axis_change", 5)).nc == milled(wide).nc
 
 
 def test_a_driven_centre_runs_the_same_way_with_other_axes(milled):
-    given = ("stepover", 2.0), ("control_point", "centre")
+    given = ("stepover", 5.0), ("control_point", "centre")
     plain, cured = (milled(*given, ("singularity", kind)) for kind in ("report", "deform"))
     rows = [made.path.pass_ >= 0 for made in (plain, cured)]
     np.testing.assert_allclose(cured.path.tip[rows[1]], plain.path.tip[rows[0]], atol=1e-9, rtol=0)

@@ -34,8 +34,10 @@ def milled(mesh, **options):
 
 
 @cache
-def sphere_milled():
-    return milled(stemmed(), max_axis_angle=90)
+def sphere_milled(nodes):
+    with pytest.MonkeyPatch.context() as patch:
+        take_nodes(patch, nodes)
+        return milled(stemmed(), max_axis_angle=90)
 
 
 @pytest.fixture(params=[FEW, pytest.param(NODES, marks=pytest.mark.thorough)])
@@ -63,9 +65,10 @@ def finished(made, points):
     return cKDTree(tip + 3.0 * axis).query(points)[0] <= 3.0 + 0.2
 
 
-def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below():
+@some_in_core("nodes", [FEW, NODES])
+def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below(nodes):
     """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at most."""
-    made = sphere_milled()
+    made = sphere_milled(nodes)
     middle = made.mesh.vertex[made.mesh.face].mean(axis=1)
     under = (made.mesh.normal[:, 2] < -0.2) & (made.mesh.normal[:, 2] > -0.8) & (middle[:, 2] > 15.0)
     tip, axis = feed_places(made)
@@ -76,8 +79,9 @@ def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_
     assert not finished(by_normals, middle[under & (made.mesh.normal[:, 2] < -0.4)]).all()
 
 
-def test_nothing_enters_and_nothing_is_told_that_is_not_so():
-    result = job.prove(sphere_milled())
+@some_in_core("nodes", [FEW, NODES])
+def test_nothing_enters_and_nothing_is_told_that_is_not_so(nodes):
+    result = job.prove(sphere_milled(nodes))
     codes = {one.code for one in result.findings}
     assert not codes & {"overcut", "holder-collision", "rapid-collision", "facets-looking-down", "no-free-axis"}
     assert summary(job.figures(result))["unfinished_share"] < 0.05

@@ -82,7 +82,7 @@ def test_a_short_tool_does_not_turn_its_holder_through_the_part(nodes, monkeypat
     """And where its turns are not asked, it does."""
 
     def met():
-        made = made_on(prism(STEP, length=14.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6)
+        made = made_on(prism(STEP, length=11.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6)
         return [one.code for one in job.prove(made).findings if one.code in ("holder-collision", "overcut")]
 
     take_nodes(monkeypatch, nodes)

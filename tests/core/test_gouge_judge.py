@@ -37,7 +37,7 @@ QUICK = ("groove", "step")
 MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
 """Where the meshes of Debian's occt-misc lie."""
 
-REAL = {"head": (150, 10), "motor": (60, 8), "propeller": (200, 30), "bearing": (40, 5), "video_part": (70, 12)}
+REAL = {"head": (220, 10), "motor": (60, 8), "propeller": (200, 30), "bearing": (40, 5), "video_part": (70, 12)}
 """Stepover and diameter, mm."""
 
 

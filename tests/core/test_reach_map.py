@@ -85,7 +85,12 @@ def coarse(monkeypatch):
     monkeypatch.setattr(module, "PLACES", 500)
 
 
-def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarse):
+@pytest.fixture
+def coarsest(monkeypatch):
+    monkeypatch.setattr(module, "PLACES", 200)
+
+
+def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarsest):
     short, mesh = Reacher(Cutter(6.0, 20.0), holder=HOLDER), slot(14.0, 30.0, 160.0)
     found = reach_map(mesh, short)
     floor = on_floor(found, 160.0)
@@ -98,7 +103,7 @@ def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarse):
     assert (free.obstacle == Obstacle.NONE).all() and free.longer == ()
 
 
-def test_a_thick_shank_is_named_as_such(coarse):
+def test_a_thick_shank_is_named_as_such(coarsest):
     found = reach_map(slot(14.0, 30.0, 160.0), Reacher(Cutter(6.0, 10.0), shank=((13.0, 40.0),)))
     floor = on_floor(found, 160.0) & (np.abs(found.point[:, 0]) > 1.0)
     assert (found.obstacle[floor] == Obstacle.SHANK).all() and floor.any()
@@ -118,7 +123,7 @@ def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
     assert (found.tilt[side] >= math.radians(60.0) - 1e-9).all() and (found.obstacle[side] == Obstacle.NONE).all()
 
 
-def test_what_stopped_the_luckiest_axis_is_named_though_later_ones_are_beyond_the_limits(coarse):
+def test_what_stopped_the_luckiest_axis_is_named_though_later_ones_are_beyond_the_limits(coarsest):
     """On a slot's floor all axes up to 30 deg meet the holder, all farther ones are none of this machine's."""
     machine, mesh = load_machine("trunnion_ac"), slot(14.0, 30.0, 160.0)
     kinematics = chain(machine, Setup(machine.origin))

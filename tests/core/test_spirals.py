@@ -10,6 +10,7 @@ import pytest
 from mesh_shapes import field as height_field
 from mesh_shapes import sphere
 from scipy.spatial import cKDTree
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.cl.cl_path import Motion
@@ -286,12 +287,13 @@ def test_a_ball_is_cut_from_its_lowest_place_in_one_spiral():
 @pytest.fixture(scope="module")
 def boss(tmp_path_factory):
     file = tmp_path_factory.mktemp("spirals") / "boss.stl"
-    write_stl(revolved([0, 12, 12, 7, 4, 0], [-4, -4, 0, 0, 9, 9]), file)
+    write_stl(revolved([0, 12, 12, 7, 4, 0], [-4, -4, 0, 0, 9, 9], 24), file)
     return file
 
 
 def made(file, **more):
     options = {"machine": "trunnion_ac", "controller": "linuxcnc", "cutter": "ball:6", "passes": "zlevel", "stepover": 1.0}
+    options |= {"tool_axis": "facet_mean", **UNCURED}
     return job.make(build_settings("mill", str(file), {**options, **more}))
 
 
@@ -309,12 +311,25 @@ def test_a_program_has_fewer_links_and_no_more_rapids(boss):
 def test_off_is_the_default_and_open_planes_give_the_same_program(boss, tmp_path):
     def program(name, *more):
         out = tmp_path / name
-        given = ["--machine", "trunnion_ac", "--cutter", "ball:6", "--stepover", "2", "--quiet", "-o", str(out), *more]
-        assert cli.main(["mill", str(boss), *given]) == 0
+        given = [
+            "--machine",
+            "trunnion_ac",
+            "--cutter",
+            "ball:6",
+            "--stepover",
+            "2",
+            "--tool-axis",
+            "facet_mean",
+            "--quiet",
+            "--gouge",
+            "off",
+        ]
+        assert cli.main(["mill", str(boss), *given, "-o", str(out), *more]) == 0
         return out.read_bytes()
 
-    assert program("a.ngc", "--passes", "zlevel") == program("a.ngc", "--passes", "zlevel", "--spiral", "off")
-    assert program("a.ngc", "--passes", "zlevel") != program("a.ngc", "--passes", "zlevel", "--spiral", "on")
+    level = program("a.ngc", "--passes", "zlevel")
+    assert level == program("a.ngc", "--passes", "zlevel", "--spiral", "off")
+    assert level != program("a.ngc", "--passes", "zlevel", "--spiral", "on")
     assert program("a.ngc", "--passes", "planes") == program("a.ngc", "--passes", "planes", "--spiral", "on")
 
 

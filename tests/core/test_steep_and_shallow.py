@@ -11,6 +11,7 @@ from gouge_examples import prism
 from mesh_shapes import field as height_field
 from scipy.spatial import cKDTree
 from test_spirals import dense, lines, revolved, samples
+from uncured import UNCURED
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
@@ -34,7 +35,7 @@ OPTIONS = PassOptions(scallop=SCALLOP)
 
 
 @lru_cache
-def hemisphere(radius=15.0, plate=25.0, rows=45, columns=120):
+def hemisphere(radius=15.0, plate=25.0, rows=45, columns=72):
     polar = np.linspace(math.pi / 2, 0, rows + 1)
     return revolved([plate, *(radius * np.sin(polar))], [0.0, *(radius * np.cos(polar))], columns)
 
@@ -173,7 +174,7 @@ def test_what_is_not_cut_counts_for_neither_side():
 
 
 def hilly():
-    return from_triangles(height_field(60, lambda x, y: 4 * np.sin(0.25 * x) * np.cos(0.2 * y), 0.5))
+    return from_triangles(height_field(40, lambda x, y: 4 * np.sin(0.25 * x) * np.cos(0.2 * y), 0.75))
 
 
 PARTS = {"hemisphere": hemisphere, "box with a fillet": filleted_box, "hills": hilly}
@@ -327,7 +328,7 @@ def test_no_pass_that_lies_in_the_strip_is_a_stub():
 @pytest.mark.parametrize("strategy", ["scallop", pytest.param("morph", marks=pytest.mark.slow)])
 def test_both_parts_become_spirals_where_they_can(strategy):
     polar = np.linspace(0, math.pi / 2, 46)
-    mesh = revolved(15 * np.sin(polar[::-1]), 15 * np.cos(polar[::-1]), 120)
+    mesh = revolved(15 * np.sin(polar[::-1]), 15 * np.cos(polar[::-1]), 72)
     mesh = (
         mesh if strategy == "scallop" else from_faces(mesh.vertex, mesh.face[mesh.vertex[mesh.face][:, :, 2].max(axis=1) < 14.5])
     )
@@ -370,6 +371,7 @@ def test_the_same_bytes_as_the_one_strategy_where_the_part_lies_on_one_side(file
     def program(name, *more):
         out = tmp_path / name
         given = [word for key, value in JOB.items() for word in (f"--{key.replace('_', '-')}", str(value))]
+        given += ["--scallop", str(4 * SCALLOP), "--gouge", "off", "--linearize", "off"]
         assert cli.main(["mill", str(files / "cone.stl"), *given, "--quiet", "-o", str(out), *more]) == 0
         return out.read_bytes()
 
@@ -391,7 +393,7 @@ def test_with_faces_to_machine_and_to_avoid(files):
 def test_with_a_boundary(files, tmp_path):
     curve = tmp_path / "b.csv"
     curve.write_text("-10,-25,0\n10,-25,0\n10,25,0\n-10,25,0\n-10,-25,0\n")
-    found = made(files, boundary=str(curve), boundary_axis="0,0,1")
+    found = made(files, boundary=str(curve), boundary_axis="0,0,1", scallop=4 * SCALLOP, **UNCURED)
     assert np.abs(found.offset.point[:, 0]).max() == pytest.approx(10, abs=1e-6)
     assert {True, False} == set(np.unique(found.offset.point[:, 2] < 6).tolist())
 

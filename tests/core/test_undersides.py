@@ -49,7 +49,7 @@ def skin(body, step=3.0):
         bend = np.linspace(-np.pi / 2, 0.0, 5)
         outline.append(np.column_stack([low_radius + corner * np.cos(bend), low + corner * np.sin(bend)]))
         radius, height = np.concatenate(outline).T
-        turn = np.linspace(0.0, 2.0 * np.pi, 36, endpoint=False)[:, None]
+        turn = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)[:, None]
         points.append(np.stack([radius * np.cos(turn), radius * np.sin(turn), height + 0.0 * turn], axis=-1).reshape(-1, 3))
     return np.concatenate(points)
 
@@ -123,7 +123,7 @@ def test_a_machine_that_turns_right_round_cuts_the_underside(tmp_path, name, let
 def rewinding(folder, links):
     """The mushroom on a machine that has to turn back inside cuts."""
     machine = machine_file(folder, "trunnion_ac", C=(-200.0, 200.0), A=(0.0, 120.0))
-    made = milled("mushroom", "trunnion_ac", machine=machine, links=links, passes="zlevel")
+    made = milled("mushroom", "trunnion_ac", machine=machine, links=links, passes="zlevel", stepover=7.0)
     assert any(one.code == "rewind" for one in made.findings)
     return made
 

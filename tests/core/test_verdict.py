@@ -191,7 +191,7 @@ def test_what_the_check_has_settled_is_withdrawn(how, told_of, monkeypatch):
     monkeypatch.setattr(trimming, "ROUNDS", 1)
     given = {"cutter": "ball:8", "direction": 90, "tool_axis": "fixed", "max_axis_angle": 85}
     settings = build_settings("mill", "part.stl", {**MACHINE, **given, "gouge": how})
-    found = job.prove(job.make(settings, mesh=round_groove(3.0, side=12.0, length=20.0))).findings
+    found = job.prove(job.make(settings, mesh=round_groove(3.0, 32, side=12.0, length=12.0))).findings
     suspected = [one for one in found if one.code == "surface-tighter-than-cutter"]
     assert bool(suspected) is told_of
     assert all(one.value is None and "not known" in one.text and " mm" not in one.text for one in suspected)

@@ -6,15 +6,18 @@ import math
 import numpy as np
 import pytest
 from gouge_examples import blade_beside_hub, bowl_block, step
-from test_axis_field import trunnion
+from test_axis_field import NODES as FEW
+from test_axis_field import take_nodes, trunnion
 from test_facets_with_axis import milled
 from test_reach_map import profile
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.collision.obstacles import Reacher, within_limits
 from freecad_fiveaxis.core.collision.search import which_enter
 from freecad_fiveaxis.core.collision.swept_motion import ways_up
 from freecad_fiveaxis.core.corrections import auto_axis
 from freecad_fiveaxis.core.corrections.auto_axis import Contacts, Free, select_rows_with_way_out
+from freecad_fiveaxis.core.corrections.axis_field import NODES
 from freecad_fiveaxis.core.corrections.overhang import is_under
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.passes import axes_within_limits, turns_within_limits, with_room
@@ -78,8 +81,10 @@ def t_slot():
     return profile(np.array(outline, float), 60.0)
 
 
-def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part():
+@some_in_core("nodes", [FEW, NODES])
+def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part(nodes, monkeypatch):
     """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out within 25 deg."""
+    take_nodes(monkeypatch, nodes)
     made = milled(t_slot(), cutter="ball:6:8", max_axis_angle=25, passes="planes", stepover=3.0)
     codes = {one.code: one for one in made.findings}
     assert codes["no-way-out"].value > 50.0 and "get out along its axis" in codes["no-way-out"].text
