@@ -302,8 +302,12 @@ def runs(path, motion):
     return int((np.diff(on) == 1).sum())
 
 
-def test_a_program_has_fewer_links_and_no_more_rapids(boss):
-    loops, spiral = made(boss), made(boss, spiral="on")
+@pytest.mark.parametrize(
+    "more", [{}, pytest.param({"tool_axis": "auto", "gouge": "lift", "linearize": "on"}, marks=pytest.mark.thorough)],
+    ids=["bare", "with what a user gets"],
+)  # fmt: skip
+def test_a_program_has_fewer_links_and_no_more_rapids(boss, more):
+    loops, spiral = made(boss, **more), made(boss, spiral="on", **more)
     assert runs(spiral.path, Motion.LINK) <= 0.5 * runs(loops.path, Motion.LINK)
     assert runs(spiral.path, Motion.RAPID) <= runs(loops.path, Motion.RAPID)
 
