@@ -90,10 +90,12 @@ def test_at_its_narrowest_every_text_of_a_form_is_to_be_read(doc, dome, language
         group.unfold()
     panel.form.resize(NARROW - 30, 900)  # what FreeCAD 1.1's panel leaves of its width
     panel.form.show()
-    until(lambda: panel.form.width() == NARROW - 30 and cut(panel.form) == [], 20000, "no text that is cut")
+    try:
+        until(lambda: panel.form.width() == NARROW - 30 and cut(panel.form) == [], 20000, "no text that is cut")
+    finally:
+        panel.form.hide()
     wide = [one.field.name for group in panel.options.groups.values() for one in group.body.rows if not one.above]
     assert "tolerance" in wide, "short labels stand beside their editors"
-    panel.form.hide()
 
 
 def groups(panel):

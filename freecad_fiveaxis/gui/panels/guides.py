@@ -20,6 +20,8 @@ from .files import all_files
 from .picking import Pick
 from .triple import LAST, TripleField
 
+APART, LEAST = 4, 30
+"""Pixels between a line and the button for its file, and the least width of such a line: what stands there is long anyway."""
 Zero = Callable[[], Sequence[float]]
 """Gives the work zero, mm, document."""
 Link = tuple[Any, str]
@@ -147,7 +149,7 @@ class PlaceField(TextField):
 
     def room(self) -> int:
         """The name of what is picked may be long."""
-        return width_of(self.line, "0" * 12)
+        return width_of(self.line, "0" * 12) + (0 if self.file is None else self.file.sizeHint().width() + APART)
 
     def value(self) -> str:
         """The text."""
@@ -231,8 +233,10 @@ def _with(line: Any, file: Any, named: Any, name: str) -> Any:
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(2)
     row = QtWidgets.QHBoxLayout()
+    row.setSpacing(APART)
     row.addWidget(line)
     if file is not None:
+        line.setMinimumWidth(LEAST)
         file.setText("…")
         file.setToolTip(translate("FiveAxis", "Choose a CSV file with the points of the curve"))
         file.setObjectName(name + "_browse")
