@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .field import ALL_ROUND, PassField, PassOptions, Region
 from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
@@ -249,8 +250,8 @@ def _gaps(surface: Surface, steps: Floats, main: PassField) -> Bools:
 
 
 def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats) -> Bools:
-    """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is and where its
-    facet is ``looking`` (f, 3)."""
+    """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is, and where
+    its facet is ``looking`` (f, 3)."""
     tree, most = cKDTree(samples), AMPLE * float(enough.max())
     corner = mesh.vertex[mesh.face]
     far, nearest = tree.query(np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most)
