@@ -71,6 +71,7 @@ def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ..
     leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
     leaves = [(cls, leaf) for cls, leaf in leaves if leaf.name not in (*unread, "boundary")]
     named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups] + curve_files(settings)
+    named += [body.file for body in _machine(settings).bodies]
     return tuple(hashlib.sha256(read_bytes(name, "file")).hexdigest() for name in named if name)
 
 

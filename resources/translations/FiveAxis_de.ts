@@ -2039,6 +2039,10 @@
         <translation>Im vorgeschlagenen Ordner steht sie von da an in jeder Maschinenliste.</translation>
     </message>
     <message>
+        <source>In the machine</source>
+        <translation>In der Maschine</translation>
+    </message>
+    <message>
         <source>In the tool path's panel a larger clearance; under the part let the tool be lifted, or leave such places out.</source>
         <translation>Im Fenster des Werkzeugwegs ein größerer Sicherheitsabstand; unter dem Werkstück das Werkzeug anheben lassen oder solche Stellen auslassen.</translation>
     </message>
@@ -4088,6 +4092,10 @@
         <translation>CUTCOM verlangt {count}-mal Radiuskorrektur (zuerst Zeile {line}); das Programm hat keine: {taken}</translation>
     </message>
     <message>
+        <source>Clamp the part elsewhere or higher, use a longer tool, or lean it less.</source>
+        <translation>Das Werkstück anderswo oder höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen.</translation>
+    </message>
+    <message>
         <source>Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.</source>
         <translation>Spannen Sie das Teil anders, nehmen Sie ein längeres Werkzeug oder einen kleineren Halter, oder bearbeiten Sie weniger Flächen.</translation>
     </message>
@@ -4188,6 +4196,10 @@
         <translation>In {count} NC-Sätzen ist der ganze Fräser im Werkstück, zuerst bei {place}. Werkstücknullpunkt und Einheiten des Werkstücks prüfen.</translation>
     </message>
     <message>
+        <source>In {count} blocks the whole cutter is inside the {name}.</source>
+        <translation>In {count} Sätzen steckt der ganze Fräser in: {name}.</translation>
+    </message>
+    <message>
         <source>In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis would need another branch or winding; its axis deviation stays as it was. Lead the tool round the pole to avoid it.</source>
         <translation>In {count} geteilten NC-Sätzen drehen die Rundachsen gleichmäßig, weil der gerade Schwenk der Werkzeugachse einen anderen Zweig oder eine andere Windung bräuchte; die Abweichung der Achse bleibt, wie sie war. Das Werkzeug um den Pol herumführen, um das zu vermeiden.</translation>
     </message>
@@ -4202,6 +4214,10 @@
     <message>
         <source>In {count} rapids it is not proven that the tool stays out of the part on every way of independent axes, the first in NC line {line}; it enters by no more than {bound}.</source>
         <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen außerhalb des Werkstücks bleibt, zuerst in NC-Zeile {line}; tiefer als {bound} dringt es nicht ein.</translation>
+    </message>
+    <message>
+        <source>In {count} rapids it is not proven that tool and spindle stay out of the {name} on every way of independent axes, the first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the other.</source>
+        <translation>In {count} Eilgängen ist nicht bewiesen, dass Werkzeug und Spindel auf jedem Weg unabhängiger Achsen draußen bleiben aus: {name}, der erste in NC-Zeile {line}; sie dringen höchstens {bound} ein. Eine Gruppe von Achsen nach der anderen fahren.</translation>
     </message>
     <message>
         <source>In {where} the tip moves over the part more than {factor} times faster or slower than meant: at worst {feed} in NC line {line}, where {meant}. </source>
@@ -4462,6 +4478,10 @@
     <message>
         <source>The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from end to end is the controller's affair, and not proven here.</source>
         <translation>Die Steuerung führt die Werkzeugspitze (RTCP). Nachgewiesen ist, dass jeder Satz innerhalb {off} an der Spitze des Werkzeugwegs und innerhalb {lean} an seiner Werkzeugachse endet, so wie die Maschinendatei die Maschine beschreibt; wie Spitze und Achsen von Ende zu Ende gehen, ist Sache der Steuerung und hier nicht nachgewiesen.</translation>
+    </message>
+    <message>
+        <source>The controller guides the tip, so where the axes stand between the ends of blocks is not known: the machine's bodies were not looked at.</source>
+        <translation>Die Steuerung führt die Spitze, daher ist nicht bekannt, wo die Achsen zwischen den Satzenden stehen: die Körper der Maschine wurden nicht angesehen.</translation>
     </message>
     <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
@@ -4776,6 +4796,10 @@
         <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, in einem Eilgang, dessen Achsen unabhängig laufen; frei ist der Weg nur, wenn sie interpoliert werden.</translation>
     </message>
     <message>
+        <source>The {part} goes at least {depth} into the {name}, at {at} in the machine frame with the axes that carry it at zero, deepest of {count} blocks.</source>
+        <translation>{part}: geht mindestens {depth} hinein in {name}, bei {at} im Maschinenkoordinatensystem, die Achsen, die es tragen, auf null; am tiefsten von {count} Sätzen.</translation>
+    </message>
+    <message>
         <source>The {part} goes {depth} into the part at {at}.</source>
         <translation>{part}: dringt bei {at} {depth} ins Werkstück ein.</translation>
     </message>
@@ -4826,6 +4850,10 @@
     <message>
         <source>Where the holder is in the way, no tool that sticks out up to 80 mm farther helps.</source>
         <translation>Wo der Halter im Weg ist, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
+    </message>
+    <message>
+        <source>Where the spindle is over the tip is not known without the tool's length: {names} were not looked at. Give it ({option}).</source>
+        <translation>Wo die Spindel über der Spitze steht, ist ohne die Werkzeuglänge nicht bekannt: nicht angesehen wurden {names}. Sie angeben ({option}).</translation>
     </message>
     <message>
         <source>While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its straight segment, and the surface with it.</source>
@@ -5116,6 +5144,18 @@
         <translation>die Eckenverrundung ist {blend}; 0 (exakter Weg) bis 999 angeben</translation>
     </message>
     <message>
+        <source>body {name}: what the spindle carries is a cylinder or a cone about the line through the gauge point, upright, its low end first; give one around it</source>
+        <translation>Körper {name}: was die Spindel trägt, ist ein Zylinder oder Kegel um die Linie durch den Bezugspunkt, aufrecht, das untere Ende zuerst; einen darum herum angeben</translation>
+    </message>
+    <message>
+        <source>body {name}: {carrier} carries no body that is looked at; name one of {known}</source>
+        <translation>Körper {name}: {carrier} trägt keinen Körper, der angesehen wird; eines von {known} nennen</translation>
+    </message>
+    <message>
+        <source>body {name}: {error}</source>
+        <translation>Körper {name}: {error}</translation>
+    </message>
+    <message>
         <source>both rotary axes are parallel; tilt one of them</source>
         <translation>beide Rundachsen sind parallel; eine davon neigen</translation>
     </message>
@@ -5244,6 +5284,10 @@
         <translation>Fräser, Schaft und Halter, soweit angegeben, bleiben aus den Spannmitteln: {names}</translation>
     </message>
     <message>
+        <source>cutter, shank and holder, as far as they are given, stay out of the machine's bodies: {names}</source>
+        <translation>Fräser, Schaft und Halter, soweit angegeben, bleiben aus den Körpern der Maschine draußen: {names}</translation>
+    </message>
+    <message>
         <source>cycle {number} with {name} above 0</source>
         <translation>Zyklus {number} mit {name} über 0</translation>
     </message>
@@ -5314,6 +5358,10 @@
     <message>
         <source>fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1</source>
         <translation>die feste Werkzeugachse {fixed} hat keine Richtung; drei Zahlen angeben, wie 0,0,1</translation>
+    </message>
+    <message>
+        <source>fixtures that were not given, other bodies of the machine, these against each other, and stock that is still there</source>
+        <translation>Spannmittel, die nicht angegeben wurden, andere Körper der Maschine, diese gegeneinander, und Rohteil, das noch da ist</translation>
     </message>
     <message>
         <source>fixtures, the machine's own bodies, and stock that is still there</source>
@@ -5460,6 +5508,14 @@
         <translation>es muss {bounds}</translation>
     </message>
     <message>
+        <source>it needs one of {shapes}</source>
+        <translation>er braucht eines von {shapes}</translation>
+    </message>
+    <message>
+        <source>it needs {keys} and nothing else</source>
+        <translation>er braucht {keys} und nichts sonst</translation>
+    </message>
+    <message>
         <source>it says none of TURN, MOVE and STAY</source>
         <translation>sie nennt weder TURN noch MOVE noch STAY</translation>
     </message>
@@ -5546,6 +5602,10 @@
     <message>
         <source>keep has shape {shape}: give one value for each of the {count} facets</source>
         <translation>keep hat die Form {shape}: für jede der {count} Facetten einen Wert angeben</translation>
+    </message>
+    <message>
+        <source>key {key} is not known; leave it out</source>
+        <translation>Schlüssel {key} ist nicht bekannt; weglassen</translation>
     </message>
     <message>
         <source>key {key} stands twice in one object; remove one</source>
@@ -5638,6 +5698,14 @@
     <message>
         <source>linear</source>
         <translation>linear</translation>
+    </message>
+    <message>
+        <source>low and high are one point</source>
+        <translation>low und high sind ein Punkt</translation>
+    </message>
+    <message>
+        <source>low is not below high in each of X, Y, Z</source>
+        <translation>low liegt nicht in jedem von X, Y, Z unter high</translation>
     </message>
     <message>
         <source>machine file {output} needs the ending .fcm</source>
@@ -5940,6 +6008,10 @@
         <translation>andere Spannmittel, die Körper der Maschine selbst und Rohmaterial, das noch da ist</translation>
     </message>
     <message>
+        <source>part</source>
+        <translation>Werkstück</translation>
+    </message>
+    <message>
         <source>passes along X, in direction {angle}</source>
         <translation>Zeilen entlang X, in Richtung {angle}</translation>
     </message>
@@ -5986,6 +6058,10 @@
     <message>
         <source>program number is {program}; give 1 to 9999</source>
         <translation>die Programmnummer ist {program}; 1 bis 9999 angeben</translation>
+    </message>
+    <message>
+        <source>radius {radii} is not above 0, or beyond {most} mm</source>
+        <translation>Radius {radii} ist nicht größer als 0 oder jenseits von {most} mm</translation>
     </message>
     <message>
         <source>rapids, shank and holder were not looked at</source>
@@ -6110,6 +6186,10 @@
     <message>
         <source>side {side} is neither table nor head</source>
         <translation>die Seite {side} ist weder table noch head</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>Spindel</translation>
     </message>
     <message>
         <source>spindle speed is {speed} 1/min; give 0 to 999999</source>
@@ -6420,6 +6500,10 @@
         <translation>das Werkzeug trifft ein Spannmittel</translation>
     </message>
     <message>
+        <source>the tool hits the machine</source>
+        <translation>das Werkzeug stößt an die Maschine</translation>
+    </message>
+    <message>
         <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
         <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
     </message>
@@ -6630,6 +6714,10 @@
     <message>
         <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
         <translation>zuerst das Werkstück um {turn} um Z durch seinen Nullpunkt drehen, gegen den Uhrzeigersinn, und nur eine Drehung erproben</translation>
+    </message>
+    <message>
+        <source>two bodies are called {name}; give each a name of its own</source>
+        <translation>zwei Körper heißen {name}; jedem einen eigenen Namen geben</translation>
     </message>
     <message>
         <source>unknown controller {name}; known are {dialects}</source>
@@ -7150,6 +7238,14 @@
     <message>
         <source>{given} given; give either a stepover or a scallop</source>
         <translation>{given} angegeben; entweder Zeilensprung oder Kuppenhöhe angeben</translation>
+    </message>
+    <message>
+        <source>{given} is no list; write [{{"name": ..., "carrier": ..., "box": ...}}]</source>
+        <translation>{given} ist keine Liste; [{{"name": ..., "carrier": ..., "box": ...}}] schreiben</translation>
+    </message>
+    <message>
+        <source>{given} is not an object; write {{ ... }}</source>
+        <translation>{given} ist kein Objekt; {{ ... }} schreiben</translation>
     </message>
     <message>
         <source>{gouge} changes the passes: use it with {mill}; for an audit give {report}</source>
@@ -7888,6 +7984,10 @@
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
     </message>
     <message>
+        <source>{value} is beyond {most} mm</source>
+        <translation>{value} liegt jenseits von {most} mm</translation>
+    </message>
+    <message>
         <source>{value} is no list of names; write ["M202", "CYCL DEF 392"]</source>
         <translation>{value} ist keine Liste von Namen; schreiben: ["M202", "CYCL DEF 392"]</translation>
     </message>
@@ -7910,6 +8010,10 @@
     <message>
         <source>{value} is not a text that can be shown; write one in quotes</source>
         <translation>{value} ist kein Text, der gezeigt werden kann; einen in Anführungszeichen schreiben</translation>
+    </message>
+    <message>
+        <source>{value} is not a text; write one in quotes</source>
+        <translation>{value} ist kein Text; einen in Anführungszeichen schreiben</translation>
     </message>
     <message>
         <source>{value} is not a vector; write [x, y, z]</source>

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, Body
+from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, SPINDLE, Body
 
 from .inside import buried_blocks, crossing_depth, is_closed
 from .joint_box import JointSpace
@@ -75,9 +75,9 @@ Where = Callable[[int], tuple[int | None, int | None]]
 
 @dataclass(frozen=True, eq=False)
 class GougeCheck:
-    """``cutter`` and ``above`` (shank and holder): their entries, a row a block of the swept motion; ``buried`` (m,) blocks
-    that are wholly in the part; ``findings``. ``ways``: what the tool enters on rapids whose axes may run independently, None
-    where they are interpolated."""
+    """``cutter`` and ``above`` (shank, holder and spindle): their entries, a row a block of the swept motion; ``buried`` (m,)
+    blocks that are wholly in the part; ``findings``. ``ways``: what the tool enters on rapids whose axes may run independently,
+    None where they are interpolated."""
 
     cutter: Entries
     above: Entries
@@ -112,7 +112,7 @@ def check_motion(
     """
     tree = facet_tree(mesh)
     cutter = find_entries(body.only(CUTTER), tree, swept, tolerance, progress=progress)
-    above = find_entries(body.only(SHANK, HOLDER), tree, swept, tolerance, ROUGHLY, progress=progress)
+    above = find_entries(body.only(SHANK, HOLDER, SPINDLE), tree, swept, tolerance, ROUGHLY, progress=progress)
     buried = np.zeros(len(swept), np.bool_)
     if is_closed(mesh):
         buried = buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)

@@ -55,6 +55,7 @@ from .collision_avoidance import (
 from .context import JobContext
 from .driving import drive, posted
 from .fewer_axes import suit_tool_axis
+from .in_machine import check_bodies, look_in_machine
 from .made import Made, Milled, Posted, Result
 from .milling import mill, mill_context
 from .options import (
@@ -92,6 +93,7 @@ def make(
     name them. Raises FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
+    check_bodies(settings, machine)
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
     if settings.task in (MILL, POST):
         dialect = _told(settings, machine, dialect)
@@ -197,7 +199,8 @@ def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> 
     surface = surface_deviation(made, driven_to_surface(made.settings), progress)
     judged = judge(made.kinematics, made.program, surface or deviation, singularity, proof.tolerance, surface is not None)
     gouge, left, entries = _against_part(made, progress)
-    found = still_true(made.findings, gouge) + deviation.findings + entries + _in_fixtures(made, progress) + judged
+    hit = _in_fixtures(made, progress) + look_in_machine(made, against, progress)
+    found = still_true(made.findings, gouge) + deviation.findings + entries + hit + judged
     if made.settings.task != AUDIT:
         return Result(made, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
     audited = _audited(made, deviation, against, progress)

@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.base.files import check_writable, same_file, write_al
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.machine import machine_path
+from freecad_fiveaxis.core.machine import load_machine, machine_path
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, rates_csv
 
 from .job import figures
@@ -55,7 +55,9 @@ def files_read(settings: Settings) -> list[str]:
     """Every file that the job reads: source, programs, parts, curves and machines."""
     machines = (settings.machine.machine, *settings.compare.machines)
     of_machines = [os.fspath(path) for name in machines if name and (path := machine_path(name)) is not None]
-    return [name for name in (settings.source, *_paths(settings, False), *curve_files(settings), *of_machines) if name]
+    bodies = [body.file for path in of_machines if os.path.isfile(path) for body in load_machine(path).bodies]
+    read = (settings.source, *_paths(settings, False), *curve_files(settings), *of_machines, *bodies)
+    return [name for name in read if name]
 
 
 def curve_files(settings: Settings) -> list[str]:

@@ -21,6 +21,7 @@ from typing import Literal
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Point, measure, say
 
+from .bodies import MachineBody, check_carriers
 from .no_motion import checked
 from .safe_start import SafeStart
 
@@ -130,8 +131,8 @@ class Machine:
     dialect that the machine speaks unless the settings say otherwise, or empty. ``safe_start``: how its programs begin and end.
     ``rapids``: how its controller drives the axes in a rapid, one of :data:`~.base.rapids.RAPIDS`, or empty: as its dialect says.
     ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. ``no_motion``: its
-    control's functions that move nothing (:mod:`.no_motion`). Raises MachineError for axes that do not make a machine of three to
-    five axes, and for such a function that moves.
+    control's functions that move nothing (:mod:`.no_motion`). ``bodies``: what the tool must not hit, and what carries it.
+    Raises MachineError for axes that do not make a machine of three to five axes, and for such a function that moves.
     """
 
     name: str
@@ -145,6 +146,7 @@ class Machine:
     table: float | None = None
     rapids: str = ""
     no_motion: tuple[str, ...] = ()
+    bodies: tuple[MachineBody, ...] = ()
     letters: str = field(init=False)
 
     def __post_init__(self) -> None:
@@ -164,6 +166,7 @@ class Machine:
                 self.table,
             )
         self._check_axes()
+        check_carriers(self.bodies, [axis.letter for axis in self.fitted if axis.side == "table"], self.gauge_point)
         if not 0.0 <= self.singular_cone <= math.pi / 2:
             cone = math.degrees(self.singular_cone)
             raise MachineError(

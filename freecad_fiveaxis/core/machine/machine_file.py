@@ -9,8 +9,9 @@ unlimited a limit of 99999 mm or degrees or beyond means that the axis has none 
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
           ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the controller's own
           where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to a machine coordinate, ``Z``),
-          ``table`` (height of its face, machine frame) and ``no_motion`` (a list of functions that move nothing,
-          :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
+          ``table`` (height of its face, machine frame), ``bodies`` (what the tool must not hit, :mod:`.bodies`) and
+          ``no_motion`` (a list of functions that move nothing, :mod:`.no_motion`). FreeCAD drops it when it saves;
+          each has a default.
 older     files from before the editor's release have keys of their own (:mod:`.older_layout`).
 
 What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
@@ -26,6 +27,7 @@ import os
 import re
 import reprlib
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Literal
@@ -35,6 +37,7 @@ from freecad_fiveaxis.core.base.files import read_bytes, write_whole
 from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
+from .bodies import read_bodies, write_bodies
 from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
 from .older_layout import as_today
 from .safe_start import BY_MACHINE, RETRACTS, SafeStart
@@ -98,9 +101,18 @@ def machine_path(given: str) -> Path | None:
 def _load_file(path: Path) -> Machine:
     content = read_bytes(_usable(path), "machine file")
     try:
-        return _read(content)
+        return _beside(_read(content), path)
     except MachineError as error:
         raise MachineError(say("{path}: {error}", path=path, error=error), error.value) from None
+
+
+def _beside(machine: Machine, path: Path) -> Machine:
+    """The machine, the files of its bodies beside its own."""
+    if not any(body.file for body in machine.bodies):
+        return machine
+    return replace(
+        machine, bodies=tuple(replace(body, file=str(path.parent / body.file) if body.file else "") for body in machine.bodies)
+    )
 
 
 @lru_cache(maxsize=64)
@@ -248,6 +260,7 @@ def _extra(data: _Object, unit: float) -> dict[str, Any]:
         "safe_start": lambda key: _safe_start(_object(extra, where, key), f"{where}{key}.", unit),
         "rapids": lambda key: _choice(extra, where, key, RAPIDS),
         "table": lambda key: unit * _number(extra, where, key),
+        "bodies": lambda key: read_bodies(extra[key], where + key, unit),
         "no_motion": lambda key: _names(extra, where, key),
     }
     return {key: read(key) for key, read in readers.items() if key in extra}
@@ -414,6 +427,7 @@ def _data(machine: Machine) -> dict[str, Any]:
             "safe_start": _safe_start_data(machine.safe_start),
             **({"rapids": machine.rapids} if machine.rapids else {}),
             **({} if machine.table is None else {"table": machine.table}),
+            **({"bodies": write_bodies(machine.bodies)} if machine.bodies else {}),
             **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
         },
     }

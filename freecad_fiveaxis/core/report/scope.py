@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
 from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_UNPROVEN
+from freecad_fiveaxis.core.collision.machine_check import MACHINE_COLLISION, MACHINE_UNPROVEN
 from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
 from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
 
@@ -51,10 +52,15 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
             tolerance=Length(figures.tolerance),
         )
     errors = {one.code for one in figures.findings if one.severity is Severity.ERROR}
-    if is_checked(figures) and not errors & (set(ENTERS) - {TABLE_COLLISION, FIXTURE_COLLISION}):
+    if is_checked(figures) and not errors & (set(ENTERS) - {TABLE_COLLISION, FIXTURE_COLLISION, MACHINE_COLLISION}):
         yield from _out_of_the_part(figures)
     if figures.table is not None and TABLE_COLLISION not in errors:
         yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
+    if (names := looked_at_bodies(figures)) and not {one.code for one in figures.findings} & {
+        MACHINE_COLLISION,
+        MACHINE_UNPROVEN,
+    }:
+        yield say("cutter, shank and holder, as far as they are given, stay out of the machine's bodies: {names}", names=names)
     if figures.fixtures and not {one.code for one in figures.findings} & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
         yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
@@ -106,8 +112,17 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
         yield say("in a rapid all axes run in proportion to each other ({rapids})", rapids=Option("rapids"))
 
 
+def looked_at_bodies(figures: Figures) -> str:
+    """Name the machine's bodies that the tool was checked against, with commas."""
+    return ", ".join(body.name for body in figures.machine.bodies)
+
+
 def _unknown(figures: Figures) -> Iterator[Sentence]:
-    if figures.fixtures:
+    if looked_at_bodies(figures):
+        yield say(
+            "fixtures that were not given, other bodies of the machine, these against each other, and stock that is still there"
+        )
+    elif figures.fixtures:
         yield say("other fixtures, the machine's own bodies, and stock that is still there")
     else:
         yield say("fixtures, the machine's own bodies, and stock that is still there")

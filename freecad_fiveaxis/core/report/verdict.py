@@ -121,6 +121,7 @@ ENTERS = {
     "holder-collision": say("shank or holder hits the part"),
     "table-collision": say("the tool goes below the table"),
     "fixture-collision": say("the tool hits a fixture"),
+    "machine-collision": say("the tool hits the machine"),
     "buried": say("the whole cutter is inside the part"),
     "cut-too-deep": say("cuts too deep"),
 }

@@ -25,8 +25,8 @@ from freecad_fiveaxis.core.base.sentences import Length, say
 
 from .cutter import Cutter
 
-CUTTER, SHANK, HOLDER = 0, 1, 2
-PARTS = (say("cutter"), say("shank"), say("holder"))
+CUTTER, SHANK, HOLDER, SPINDLE = 0, 1, 2, 3
+PARTS = (say("cutter"), say("shank"), say("holder"), say("spindle"))
 """What a piece belongs to."""
 
 LARGEST = 1e4
@@ -37,7 +37,7 @@ UNDIRECTED_MM = 1e-30
 
 
 class Piece(NamedTuple):
-    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK or HOLDER."""
+    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK, HOLDER or SPINDLE."""
 
     low: float
     low_radius: float

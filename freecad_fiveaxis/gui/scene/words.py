@@ -49,6 +49,7 @@ def short_names() -> dict[str, str]:
         "not-freed": translate("FiveAxis", "Shank or holder not freed"),
         "table-collision": translate("FiveAxis", "Below the table"),
         "fixture-collision": translate("FiveAxis", "In a fixture"),
+        "machine-collision": translate("FiveAxis", "In the machine"),
         "retract-below-part": translate("FiveAxis", "Retract below the part"),
         "start-through-part": translate("FiveAxis", "Start through the part"),
     }

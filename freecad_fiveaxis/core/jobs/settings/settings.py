@@ -319,7 +319,7 @@ def _check_tool_axis(tool: ToolAxisSettings) -> None:
 
 def _check_gouge(settings: Settings) -> None:
     """An audit changes nothing, and knows no part but the one that it is given. Shank and holder are looked at beside fixtures
-    too."""
+    and the machine's bodies too."""
     gouge, against = settings.gouge, settings.audit.against
     if settings.task != AUDIT or (gouge.gouge == "off" and (gouge.fixture or (not gouge.shank and not gouge.holder))):
         return
@@ -333,15 +333,18 @@ def _check_gouge(settings: Settings) -> None:
             ),
             gouge.gouge,
         )
-    if against is None or not is_part(against):
-        raise SettingsError(
-            say(
-                "gouge, shank and holder need the part or a fixture: give its STL with {against} or {fixture}",
-                against=Option("against"),
-                fixture=Option("fixture"),
-            ),
-            against,
-        )
+    own = (settings.machine.machine or "").lower().endswith(".fcm")  # its file may name bodies, which are looked at too
+    if (against is None or not is_part(against)) and not (own and gouge.gouge == "off"):
+        raise without_part(against)
+
+
+def without_part(against: str | None) -> SettingsError:
+    """Say that shank and holder have nothing to be looked at against."""
+    text = say(
+        "gouge, shank and holder need the part or a fixture: give its STL with {against} or {fixture}", against=Option("against"),
+        fixture=Option("fixture"),
+    )  # fmt: skip
+    return SettingsError(text, against)
 
 
 def flat_options(settings: Settings) -> dict[str, Any]:

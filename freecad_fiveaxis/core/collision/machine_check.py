@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool, and what the spindle carries, against the bodies of the machine, on the way that the machine really goes.
+
+locked   words whose joints between the body's carrier and the work stand at zero: seen from the carrier the tool then goes as it
+         does in a work frame that the carrier holds, which is that of all joints at zero. So each body stands still, whatever
+         moves it, and one check serves them all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, joined, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE, MachineBody
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import PARTS, Body
+
+from .check import GougeCheck, check_program
+from .machine_bodies import make_mesh, spindle_body
+from .rapid_check import unproven_blocks
+from .rapid_ways import WayEntries
+from .search import Entries
+
+MACHINE_COLLISION, MACHINE_UNPROVEN = "machine-collision", "machine-unproven"
+"""The codes of the findings."""
+
+REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
+
+
+@dataclass(frozen=True, eq=False)
+class InMachine:
+    """What is to be checked: the ``machine`` with its bodies, the ``setup`` in which the part stands on it, the chain of both,
+    and the tool's ``body``. ``length`` mm, gauge point to the driven point; None where it is not known. ``back`` mm from the tip
+    up to that point; ``rapids`` as of :func:`.check.check_program`."""
+
+    machine: Machine
+    setup: Setup
+    kinematics: Chain
+    body: Body
+    length: float | None
+    back: float = 0.0
+    rapids: str = INTERPOLATED
+
+
+def check_machine(
+    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress = silent
+) -> tuple[Finding, ...]:
+    """Find where tool or spindle go more than ``tolerance`` mm into a body of the machine, and the spindle into the ``part``
+    (with its fixtures, None: not known), on any block. None deeper is missed; told of each body is the deepest place.
+    Nothing is found where the machine's file names no bodies. Raises FiveAxisError for the file of a body that cannot be used."""
+    if not given.machine.bodies:
+        return ()
+    if program.guided is not None:
+        text = say(
+            "The controller guides the tip, so where the axes stand between the ends of blocks is not known: the machine's "
+            "bodies were not looked at."
+        )
+        return (Finding(Severity.NOTE, MACHINE_UNPROVEN, text),)
+    return (
+        *_unplaced(given),
+        *_against_bodies(given, program, tolerance, progress),
+        *_against_part(given, program, part, tolerance, progress),
+    )
+
+
+def _unplaced(given: InMachine) -> Iterator[Finding]:
+    """What cannot be looked at without the tool's length."""
+    missing = [one.name for one in given.machine.bodies if _needs_length(given.machine, one)]
+    if given.length is None and missing:
+        text = say(
+            "Where the spindle is over the tip is not known without the tool's length: {names} were not looked at. Give it "
+            "({option}).",
+            names=", ".join(missing),
+            option=Option("tool_length"),
+        )
+        yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text)
+
+
+def _needs_length(machine: Machine, body: MachineBody) -> bool:
+    """Whether the place of a body against the tip depends on the tool's length: where the table moves along Z beyond it."""
+    if body.carrier == SPINDLE:
+        return True
+    locked = _locked_letters(machine, body)
+    return any(axis.letter in locked and not axis.rotary and abs(axis.direction[2]) > 1e-9 for axis in machine.axes)
+
+
+def _locked_letters(machine: Machine, body: MachineBody) -> str:
+    """The axes of the table between the body's carrier and the work."""
+    table = [axis.letter for axis in machine.fitted if axis.side == "table"]
+    return "".join(table if body.carrier == BASE else table[: table.index(body.carrier)])
+
+
+def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats, letters: str) -> Floats:
+    """Give the words (m, 5) mm and degrees with the joints of these ``letters`` at zero."""
+    gauge = np.array(machine.gauge_point) - (0.0, 0.0, setup.tool_length)
+    shift = np.linalg.solve(kinematics.direction[:3].T, np.array(setup.origin) - gauge)
+    zero = np.concatenate([-shift, (0.0, 0.0)])
+    at = [k for k, letter in enumerate(kinematics.letters) if letter in letters]
+    found = words.copy()
+    found[:, at] = zero[at]
+    return found
+
+
+def _against_bodies(given: InMachine, program: Program, tolerance: float, progress: Progress) -> Iterator[Finding]:
+    stack = _stack(given)
+    for body in given.machine.bodies:
+        if body.carrier == SPINDLE or (given.length is None and _needs_length(given.machine, body)):
+            continue
+        letters = _locked_letters(given.machine, body)
+        moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
+        mesh = make_mesh(body, -np.array(given.setup.origin), progress)
+        check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)
+        yield from _entering(body.name, check, given, program, tolerance)
+        yield from _unproven(body.name, check.ways, program, tolerance)
+
+
+def _against_part(
+    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
+) -> Iterator[Finding]:
+    spindle = _spindle(given)
+    if part is not None and spindle.pieces:
+        check = check_program(part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids)
+        yield from _entering(say("part"), check, given, program, tolerance)
+        yield from _unproven(say("part"), check.ways, program, tolerance)
+
+
+def _spindle(given: InMachine) -> Body:
+    """What the spindle carries, heights from the tip; nothing where the tool's length is not known."""
+    return Body(()) if given.length is None else spindle_body(given.machine, given.length + given.back)
+
+
+def _stack(given: InMachine) -> Body:
+    return Body((*given.body.pieces, *_spindle(given).pieces))
+
+
+def _entering(name: str, check: GougeCheck, given: InMachine, program: Program, tolerance: float) -> Iterator[Finding]:
+    """The deepest block and how many there are, or, where only whole cutters are in the body, the first such block."""
+    kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
+    depth = np.max([one.depth for one in kinds], axis=0, initial=0.0)
+    count = int(np.count_nonzero((depth > 0.0) | check.buried))
+    if not count:
+        return
+    block = int(depth.argmax()) if depth.any() else int(check.buried.argmax())
+    worst = max(kinds, key=lambda one: float(one.depth[block]))
+    at = worst.place[block] + given.setup.origin
+    tip = forward(given.kinematics, words_to_q(program.words[block + 1 : block + 2]))[0][0]
+    part, deep = PARTS[int(worst.part[block])], float(depth[block])
+    if deep:
+        text = say(
+            "The {part} goes at least {depth} into the {name}, at {at} in the machine frame with the axes that carry it at zero, "
+            "deepest of {count} blocks.",
+            part=part, depth=Length(deep, ".4g"), name=name, at=Point(tuple(at.tolist()), ".4g"), count=count,
+        )  # fmt: skip
+    else:
+        text = say("In {count} blocks the whole cutter is inside the {name}.", count=count, name=name)
+    line, place = int(program.line[block + 1]), tuple(tip.tolist())
+    yield Finding(Severity.ERROR, MACHINE_COLLISION, joined((text, REMEDY)), deep, tolerance, "mm", block + 1, line, place)
+
+
+def _unproven(name: str, ways: WayEntries | None, program: Program, tolerance: float) -> Iterator[Finding]:
+    """What is not proven of rapids whose axes may run independently."""
+    rows = np.empty(0, np.int64) if ways is None else unproven_blocks(ways, tolerance)
+    if ways is None or not len(rows):
+        return
+    line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
+    text = say(
+        "In {count} rapids it is not proven that tool and spindle stay out of the {name} on every way of independent axes, the "
+        "first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the other.",
+        count=len(rows), name=name, line=line, bound=Length(bound, ".3g"),
+    )  # fmt: skip
+    yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text, bound, tolerance, "mm", int(rows[0]) + 1, line)

@@ -1,0 +1,290 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tool and spindle against bodies of the machine: by dense samples of the joints' way, with turns of their own, and by closed forms."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from mesh_shapes import box
+from scipy.spatial.transform import Rotation
+
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.collision.machine_check import InMachine, check_machine
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.machine import load_machine, machine_bytes, save_machine
+from freecad_fiveaxis.core.machine.bodies import MachineBody
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import Body, frustum_piece, round_piece
+
+LENGTH, RADIUS, ORIGIN = 80.0, 3.0, (10.0, -5.0, 20.0)
+TOOL = Body(
+    (round_piece(0.0, RADIUS, RADIUS), frustum_piece(RADIUS, RADIUS, 40.0, RADIUS), frustum_piece(40.0, 15.0, LENGTH, 15.0, 2))
+)
+NOSE = MachineBody("nose", "spindle", "cylinder", ((0.0, 0.0, 0.0), (0.0, 0.0, 60.0)), (35.0,))
+MACHINES = ("trunnion_ac", "head_b_table_c", "nutating_table_b45", "fork_head_bc", "linuxcnc_xyzbc_trt")
+
+
+def program_of(machine, words, motion=None):
+    count = len(words)
+    zero = np.zeros(count)
+    return Program(
+        chain(machine, Setup(ORIGIN, LENGTH)).letters, words, zero + 100.0, np.zeros(count, bool),
+        np.zeros(count, np.int8) if motion is None else motion, zero + 1.0, np.arange(count), 1 + np.arange(count),
+    )  # fmt: skip
+
+
+def checked(machine, words, tolerance=0.01, part=None, length=LENGTH, motion=None, rapids="interpolated"):
+    setup = Setup(ORIGIN, LENGTH)
+    given = InMachine(machine, setup, chain(machine, setup), TOOL, length, rapids=rapids)
+    return check_machine(given, program_of(machine, words, motion), part, tolerance)
+
+
+def frames(machine, q):
+    """Of each axis the place (4, 4) that it carries in the machine frame at joints ``q`` (letter: mm or deg), and that of the tool.
+
+    From the base outwards; a table's axis moves what it carries the other way."""
+    place, found = np.eye(4), {"base": np.eye(4)}
+    for axis in [one for one in machine.fitted[::-1] if one.side == "table"]:
+        place = place @ moved(axis, -q[axis.letter])
+        found[axis.letter] = place
+    place = np.eye(4)
+    for axis in [one for one in machine.fitted if one.side == "head"]:
+        place = place @ moved(axis, q[axis.letter])
+    return found, place
+
+
+def moved(axis, by):
+    found = np.eye(4)
+    if axis.rotary:
+        turn = Rotation.from_rotvec(math.radians(by) * np.array(axis.direction)).as_matrix()
+        found[:3, :3], found[:3, 3] = turn, np.array(axis.point) - turn @ axis.point
+    else:
+        found[:3, 3] = by * np.array(axis.direction)
+    return found
+
+
+def dense(machine, words, body, count=160):
+    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints: by its points on a grid."""
+    setup = Setup(ORIGIN, LENGTH)
+    kinematics = chain(machine, setup)
+    shift = np.linalg.solve(kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH)))
+    share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, 17),) * 3, indexing="ij"), -1).reshape(-1, 3)
+    low, high = np.array(body.points)
+    grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
+    deepest = 0.0
+    for share in np.linspace(0.0, 1.0, count):
+        word = words[0] + share * (words[1] - words[0])
+        q = dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
+        carried, tool = frames(machine, q)
+        in_machine = grid @ carried[body.carrier][:3, :3].T + carried[body.carrier][:3, 3]
+        axis = tool[:3, :3] @ (0.0, 0.0, 1.0)
+        tip = tool[:3, :3] @ (np.array(machine.gauge_point) - (0, 0, LENGTH)) + tool[:3, 3]
+        off = in_machine - tip
+        height = off @ axis
+        across = np.linalg.norm(off - height[:, None] * axis, axis=1)
+        for bottom, top, radius in ((RADIUS, 40.0, RADIUS), (40.0, LENGTH, 15.0), (LENGTH, LENGTH + 60.0, 35.0)):
+            inside = np.minimum(np.minimum(height - bottom, top - height), radius - across)
+            deepest = max(deepest, float(inside.max()))
+        deepest = max(deepest, float((RADIUS - np.linalg.norm(off - RADIUS * axis, axis=1)).max()))
+    return deepest
+
+
+def carriers(machine):
+    return ["base", *(axis.letter for axis in machine.fitted if axis.side == "table")]
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
+    """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed, and what is told is there."""
+    rng, plain = np.random.default_rng(5), load_machine(name)
+    hit = missed = 0
+    for _ in range(24):
+        carrier = rng.choice(carriers(plain))
+        middle, half = rng.uniform(-25, 25, 3) + ORIGIN, rng.uniform(8, 20, 3)
+        body = MachineBody("box", str(carrier), "box", (tuple(middle - half), tuple(middle + half)))
+        machine = replace(plain, bodies=(body, NOSE))
+        words = np.concatenate([rng.uniform(-30, 30, (2, 3)), rng.uniform(-60, 60, (2, 2))], axis=1)
+        found = [one for one in checked(machine, words, 0.05) if one.code == "machine-collision"]
+        sampled, told = dense(machine, words, body), found[0].value if found else 0.0
+        assert told >= 0.98 * sampled - 0.15, (carrier, told, sampled)
+        assert told <= sampled + 1.5, (carrier, told, sampled)
+        hit += bool(found)
+        missed += not found
+    assert hit > 3 and missed > 3
+
+
+def test_a_locked_axis_that_is_not_locked_would_be_noticed(monkeypatch):
+    from freecad_fiveaxis.core.collision import machine_check
+
+    monkeypatch.setattr(machine_check, "_locked_letters", lambda machine, body: "")
+    with pytest.raises(AssertionError):
+        test_dense_samples_find_nothing_deeper_than_what_is_told("trunnion_ac")
+
+
+def test_the_depth_in_a_column_is_that_of_the_closed_form():
+    """The holder, 15 mm in radius, stops 12 mm before a wall of the base, on a trunnion whose table has turned meanwhile."""
+    plain = load_machine("trunnion_ac")
+    column = MachineBody("column", "base", "box", ((40.0, -200.0, -100.0), (140.0, 200.0, 400.0)))
+    machine = replace(plain, bodies=(column,))
+    setup, words = Setup((0.0, 0.0, 0.0), LENGTH), np.zeros((2, 5))
+    kinematics = chain(machine, setup)
+    words[0, 0], words[1, 0] = -20.0, 28.0
+    for column_of, turned in ((3, 70.0), (4, 200.0)):
+        words[:, column_of] = turned if kinematics.letters[column_of] == "C" else 0.0
+    found = check_machine(InMachine(machine, setup, kinematics, TOOL, LENGTH), program_of(plain, words), None, 0.01)
+    assert [one.code for one in found] == ["machine-collision"]
+    assert (
+        found[0].value == pytest.approx(3.0, abs=0.15)
+        and found[0].line == 2
+        and "holder" in found[0].text
+        and "column" in found[0].text
+    )
+
+
+def test_the_spindle_is_kept_out_of_part_and_bodies_and_needs_the_tools_length():
+    plain = load_machine("trunnion_ac")
+    machine = replace(
+        plain, bodies=(NOSE, MachineBody("post", "base", "cylinder", ((60.0, 0.0, 0.0), (60.0, 0.0, 120.0)), (10.0,)))
+    )
+    part = from_triangles(box((-60.0, -60.0, 0.0), (-40.0, -40.0, 110.0)) + ORIGIN)
+    words = np.zeros((2, 5))
+    words[:, :3] = -np.array(ORIGIN)
+    words[0, 2], words[1, 0], words[1, 1] = 200.0, -30.0 - ORIGIN[0], -30.0
+    words[1, 2] = 0.0
+    found = checked(machine, words, part=part)
+    assert [one.code for one in found] == ["machine-collision"] and "spindle" in found[0].text and "part" in found[0].text
+    blind = checked(machine, words, part=part, length=None)
+    assert [one.code for one in blind] == ["machine-unproven"] and "--tool-length" in blind[0].text and "nose" in blind[0].text
+
+
+def test_a_rapid_of_independent_axes_goes_another_way():
+    """From beside a post to its other side at another height: interpolated it goes over it, axis by axis through it."""
+    machine = replace(
+        load_machine("trunnion_ac"),
+        bodies=(
+            MachineBody(
+                "post",
+                "base",
+                "box",
+                ((-10, -10, -100), (10, 10, 20)),
+            ),
+        ),
+    )
+    words = np.zeros((2, 5))
+    words[:, :3] = [[-60.0, 0.0, 90.0], [60.0, 0.0, -10.0]]
+    rapid = np.full(2, Motion.RAPID, np.int8)
+    straight, free = (checked(machine, words, motion=rapid, rapids=how) for how in ("interpolated", "independent"))
+    assert [one.code for one in free] == ["machine-collision"]
+    assert not straight or straight[0].value < free[0].value
+
+
+GOOD = [
+    {"name": "cradle", "carrier": "A", "box": {"low": [-1, -2, -3], "high": [1, 2, 3]}},
+    {"name": "platter", "carrier": "C", "cylinder": {"low": [0, 0, -10], "high": [0, 0, 0], "radius": 50}},
+    {"name": "cap", "carrier": "base", "sphere": {"centre": [0, 0, 1], "radius": 2}},
+    {"name": "nose", "carrier": "spindle", "cone": {"low": [0, 0, 0], "high": [0, 0, 30], "low_radius": 20, "high_radius": 30}},
+    {"name": "vise", "carrier": "C", "file": "vise.stl"},
+]
+
+
+def machine_file(tmp_path, bodies):
+    data = json.loads(machine_bytes(load_machine("trunnion_ac")))
+    data["fiveaxis"]["bodies"] = bodies
+    path = tmp_path / "own.fcm"
+    path.write_text(json.dumps(data))
+    return path
+
+
+def test_bodies_are_read_and_written_as_they_are(tmp_path):
+    found = load_machine(machine_file(tmp_path, GOOD))
+    assert [one.name for one in found.bodies] == [one["name"] for one in GOOD]
+    assert found.bodies[0].points == ((-1, -2, -3), (1, 2, 3)) and found.bodies[3].radii == (20, 30)
+    assert found.bodies[4].file == str(tmp_path / "vise.stl")
+    save_machine(replace(found, bodies=found.bodies[:4]), tmp_path / "again.fcm")
+    assert load_machine(tmp_path / "again.fcm").bodies == found.bodies[:4]
+    imperial = json.loads((tmp_path / "own.fcm").read_text())
+    imperial["machine"]["units"] = "imperial"
+    (tmp_path / "inch.fcm").write_text(json.dumps(imperial))
+    assert load_machine(tmp_path / "inch.fcm").bodies[1].radii == (pytest.approx(1270.0),)
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        ({"name": "x", "carrier": "Z", "box": GOOD[0]["box"]}, "body x: Z carries no body that is looked at; name one of base, spindle"),
+        ({"name": "x", "carrier": "A"}, "fiveaxis.bodies[0]: it needs one of file, box, cylinder, cone, sphere"),
+        ({"name": "x", "carrier": "A", "box": GOOD[0]["box"], "colour": 1}, "key colour is not known"),
+        ({"carrier": "A", "box": GOOD[0]["box"]}, "fiveaxis.bodies[0].name: None is not a text"),
+        ({"name": "x", "carrier": "A", "box": {"low": [1, 1, 1], "high": [0, 2, 2]}}, "low is not below high"),
+        ({"name": "x", "carrier": "A", "box": {"low": [1, 1, 1]}}, "it needs low, high and nothing else"),
+        ({"name": "x", "carrier": "A", "sphere": {"centre": [0, 0, 0], "radius": -1}}, "is not above 0"),
+        ({"name": "x", "carrier": "A", "sphere": {"centre": [0, 0, 1e9], "radius": 1}}, "is beyond 100000 mm"),
+        ({"name": "x", "carrier": "A", "sphere": {"centre": [0, 0], "radius": 1}}, "is not a vector"),
+        ({"name": "x", "carrier": "spindle", "box": GOOD[0]["box"]}, "body x: what the spindle carries is a cylinder or a cone"),
+        (
+            {"name": "x", "carrier": "spindle", "cylinder": {"low": [5, 0, 0], "high": [5, 0, 9], "radius": 1}},
+            "body x: what the spindle carries is a cylinder or a cone",
+        ),
+        ("cradle", "'cradle' is not an object"),
+    ],
+)  # fmt: skip
+def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, told):
+    with pytest.raises(MachineError) as raised:
+        load_machine(machine_file(tmp_path, [body]))
+    assert told in str(raised.value) and "\n" not in str(raised.value) and "own.fcm" in str(raised.value)
+
+
+def test_two_bodies_of_one_name_are_refused(tmp_path):
+    with pytest.raises(MachineError, match="two bodies are called cap"):
+        load_machine(machine_file(tmp_path, [GOOD[2], GOOD[2]]))
+
+
+def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, capsys):
+    """A post of the base beside the part, in the way of the holder; the same program without it is free."""
+    write_stl(from_triangles(box((-10, -10, 0), (10, 10, 10))), tmp_path / "part.stl")
+    post = {"name": "post", "carrier": "base", "box": {"low": [22, -50, -100], "high": [60, 50, 200]}}
+    far = {"name": "far", "carrier": "base", "box": {"low": [400, -50, -100], "high": [460, 50, 200]}}
+    given = [
+        "mill",
+        str(tmp_path / "part.stl"),
+        "--cutter",
+        "ball:6",
+        "--passes",
+        "planes",
+        "--stepover",
+        "4",
+        "--spindle",
+        "off",
+    ]
+    given += [
+        "--tool-axis",
+        "facet_mean",
+        "--max-axis-angle",
+        "10",
+        "--holder",
+        "40x30",
+        "--quiet",
+        "--report",
+        str(tmp_path / "r.json"),
+    ]
+    codes, said = [], []
+    for body in (post, far):
+        machine = machine_file(tmp_path, [body])
+        codes.append(cli.main([*given, "--machine", str(machine), "-o", str(tmp_path / f"{body['name']}.ngc")]))
+        report = json.loads((tmp_path / "r.json").read_text())
+        said.append([one["code"] for one in report["findings"]])
+        assert ("machine's bodies: far" in json.dumps(report)) == (body is far)
+    assert codes[0] == 1 and "machine-collision" in said[0] and "machine-collision" not in said[1]
+    assert (tmp_path / "post.ngc").read_bytes() == (tmp_path / "far.ngc").read_bytes()
+    vise = machine_file(tmp_path, [GOOD[4]])
+    assert cli.main([*given, "--machine", str(vise), "-o", str(tmp_path / "none.ngc")]) == 2
+    assert "vise.stl" in capsys.readouterr().err and not (tmp_path / "none.ngc").exists()
+    write_stl(from_triangles(box((22, -50, -100), (60, 50, 200))), tmp_path / "vise.stl")
+    audit = ["audit", str(tmp_path / "post.ngc"), "--machine", str(vise), "--cutter", "ball:6", "--holder", "40x30", "--quiet"]
+    assert cli.main([*audit, "--report", str(tmp_path / "a.json")]) == 1
+    assert "machine-collision" in [one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]]
