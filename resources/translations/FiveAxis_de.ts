@@ -4824,6 +4824,14 @@
         <translation>Werkzeugvektoren</translation>
     </message>
     <message>
+        <source>Tried, and none finishes more: {tried}.</source>
+        <translation>Versucht, und keines bearbeitet mehr fertig: {tried}.</translation>
+    </message>
+    <message>
+        <source>Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead of {before}.</source>
+        <translation>Versucht: {changes} würde {gain} mehr fertig bearbeiten, {finished} im Ganzen; das Programm dauert dann {time} statt {before}.</translation>
+    </message>
+    <message>
         <source>Turn the part, or use another tool axis there.</source>
         <translation>Das Werkstück drehen oder dort eine andere Werkzeugachse nehmen.</translation>
     </message>
@@ -5962,6 +5970,10 @@
     <message>
         <source>not part of any word</source>
         <translation>gehört zu keinem Wort</translation>
+    </message>
+    <message>
+        <source>nothing else</source>
+        <translation>nichts anderes</translation>
     </message>
     <message>
         <source>nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)</source>

@@ -42,6 +42,7 @@ from freecad_fiveaxis.core.report import Figures, judge
 from freecad_fiveaxis.core.report.contacts import Contacts, contacts_of
 from freecad_fiveaxis.core.report.near_part import stand_of
 
+from .advice import add_advice
 from .collision_avoidance import (
     allowed,
     cutting,
@@ -81,7 +82,10 @@ from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 
 def run(settings: Settings, progress: Progress = silent) -> Result:
     """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
-    return prove(make(settings, progress), progress)
+    result = prove(make(settings, progress), progress)
+    if settings.output.advise == "off":
+        return result
+    return add_advice(result, lambda other: prove(make(other, progress), progress))
 
 
 def make(

@@ -444,7 +444,7 @@ class AuditSettings:
 
 @dataclass(frozen=True)
 class OutputSettings:
-    """Files to write."""
+    """Files to write, and advice."""
 
     output: str | None = option(None, "path", "the NC file", (MILL, POST, PROVE))
     cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
@@ -453,4 +453,8 @@ class OutputSettings:
     rates: str | None = option(
         None, "path", "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or part",
         (AUDIT,),
+    )  # fmt: skip
+    advise: Literal["on", "off"] = option(
+        "off", "choice", "where something stays unfinished: other passes, free tool axes and smaller balls are tried, and the "
+        "one that finishes most more is named; takes as long as some programs", (MILL,), choices=("on", "off"), bare="on",
     )  # fmt: skip

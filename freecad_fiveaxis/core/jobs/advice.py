@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What would finish more of a part: a few other settings, tried with the whole pipeline before they are advised.
+
+trial     the same part with some options changed: its program is made and proven, and what it leaves is measured.
+finished  area of the facets that are cut, less that on which more is left than may be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, joined, say
+from freecad_fiveaxis.core.tool import Cutter, cutter_text
+
+from .collision_avoidance import unfinished_share
+from .made import Milled, Result
+from .over_table import AUTO
+from .settings import MILL, Settings, build_settings, flat_options
+
+ADVICE = "advice"
+"""The code of the finding."""
+
+SCALLOP = "scallop"
+LEAST, SHARE = 1.0, 0.01
+"""mm2, and share of what is finished, below which a gain is none."""
+SMALLER = (0.5, 1.0 / 3.0)
+"""Of the diameter of a ball: these are tried."""
+NOT_PLANES = ("plane_normal", "direction")
+"""Options that only planes have: who gives one asks for planes."""
+
+Run = Callable[[Settings], Result]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """``changes``: the options that differ, as in a job file, None where one is left out; ``finished`` and ``gain`` mm2,
+    ``seconds`` of the program; ``error``: why it cannot be made, one line, or empty."""
+
+    changes: Mapping[str, Any]
+    finished: float = 0.0
+    gain: float = 0.0
+    seconds: float = 0.0
+    error: str = ""
+
+
+def measure_finished(result: Result) -> float:
+    """Measure the area, mm2, that a program finishes."""
+    made = result.made
+    assert isinstance(made, Milled)
+    rest = (sum(one.value or 0.0 for one in result.findings if one.code == code) for code in ("uncut", "side-not-machined"))
+    return float(made.mesh.area[made.keep].sum()) - max(rest)
+
+
+def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
+    """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and proves a program of the
+    same part, faces and fixtures. Raises Cancelled."""
+    settings = result.made.settings
+    before = measure_finished(result if result.left is not None else run(_measured(settings, {})))
+    found = [_try(_measured(settings, changes), changes, before, run) for changes in find_changes(settings)]
+    return tuple(sorted(found, key=lambda one: -one.gain))
+
+
+def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
+    """Give the changes that are worth a trial: other passes, free tool axes, both, a smaller ball."""
+    passes = {} if settings.passes.passes == SCALLOP else {"passes": SCALLOP, **dict.fromkeys(NOT_PLANES)}
+    cutter = settings.cutter.cutter
+    ball = cutter.ring == 0.0 and cutter.corner > 0.0
+    axes = {} if settings.tool_axis.tool_axis == AUTO or not ball else {"tool_axis": AUTO, "max_axis_angle": None}
+    yield from (one for one in (passes, axes) if one)
+    if passes and axes:
+        yield passes | axes
+    if ball:
+        yield from ({"cutter": cutter_text(_smaller(cutter, share))} for share in SMALLER)
+
+
+def _smaller(ball: Cutter, share: float) -> Cutter:
+    return replace(ball, diameter=share * ball.diameter, corner=share * ball.corner)
+
+
+def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
+    """The settings with these changes, and what is left measured."""
+    options = {**flat_options(settings), "left": "on", **changes}
+    given = {name: value for name, value in options.items() if value is not None and name not in ("task", "source", "advise")}
+    return build_settings(MILL, settings.source, given)
+
+
+def _try(settings: Settings, changes: Mapping[str, Any], before: float, run: Run) -> Trial:
+    try:
+        result = run(settings)
+    except Cancelled:
+        raise
+    except FiveAxisError as error:
+        return Trial(changes, error=str(error))
+    finished = measure_finished(result)
+    return Trial(changes, finished, finished - before, float(result.made.program.seconds.sum()))
+
+
+def add_advice(result: Result, run: Run) -> Result:
+    """Add what would finish more to the findings of a program that leaves something."""
+    made = result.made
+    if not isinstance(made, Milled) or unfinished_share(result.findings, made.mesh, made.keep) < SHARE:
+        return result
+    found = report_advice(try_others(result, run), float(made.program.seconds.sum()))
+    return replace(result, findings=(*result.findings, found))
+
+
+def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
+    """Tell which of the trials gains most, or that none does; ``seconds`` of the program that was asked for."""
+    best = trials[0] if trials else Trial({})
+    if best.gain < max(LEAST, SHARE * (best.finished - best.gain)):
+        tried = joined([name_changes(one.changes) for one in trials], "; ") if trials else say("nothing else")
+        return Finding(Severity.NOTE, ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
+    text = say(
+        "Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead of {before}.",
+        changes=name_changes(best.changes), gain=Area(best.gain, ".4g"), finished=Area(best.finished, ".4g"),
+        time=clock(best.seconds), before=clock(seconds),
+    )  # fmt: skip
+    return Finding(Severity.NOTE, ADVICE, text, best.gain, None, "mm2")
+
+
+def name_changes(changes: Mapping[str, Any]) -> Sentence:
+    """Name options and what they are changed to, as the user asks for it."""
+    given = {name: str(value) for name, value in changes.items() if value is not None}
+    return joined(
+        [joined((Option(name), text)) if name == "cutter" else Choice(name, (text,), flag=True) for name, text in given.items()],
+        ", ",
+    )
+
+
+def clock(seconds: float) -> str:
+    """Write a time as hours, minutes and seconds."""
+    whole = round(seconds)
+    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
