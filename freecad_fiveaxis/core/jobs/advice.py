@@ -124,11 +124,13 @@ def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
 
 def name_changes(changes: Mapping[str, Any]) -> Sentence:
     """Name options and what they are changed to, as the user asks for it."""
-    given = {name: str(value) for name, value in changes.items() if value is not None}
-    return joined(
-        [joined((Option(name), text)) if name == "cutter" else Choice(name, (text,), flag=True) for name, text in given.items()],
-        ", ",
-    )
+    return joined([_name_change(name, str(value)) for name, value in changes.items() if value is not None], ", ")
+
+
+def _name_change(name: str, value: str) -> Sentence:
+    if name == "cutter":
+        return Sentence("{option} {value}", {"option": Option(name), "value": value}, translated=False)
+    return Sentence("{choice}", {"choice": Choice(name, (value,), flag=True)}, translated=False)
 
 
 def clock(seconds: float) -> str:
