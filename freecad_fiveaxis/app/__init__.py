@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 __all__ = [
-    "annotate", "apply_setup", "audit", "compare", "create_setup", "create_toolpath", "import_machine", "left_map",
+    "advise", "annotate", "apply_setup", "audit", "compare", "create_setup", "create_toolpath", "import_machine", "left_map",
     "post_process", "preview_passes", "prove_signs", "reach_map", "recover", "setup_map", "tessellate",
 ]  # fmt: skip
 
@@ -70,6 +70,18 @@ def preview_passes(base: Any, **settings: Any) -> Any:
     from .actions import preview_passes as act
 
     return act(arguments.base(base), settings)
+
+
+def advise(toolpath: Any) -> Any:
+    """Try what would finish more of a Toolpath's part: other passes, free tool axes, smaller balls; gives the core's Trials.
+
+    Each, the best first, has ``changes`` (options as for :func:`create_toolpath`, None: left out), ``finished`` and ``gain`` mm2,
+    ``seconds`` of the program, and ``error`` where it cannot be made. Raises FiveAxisError, Cancelled. The document stays as it
+    is.
+    """
+    from .advising import advise as act
+
+    return act(toolpath)
 
 
 def post_process(toolpath: Any, nc_path: Any, overwrite: bool = False, also: Any = None) -> Any:

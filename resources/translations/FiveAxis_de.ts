@@ -2939,6 +2939,10 @@
         <translation>Werkzeugweg</translation>
     </message>
     <message>
+        <source>Try other passes, free tool axes and smaller balls on this part; takes as long as some paths</source>
+        <translation>Andere Bahnen, freie Werkzeugachsen und kleinere Kugeln an diesem Teil versuchen; dauert so lange wie einige Bahnen</translation>
+    </message>
+    <message>
         <source>Turn about Z</source>
         <translation>Drehung um Z</translation>
     </message>
@@ -2965,6 +2969,10 @@
     <message>
         <source>Units</source>
         <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Use these settings</source>
+        <translation>Diese Einstellungen übernehmen</translation>
     </message>
     <message>
         <source>Value</source>
@@ -3017,6 +3025,10 @@
     <message>
         <source>What the verdict rests on</source>
         <translation>Worauf das Urteil beruht</translation>
+    </message>
+    <message>
+        <source>What would finish more?</source>
+        <translation>Was würde mehr fertig bearbeiten?</translation>
     </message>
     <message>
         <source>Where the program's zero is drawn in the document</source>
@@ -7342,6 +7354,10 @@
     <message>
         <source>{label} is no mesh: choose a tessellation or a mesh.</source>
         <translation>{label} ist kein Netz: eine Vernetzung oder ein Netz wählen.</translation>
+    </message>
+    <message>
+        <source>{label} is no tool path: choose one.</source>
+        <translation>{label} ist kein Werkzeugweg: einen wählen.</translation>
     </message>
     <message>
         <source>{label} is no toolpath and no audit: select one of these.</source>

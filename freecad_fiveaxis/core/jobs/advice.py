@@ -99,6 +99,11 @@ def _try(settings: Settings, changes: Mapping[str, Any], before: float, run: Run
     return Trial(changes, finished, finished - before, float(result.made.program.seconds.sum()))
 
 
+def is_worth(trial: Trial) -> bool:
+    """Tell whether a trial finishes more than a little more."""
+    return trial.gain >= max(LEAST, SHARE * (trial.finished - trial.gain))
+
+
 def add_advice(result: Result, run: Run) -> Result:
     """Add what would finish more to the findings of a program that leaves something."""
     made = result.made
@@ -111,7 +116,7 @@ def add_advice(result: Result, run: Run) -> Result:
 def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
     """Tell which of the trials gains most, or that none does; ``seconds`` of the program that was asked for."""
     best = trials[0] if trials else Trial({})
-    if best.gain < max(LEAST, SHARE * (best.finished - best.gain)):
+    if not is_worth(best):
         tried = joined([name_changes(one.changes) for one in trials], "; ") if trials else say("nothing else")
         return Finding(Severity.NOTE, ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
     text = say(

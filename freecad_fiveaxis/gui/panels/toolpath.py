@@ -14,6 +14,7 @@ from freecad_fiveaxis.gui.messages import telling
 from freecad_fiveaxis.gui.qt import QtCore, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
+from .advice_offer import AdviceOffer
 from .avoid import AvoidField
 from .fields import QuantityField
 from .fixtures import FixturesField
@@ -46,9 +47,11 @@ class ToolpathPanel(PathPanel):
         extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
         extras += [*(PlaceField(name, self._zero) for name in PLACES), AxisField(self._zero)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
-        self.scale_offer = ScaleOffer()
+        self.scale_offer, self.advice_offer = ScaleOffer(), AdviceOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
         self.scale_offer.chosen.connect(self.scale_part)
+        self.advice_offer.asked.connect(self.ask_advice)
+        self.advice_offer.chosen.connect(self.use_advice)
         self.setup.edited.connect(self._take_setup)
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
 
@@ -90,7 +93,7 @@ class ToolpathPanel(PathPanel):
 
     def _widget(self, title: str) -> Any:
         self.preview = PreviewRow(self.doc, self.calculate_button, self.preview_passes)
-        head = (self.preview, self.summary, self.shown_parts, self.scale_offer, self.options.error)
+        head = (self.preview, self.summary, self.advice_offer, self.shown_parts, self.scale_offer, self.options.error)
         return PanelWidget(title, head, self.options.widget)
 
     def preview_passes(self) -> bool:
@@ -122,7 +125,28 @@ class ToolpathPanel(PathPanel):
             self.options.fields[name].follow_zero()
         self._follow_tool_axis()
         super()._edited()
-        self.scale_offer.show_for(None if self.stale else self.obj)
+        for offer in (self.scale_offer, self.advice_offer):
+            offer.show_for(None if self.stale else self.obj)
+
+    def ask_advice(self) -> bool:
+        """Try what would finish more of the part, and say it; whether that went well. The document stays as it is."""
+        from freecad_fiveaxis import app
+        from freecad_fiveaxis.app import advising
+        from freecad_fiveaxis.core.jobs.advice import is_worth
+
+        try:
+            with waiting(translate("FiveAxis", "What would finish more?")):
+                trials = app.advise(self.obj)
+        except BaseException as error:  # FreeCADAbort (Esc) is no Exception
+            self._tell(error)
+            return False
+        best = next((one.changes for one in trials[:1] if is_worth(one)), {})
+        self.advice_offer.show_advice(advising.tell_advice(self.obj, trials), best)
+        return True
+
+    def use_advice(self) -> None:
+        """Show the settings that finish more in the form; they are computed once the user asks for it."""
+        self.options.show_options(dict(self.advice_offer.changes))
 
     def scale_part(self, factor: float) -> bool:
         """Mill the part ``factor`` times as large, and calculate anew; whether that went well. Cancel takes it back."""

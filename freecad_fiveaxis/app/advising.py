@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What would finish more of the part of a Toolpath: other settings, tried before they are advised."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.advice import SHARE, Trial, report_advice, try_others
+
+from . import convert, results, wording
+from .long_work import listening, run
+from .selection import SelectionError
+from .toolpath import Toolpath
+
+
+def advise(path: Any) -> tuple[Trial, ...]:
+    """See :func:`freecad_fiveaxis.app.advise`."""
+    if not isinstance(getattr(path, "Proxy", None), Toolpath):
+        label = getattr(path, "Label", path)
+        raise SelectionError(say("{label} is no tool path: choose one.", label=label), label)
+    with listening() as listener:
+        result, task = results.result_of(path, listener), path.Proxy.task(path)
+
+        def work(told: Progress) -> tuple[Trial, ...]:
+            mesh, faces = convert.mesh_and_mask(task.data, task.runs, told)
+
+            def make(settings: Any) -> job.Result:
+                made = job.make(settings, told, mesh=mesh, faces=faces, fixtures=result.made.fixtures)
+                return job.prove(made, told)
+
+            return try_others(result, make)
+
+        return run(work, listener, path.Document)
+
+
+def leaves_something(path: Any) -> bool:
+    """Whether the last result of a Toolpath (None: there is none) leaves something unfinished that is worth a trial."""
+    last = getattr(getattr(path, "Proxy", None), "last", None)
+    return last is not None and last.figures.unfinished >= SHARE
+
+
+def tell_advice(path: Any, trials: tuple[Trial, ...]) -> str:
+    """Say which of the trials finishes most more, or that none does, in the user's language."""
+    seconds = float(results.result_of(path).made.program.seconds.sum())
+    return wording.told(report_advice(trials, seconds).text)
