@@ -148,6 +148,7 @@ def _of_programs() -> dict[str, str]:
         "boundary": translate("FiveAxis", "Boundary"),
         "boundary_axis": translate("FiveAxis", "Axis of the boundary I, J, K"),
         "boundary_by": translate("FiveAxis", "Boundary holds"),
+        "advise": translate("FiveAxis", "Advice"),
         "fixture": translate("FiveAxis", "Fixtures"),
         "fixtures": translate("FiveAxis", "Fixtures"),
         "left": translate("FiveAxis", "Rest material"),
