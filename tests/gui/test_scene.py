@@ -304,7 +304,7 @@ def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome
     until(lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the labels beside it")
 
 
-OVERLAYS = tuple(int(part) for part in FreeCAD.Version()[:2]) >= (1, 0)
+OVERLAYS = tuple(int(part) for part in FreeCAD.Version()[:2]) >= (1, 1)  # from there on unless the user asks otherwise
 
 
 @pytest.mark.usefixtures("whole_screen")
