@@ -50,6 +50,7 @@ TEXTS = {
     ),
     "boundary_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K along which the boundary is seen"),
     "boundary_by": QT_TRANSLATE_NOOP("App::Property", "What stays inside the boundary: the contact, or the cutter's centre"),
+    "advise": QT_TRANSLATE_NOOP("App::Property", "Where something stays unfinished, try what would finish more, and name it"),
     "frames": QT_TRANSLATE_NOOP(
         "App::Property",
         "Most positions in which the rotary axes are locked while passes are cut, 1 to 12: as many as are worth it",

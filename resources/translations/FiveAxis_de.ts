@@ -1444,6 +1444,10 @@
         <translation>Wo Übergangsbahnen enden: border (Rand des Bereichs), X,Y,Z eines Punktes oder eine CSV-Datei mit den Punkten einer Kurve (oder diese selbst, ein ; zwischen zweien)</translation>
     </message>
     <message>
+        <source>Where something stays unfinished, try what would finish more, and name it</source>
+        <translation>Wo etwas unfertig bleibt, versuchen, was mehr fertig bearbeiten würde, und es nennen</translation>
+    </message>
+    <message>
         <source>Where the markers stand in the document</source>
         <translation>Wo die Markierungen im Dokument stehen</translation>
     </message>

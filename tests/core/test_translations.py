@@ -10,7 +10,7 @@ from translation_script import ROOT, translations
 
 from freecad_fiveaxis.app.option_texts import TEXTS, text_of
 from freecad_fiveaxis.core.base.sentences import CONTEXT
-from freecad_fiveaxis.core.jobs.settings import option_fields
+from freecad_fiveaxis.core.jobs.settings import OutputSettings, option_fields
 
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
 
@@ -62,8 +62,8 @@ def test_the_texts_are_those_of_every_floor():
 @pytest.mark.parametrize("task", ["mill", "audit"])
 def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
     known, seen, named = german(), 0, translations.literal_of(translations.PROPERTIES.read_text(encoding="utf-8"), "_NAMED")
-    for _, leaf in option_fields(task):
-        if leaf.metadata["kind"] not in ("path", "paths"):
+    for cls, leaf in option_fields(task):
+        if cls is not OutputSettings and leaf.metadata["kind"] not in ("path", "paths"):
             name = named.get(leaf.name) or "".join(part.capitalize() for part in leaf.name.split("_"))
             shown = (
                 [name] if leaf.name != "cutter" else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]

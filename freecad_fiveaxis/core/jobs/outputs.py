@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.base.curve_text import ENDING, is_inline
-from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.errors import FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, same_file, write_all
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
@@ -55,9 +55,17 @@ def files_read(settings: Settings) -> list[str]:
     """Every file that the job reads: source, programs, parts, curves and machines."""
     machines = (settings.machine.machine, *settings.compare.machines)
     of_machines = [os.fspath(path) for name in machines if name and (path := machine_path(name)) is not None]
-    bodies = [body.file for path in of_machines if os.path.isfile(path) for body in load_machine(path).bodies]
-    read = (settings.source, *_paths(settings, False), *curve_files(settings), *of_machines, *bodies)
+    read = (settings.source, *_paths(settings, False), *curve_files(settings), *of_machines, *_body_files(of_machines))
     return [name for name in read if name]
+
+
+def _body_files(machines: Iterable[str]) -> Iterator[str]:
+    """The files of the machines' bodies; of a machine whose own file cannot be used none: whoever loads it says why."""
+    for path in machines:
+        try:
+            yield from (body.file for body in load_machine(path).bodies)
+        except FiveAxisError:
+            continue
 
 
 def curve_files(settings: Settings) -> list[str]:
