@@ -5312,10 +5312,6 @@
         <translation>Fräser, Schaft und Halter, soweit angegeben, bleiben aus den Spannmitteln: {names}</translation>
     </message>
     <message>
-        <source>cutter, shank and holder, as far as they are given, stay out of the machine's bodies: {names}</source>
-        <translation>Fräser, Schaft und Halter, soweit angegeben, bleiben aus den Körpern der Maschine draußen: {names}</translation>
-    </message>
-    <message>
         <source>cycle {number} with {name} above 0</source>
         <translation>Zyklus {number} mit {name} über 0</translation>
     </message>
@@ -6722,6 +6718,10 @@
     <message>
         <source>tolerance {tolerance} not proven in {count} of {all} feed blocks</source>
         <translation>Toleranz {tolerance} in {count} von {all} Vorschubsätzen nicht nachgewiesen</translation>
+    </message>
+    <message>
+        <source>tool and spindle, as far as they are given, stay out of the machine's bodies: {names}</source>
+        <translation>Werkzeug und Spindel, soweit angegeben, bleiben aus den Körpern der Maschine draußen: {names}</translation>
     </message>
     <message>
         <source>tool axes are told by vectors in it</source>

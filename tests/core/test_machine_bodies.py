@@ -4,6 +4,7 @@
 import json
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body, frustum_piece, round_piece
 
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
 LENGTH, RADIUS, ORIGIN = 80.0, 3.0, (10.0, -5.0, 20.0)
 TOOL = Body(
     (round_piece(0.0, RADIUS, RADIUS), frustum_piece(RADIUS, RADIUS, 40.0, RADIUS), frustum_piece(40.0, 15.0, LENGTH, 15.0, 2))
@@ -237,6 +239,22 @@ def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, told)
     with pytest.raises(MachineError) as raised:
         load_machine(machine_file(tmp_path, [body]))
     assert told in str(raised.value) and "\n" not in str(raised.value) and "own.fcm" in str(raised.value)
+
+
+def test_the_example_cuts_a_part_free_of_its_bodies_and_a_short_tool_brings_the_spindle_into_them(tmp_path):
+    """On the trunnion of examples/, whose table turns up beside the tool; with a stub of a tool the nose hits what holds the table."""
+    from freecad_fiveaxis.core.jobs import job
+    from freecad_fiveaxis.core.jobs.settings import build_settings
+
+    write_stl(from_triangles(box((-30, -20, -90), (30, 20, -80))), tmp_path / "part.stl")
+    given = {"machine": str(EXAMPLE), "cutter": "ball:6:30", "passes": "planes", "stepover": 6, "tool_axis": "facet_mean"}
+    given |= {"spindle": "off", "linearize": "off", "gouge": "off", "max_axis_angle": 91}
+    hit = {
+        length: [one.text for one in job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "tool_length": length})).findings
+                 if one.code == "machine-collision"]
+        for length in (160, 35)
+    }  # fmt: skip
+    assert not hit[160] and any("spindle" in text for text in hit[35])
 
 
 def test_two_bodies_of_one_name_are_refused(tmp_path):

@@ -16,6 +16,7 @@ from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_
 from freecad_fiveaxis.core.collision.machine_check import MACHINE_COLLISION, MACHINE_UNPROVEN
 from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
 from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
+from freecad_fiveaxis.core.machine.bodies import SPINDLE
 
 from .figures import Figures
 from .verdict import ENTERS, is_checked
@@ -60,7 +61,7 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         MACHINE_COLLISION,
         MACHINE_UNPROVEN,
     }:
-        yield say("cutter, shank and holder, as far as they are given, stay out of the machine's bodies: {names}", names=names)
+        yield say("tool and spindle, as far as they are given, stay out of the machine's bodies: {names}", names=names)
     if figures.fixtures and not {one.code for one in figures.findings} & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
         yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
@@ -113,8 +114,8 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
 
 
 def looked_at_bodies(figures: Figures) -> str:
-    """Name the machine's bodies that the tool was checked against, with commas."""
-    return ", ".join(body.name for body in figures.machine.bodies)
+    """Name the machine's bodies that tool and spindle were checked against, with commas."""
+    return ", ".join(body.name for body in figures.machine.bodies if body.carrier != SPINDLE)
 
 
 def _unknown(figures: Figures) -> Iterator[Sentence]:
