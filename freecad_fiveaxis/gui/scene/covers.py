@@ -11,7 +11,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, main_window
 
 from .layout import NONE
 
-KIND = "Gui::OverlayTabWidget"
+NAMES = ("OverlayLeft", "OverlayRight", "OverlayTop", "OverlayBottom")
+"""What FreeCAD calls them. Asked for by name, so that PySide makes no objects for other widgets, which may go before these do."""
 _panels: list[Any] = []
 """FreeCAD makes them with its window, and keeps them."""
 
@@ -30,7 +31,8 @@ def covered_boxes(size: tuple[int, int]) -> np.ndarray:
 
 def _overlays() -> list[Any]:
     if not _panels:
-        _panels.extend(one for one in main_window().findChildren(QtWidgets.QTabWidget) if one.metaObject().className() == KIND)
+        found = (main_window().findChild(QtWidgets.QTabWidget, name) for name in NAMES)
+        _panels.extend(one for one in found if one is not None)
         _panels.append(None)  # looked for, also where there are none
     return _panels[:-1]
 
