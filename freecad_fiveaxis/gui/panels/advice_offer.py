@@ -35,10 +35,14 @@ class AdviceOffer(QtWidgets.QWidget):
 
     def show_for(self, obj: Any) -> None:
         """Offer it where the last result of ``obj`` (None: there is none) leaves something; what was said is forgotten."""
-        from freecad_fiveaxis.app import advising
-
         self.show_advice("", {})
-        self.setVisible(obj is not None and advising.leaves_something(obj))
+        last = getattr(getattr(obj, "Proxy", None), "last", None)
+        if last is None:
+            self.hide()
+            return
+        from freecad_fiveaxis.app import advising  # here, for it brings the whole pipeline: a panel opens without
+
+        self.setVisible(advising.leaves_something(obj))
 
     def show_advice(self, text: str, changes: Mapping[str, Any]) -> None:
         """Say what was tried, and offer the ``changes``, where there are any."""
