@@ -126,8 +126,10 @@ def test_esc_stops_it_and_the_panel_stays(panel, monkeypatch, pump):
     timer.timeout.connect(escape)
     monkeypatch.setattr(preview, "preview_passes", endless)
     timer.start(300)
-    assert not panel.preview_passes() and drawn(panel) == 0
-    timer.stop()
+    try:
+        assert not panel.preview_passes() and drawn(panel) == 0
+    finally:
+        timer.stop()
     monkeypatch.undo()
     assert panel.preview_passes() and FreeCADGui.Control.activeDialog()
     panel.reject()
