@@ -9,6 +9,7 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.advice import SHARE, Trial, report_advice, try_others
+from freecad_fiveaxis.core.report.figures import Figures
 
 from . import convert, results, wording
 from .long_work import listening, run
@@ -36,10 +37,9 @@ def advise(path: Any) -> tuple[Trial, ...]:
         return run(work, listener, path.Document)
 
 
-def leaves_something(path: Any) -> bool:
-    """Whether the last result of a Toolpath (None: there is none) leaves something unfinished that is worth a trial."""
-    last = getattr(getattr(path, "Proxy", None), "last", None)
-    return last is not None and last.figures.unfinished >= SHARE
+def leaves_something(figures: Figures) -> bool:
+    """Tell whether a result leaves so much unfinished that trials are worth their time."""
+    return figures.unfinished >= SHARE
 
 
 def tell_advice(path: Any, trials: tuple[Trial, ...]) -> str:

@@ -16,7 +16,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, joined, say
 from freecad_fiveaxis.core.tool import Cutter, cutter_text
 
-from .collision_avoidance import unfinished_share
+from .collision_avoidance import finished_area, unfinished_share
 from .made import Milled, Result
 from .over_table import AUTO
 from .settings import MILL, Settings, build_settings, flat_options
@@ -51,8 +51,7 @@ def measure_finished(result: Result) -> float:
     """Measure the area, mm2, that a program finishes."""
     made = result.made
     assert isinstance(made, Milled)
-    rest = (sum(one.value or 0.0 for one in result.findings if one.code == code) for code in ("uncut", "side-not-machined"))
-    return float(made.mesh.area[made.keep].sum()) - max(rest)
+    return finished_area(result.findings, made.mesh, made.keep)
 
 
 def try_others(result: Result, run: Run) -> tuple[Trial, ...]:

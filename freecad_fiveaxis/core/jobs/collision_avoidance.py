@@ -291,15 +291,25 @@ def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple
 
 def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
     """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from the spindle is not
-    counted. ``keep`` (f,): the facets that are cut. Sides that no pass touches are uncut as
-    well, so the larger of both counts."""
-
-    def area(*codes: str) -> float:
-        return sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2")
-
-    out = area(*NOT_CUT)
+    counted. ``keep`` (f,): the facets that are cut."""
+    out = area_of(findings, *NOT_CUT)
     whole = float(mesh.area[keep].sum()) + out
-    return (out + max(area("uncut"), area("side-not-machined"))) / whole
+    return (out + rest_area(findings)) / whole
+
+
+def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+    """The area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on them."""
+    return float(mesh.area[keep].sum()) - rest_area(findings)
+
+
+def rest_area(findings: tuple[Finding, ...]) -> float:
+    """The area, mm2, that stays of the facets that are cut. Sides that no pass touches are uncut as well: the larger counts."""
+    return max(area_of(findings, "uncut"), area_of(findings, "side-not-machined"))
+
+
+def area_of(findings: tuple[Finding, ...], *codes: str) -> float:
+    """The area, mm2, that findings of these codes name."""
+    return float(sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2"))
 
 
 def find_left(context: MillContext, program: Program) -> RestMaterial:

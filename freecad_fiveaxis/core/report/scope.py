@@ -57,12 +57,10 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         yield from _out_of_the_part(figures)
     if figures.table is not None and TABLE_COLLISION not in errors:
         yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
-    if (names := looked_at_bodies(figures)) and not {one.code for one in figures.findings} & {
-        MACHINE_COLLISION,
-        MACHINE_UNPROVEN,
-    }:
+    names, codes = looked_at_bodies(figures), {one.code for one in figures.findings}
+    if names and not codes & {MACHINE_COLLISION, MACHINE_UNPROVEN}:
         yield say("tool and spindle, as far as they are given, stay out of the machine's bodies: {names}", names=names)
-    if figures.fixtures and not {one.code for one in figures.findings} & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
+    if figures.fixtures and not codes & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
         yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
 
@@ -114,8 +112,9 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
 
 
 def looked_at_bodies(figures: Figures) -> str:
-    """Name the machine's bodies that tool and spindle were checked against, with commas."""
-    return ", ".join(body.name for body in figures.machine.bodies if body.carrier != SPINDLE)
+    """Name the machine's bodies that tool and spindle were checked against, with commas; none where the tip is guided."""
+    looked_at = figures.machine.bodies if figures.program.guided is None else ()
+    return ", ".join(body.name for body in looked_at if body.carrier != SPINDLE)
 
 
 def _unknown(figures: Figures) -> Iterator[Sentence]:

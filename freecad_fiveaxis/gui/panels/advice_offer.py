@@ -42,7 +42,7 @@ class AdviceOffer(QtWidgets.QWidget):
             return
         from freecad_fiveaxis.app import advising  # here, for it brings the whole pipeline: a panel opens without
 
-        self.setVisible(advising.leaves_something(obj))
+        self.setVisible(advising.leaves_something(last.figures))
 
     def show_advice(self, text: str, changes: Mapping[str, Any]) -> None:
         """Say what was tried, and offer the ``changes``, where there are any."""
