@@ -298,8 +298,8 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
         said.append([one["code"] for one in report["findings"]])
         assert ("machine's bodies: far" in json.dumps(report)) == (body is far)
     assert codes[0] == 1 and "machine-collision" in said[0] and "machine-collision" not in said[1]
-    guided = ["--controller", "fanuc", "--rtcp", "angles", "--linearize", "off"]
-    cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "guided.nc")])
+    guided = ["--controller", "fanuc", "--rtcp", "angles", "--tool", "1", "--linearize", "off"]
+    assert 0 == cli.main([*given, *guided, "--machine", str(machine), "-o", str(tmp_path / "guided.nc")])
     unknown = json.loads((tmp_path / "r.json").read_text())["scope"]["unknown"]
     assert "machine's own bodies" in unknown[0] and "other bodies" not in unknown[0]
     assert (tmp_path / "post.ngc").read_bytes() == (tmp_path / "far.ngc").read_bytes()
