@@ -6,7 +6,7 @@ fixture   a mesh in the work frame: it stands still beside the part, whichever o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,16 +16,14 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Point, Template, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import PARTS, Body
+from freecad_fiveaxis.core.tool.body import Body
 
 from .check import GougeCheck, check_program
-from .rapid_check import unproven_blocks
-from .rapid_ways import WayEntries
-from .search import Entries
+from .worst import find_unproven, find_worst
 
 FIXTURE_COLLISION, FIXTURE_UNPROVEN = "fixture-collision", "fixture-unproven"
 """The codes of the findings."""
@@ -82,55 +80,38 @@ def check_fixtures(
     found: list[Finding] = []
     for fixture in fixtures:
         check = check_program(fixture.mesh, body, kinematics, program, tolerance, back, progress, "", rapids)
-        found += _entering(fixture, check, program, tolerance) + _unproven(fixture, check.ways, program, tolerance)
+        found += [*_entering(fixture, check, program, tolerance), *_unproven(fixture, check, program, tolerance)]
     return tuple(found)
 
 
-def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> list[Finding]:
-    """The deepest block and how many there are, or, where only whole cutters are in the fixture, the first such block."""
-    kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
-    depth = np.max([one.depth for one in kinds], axis=0, initial=0.0)
-    count = int(np.count_nonzero((depth > 0.0) | check.buried))
-    if not count:
-        return []
-    if not depth.any():
-        return [_buried(fixture, check, program, count)]
-    block = int(depth.argmax())
-    worst = max(kinds, key=lambda one: float(one.depth[block]))
-    at = tuple(worst.place[block].tolist())
-    text = ENTERS.say(
-        part=PARTS[int(worst.part[block])], depth=Length(depth[block], ".4g"), fixture=fixture.name, at=Point(at), count=count
-    )
-    return [_finding(text, float(depth[block]), tolerance, "mm", block, program, at)]
+def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:
+    worst = find_worst(check, program)
+    if worst is None:
+        return
+    row, line, count = worst.row, worst.line, worst.blocks
+    if worst.depth:
+        text = ENTERS.say(
+            part=worst.part, depth=Length(worst.depth, ".4g"), fixture=fixture.name, at=Point(worst.place), count=count
+        )
+        text = joined((text, REMEDY))
+        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, worst.depth, tolerance, "mm", row, line, worst.place)
+    else:
+        text = say(
+            "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the "
+            "fixture.",
+            count=count, fixture=fixture.name,
+        )  # fmt: skip
+        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, float(count), 0.0, "1", row, line)
 
 
-def _buried(fixture: Fixture, check: GougeCheck, program: Program, count: int) -> Finding:
-    text = say(
-        "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the fixture.",
-        count=count, fixture=fixture.name,
-    )  # fmt: skip
-    return _finding(text, float(count), 0.0, "1", int(check.buried.argmax()), program, None, "")
-
-
-def _finding(
-    text: Sentence, value: float, limit: float, unit: str, block: int, program: Program,
-    place: tuple[float, float, float] | None, remedy: str = REMEDY,
-) -> Finding:  # fmt: skip
-    line = int(program.line[block + 1])
-    return Finding(Severity.ERROR, FIXTURE_COLLISION, joined((text, remedy)), value, limit, unit, block + 1, line, place)
-
-
-def _unproven(fixture: Fixture, ways: WayEntries | None, program: Program, tolerance: float) -> list[Finding]:
+def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:
     """What is not proven of rapids whose axes may run independently."""
-    if ways is None:
-        return []
-    rows = unproven_blocks(ways, tolerance)
-    if not len(rows):
-        return []
-    line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
+    found = find_unproven(check.ways, program, tolerance)
+    if found is None:
+        return
     text = say(
         "In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of independent axes, "
         "the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the other.",
-        count=len(rows), fixture=fixture.name, line=line, bound=Length(bound, ".3g"),
+        count=found.rapids, fixture=fixture.name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
-    return [Finding(Severity.WARNING, FIXTURE_UNPROVEN, text, bound, tolerance, "mm", int(rows[0]) + 1, line)]
+    yield Finding(Severity.WARNING, FIXTURE_UNPROVEN, text, found.bound, tolerance, "mm", found.row, found.line)

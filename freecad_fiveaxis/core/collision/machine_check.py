@@ -23,13 +23,11 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import PARTS, Body
+from freecad_fiveaxis.core.tool.body import Body
 
 from .check import GougeCheck, check_program
 from .machine_bodies import make_mesh, spindle_body
-from .rapid_check import unproven_blocks
-from .rapid_ways import WayEntries
-from .search import Entries
+from .worst import find_unproven, find_worst
 
 MACHINE_COLLISION, MACHINE_UNPROVEN = "machine-collision", "machine-unproven"
 """The codes of the findings."""
@@ -121,7 +119,7 @@ def _against_bodies(given: InMachine, program: Program, tolerance: float, progre
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
         check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)
         yield from _entering(body.name, check, given, program, tolerance)
-        yield from _unproven(body.name, check.ways, program, tolerance)
+        yield from _unproven(body.name, check, program, tolerance)
 
 
 def _against_part(
@@ -131,7 +129,7 @@ def _against_part(
     if part is not None and spindle.pieces:
         check = check_program(part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids)
         yield from _entering(say("part"), check, given, program, tolerance)
-        yield from _unproven(say("part"), check.ways, program, tolerance)
+        yield from _unproven(say("part"), check, program, tolerance)
 
 
 def _spindle(given: InMachine) -> Body:
@@ -144,38 +142,31 @@ def _stack(given: InMachine) -> Body:
 
 
 def _entering(name: str, check: GougeCheck, given: InMachine, program: Program, tolerance: float) -> Iterator[Finding]:
-    """The deepest block and how many there are, or, where only whole cutters are in the body, the first such block."""
-    kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
-    depth = np.max([one.depth for one in kinds], axis=0, initial=0.0)
-    count = int(np.count_nonzero((depth > 0.0) | check.buried))
-    if not count:
+    worst = find_worst(check, program)
+    if worst is None:
         return
-    block = int(depth.argmax()) if depth.any() else int(check.buried.argmax())
-    worst = max(kinds, key=lambda one: float(one.depth[block]))
-    at = worst.place[block] + given.setup.origin
-    tip = forward(given.kinematics, words_to_q(program.words[block + 1 : block + 2]))[0][0]
-    part, deep = PARTS[int(worst.part[block])], float(depth[block])
-    if deep:
+    at = np.add(worst.place, given.setup.origin)
+    x, y, z = forward(given.kinematics, words_to_q(program.words[worst.row : worst.row + 1]))[0][0].tolist()
+    if worst.depth:
         text = say(
             "The {part} goes at least {depth} into the {name}, at {at} in the machine frame with the axes that carry it at zero, "
             "deepest of {count} blocks.",
-            part=part, depth=Length(deep, ".4g"), name=name, at=Point(tuple(at.tolist()), ".4g"), count=count,
+            part=worst.part, depth=Length(worst.depth, ".4g"), name=name, at=Point(tuple(at.tolist()), ".4g"), count=worst.blocks,
         )  # fmt: skip
     else:
-        text = say("In {count} blocks the whole cutter is inside the {name}.", count=count, name=name)
-    line, place = int(program.line[block + 1]), tuple(tip.tolist())
-    yield Finding(Severity.ERROR, MACHINE_COLLISION, joined((text, REMEDY)), deep, tolerance, "mm", block + 1, line, place)
+        text = say("In {count} blocks the whole cutter is inside the {name}.", count=worst.blocks, name=name)
+    text, row, line = joined((text, REMEDY)), worst.row, worst.line
+    yield Finding(Severity.ERROR, MACHINE_COLLISION, text, worst.depth, tolerance, "mm", row, line, (x, y, z))
 
 
-def _unproven(name: str, ways: WayEntries | None, program: Program, tolerance: float) -> Iterator[Finding]:
+def _unproven(name: str, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:
     """What is not proven of rapids whose axes may run independently."""
-    rows = np.empty(0, np.int64) if ways is None else unproven_blocks(ways, tolerance)
-    if ways is None or not len(rows):
+    found = find_unproven(check.ways, program, tolerance)
+    if found is None:
         return
-    line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
     text = say(
         "In {count} rapids it is not proven that tool and spindle stay out of the {name} on every way of independent axes, the "
         "first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the other.",
-        count=len(rows), name=name, line=line, bound=Length(bound, ".3g"),
+        count=found.rapids, name=name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
-    yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text, bound, tolerance, "mm", int(rows[0]) + 1, line)
+    yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text, found.bound, tolerance, "mm", found.row, found.line)

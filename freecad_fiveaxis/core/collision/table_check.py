@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles
+from freecad_fiveaxis.core.geometry.solids import box_facets
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS, Body
@@ -46,9 +47,7 @@ def table_slab(height: float, kinematics: Chain, program: Program) -> Mesh:
     tip, _ = forward(kinematics, words_to_q(program.words))
     low, high = tip.min(axis=0) - BEYOND, tip.max(axis=0) + BEYOND
     low[2], high[2] = min(low[2], height) - BEYOND, height
-    corner = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
-    sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-    return from_triangles(corner[[[side[0], *two] for side in sides for two in (side[1:3], side[2:4])]])
+    return from_triangles(box_facets(low, high))
 
 
 def _below(entries: Entries | WayEntries, program: Program, tolerance: float) -> Finding:

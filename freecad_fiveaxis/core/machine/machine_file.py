@@ -37,8 +37,21 @@ from freecad_fiveaxis.core.base.files import read_bytes, write_whole
 from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
-from .bodies import read_bodies, write_bodies
-from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector, finite_vector
+from .bodies_file import read_bodies, write_bodies
+from .keys import (
+    JsonObject,
+    as_number,
+    as_vector,
+    fail,
+    get_choice,
+    get_key,
+    get_names,
+    get_number,
+    get_object,
+    get_text,
+    parse_json,
+)
+from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector
 from .older_layout import as_today
 from .safe_start import BY_MACHINE, RETRACTS, SafeStart
 
@@ -58,8 +71,6 @@ VECTOR = re.compile(r"\[\s*\n([^\[\]{}\"]*)\n\s*\]")
 
 FREECAD_VERSION = "26.3.0"
 """The first version with a Machine editor; its format is what is written."""
-
-_Object = Mapping[str, Any]
 
 
 def shipped_machines() -> tuple[str, ...]:
@@ -118,94 +129,13 @@ def _beside(machine: Machine, path: Path) -> Machine:
 @lru_cache(maxsize=64)
 def _read(content: bytes) -> Machine:
     """A window reads the same few files with every letter that is typed (1.5 ms each); what a file says now counts."""
-    return _machine(_parse(content))
+    return _machine(parse_json(content))
 
 
 def _usable(path: Path) -> Path:
     if "\0" in str(path):
         raise FileError(say("{path} is no file name: it holds a null character", path=repr(str(path))), str(path))
     return path
-
-
-def _parse(content: bytes) -> Any:
-    try:
-        return json.loads(content.decode("utf-8-sig"), parse_constant=_no_constant, object_pairs_hook=_unique)
-    except MachineError:
-        raise
-    except (ValueError, RecursionError) as error:
-        kind = say("is empty") if not content.strip() else say("is not JSON ({error})", error=error)
-        raise MachineError(say("the file {kind}; export the machine from FreeCAD again", kind=kind), content[:60]) from None
-
-
-def _no_constant(text: str) -> float:
-    raise MachineError(say("{text} is no usable number; write a finite one", text=text), text)
-
-
-def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
-    for key, value in pairs:
-        if key in found:
-            raise MachineError(say("key {key} stands twice in one object; remove one", key=reprlib.repr(key)), key)
-        found[key] = value
-    return found
-
-
-# Reading a key: each function takes the object that holds it and the dotted name of that object, for the message.
-
-
-def _fail(key: str, problem: str, value: object) -> MachineError:
-    return MachineError(say("{key}: {problem}", key=key, problem=problem), value)
-
-
-def _get(holder: _Object, where: str, key: str) -> Any:
-    if key not in holder:
-        raise _fail(where + key, say('the key is missing; add "{key}"', key=key), None)
-    return holder[key]
-
-
-def _object(holder: _Object, where: str, key: str) -> _Object:
-    value = _get(holder, where, key)
-    if not isinstance(value, dict):
-        raise _fail(where + key, say("{value} is not an object; write {{ ... }}", value=reprlib.repr(value)), value)
-    return value
-
-
-def _text(holder: _Object, where: str, key: str) -> str:
-    """A string, its line breaks made spaces."""
-    value = _get(holder, where, key)
-    text = " ".join(value.splitlines()) if isinstance(value, str) else "\0"
-    if not text.isprintable():
-        raise _fail(
-            where + key, say("{value} is not a text that can be shown; write one in quotes", value=reprlib.repr(value)), value
-        )
-    return text
-
-
-def _choice(holder: _Object, where: str, key: str, known: Any) -> str:
-    value = _text(holder, where, key)
-    if value not in known:
-        raise _fail(where + key, say("{value} is none of {known}", value=reprlib.repr(value), known=", ".join(known)), value)
-    return value
-
-
-def _as_number(value: Any, key: str) -> float:
-    try:
-        number = float("nan") if isinstance(value, bool) or not isinstance(value, (int, float)) else float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise _fail(key, say("{value} is not a finite number", value=reprlib.repr(value)), value)
-    return number
-
-
-def _number(holder: _Object, where: str, key: str) -> float:
-    return _as_number(_get(holder, where, key), where + key)
-
-
-def _as_vector(value: Any, key: str, unit: float = 1.0) -> Vector:
-    if not isinstance(value, list) or len(value) != 3:
-        raise _fail(key, say("{value} is not a vector; write [x, y, z]", value=reprlib.repr(value)), value)
-    return finite_vector([unit * _as_number(component, key) for component in value], key)
 
 
 # From the file's objects to the machine.
@@ -216,27 +146,27 @@ def _machine(data: Any) -> Machine:
         raise MachineError(
             say('the file holds {data} instead of an object with the key "machine"', data=reprlib.repr(data)), data
         )
-    version = _get(data, "", "version")
+    version = get_key(data, "", "version")
     if isinstance(version, bool) or version != VERSION:
-        raise _fail(
+        raise fail(
             "version",
             say("{version} cannot be read; only version {known} can", version=reprlib.repr(version), known=VERSION),
             version,
         )
-    machine = _object(data, "", "machine")
-    unit = UNITS[_choice(machine, "machine.", "units", UNITS)]
-    name = _text(machine, "machine.", "name").strip()
+    machine = get_object(data, "", "machine")
+    unit = UNITS[get_choice(machine, "machine.", "units", UNITS)]
+    name = get_text(machine, "machine.", "name").strip()
     if not name:
-        raise _fail("machine.name", say("the name is empty; give the machine one"), name)
-    axes = as_today(_object(machine, "machine.", "axes"))
+        raise fail("machine.name", say("the name is empty; give the machine one"), name)
+    axes = as_today(get_object(machine, "machine.", "axes"))
     _check_whole(axes)
     found = {letter: _axis(letter, axes, unit) for letter in axes}
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
-    description = _text(machine, "machine.", "description") if "description" in machine else ""
+    description = get_text(machine, "machine.", "description") if "description" in machine else ""
     return Machine(name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit))
 
 
-def _check_whole(axes: _Object) -> None:
+def _check_whole(axes: JsonObject) -> None:
     """One line for all keys that the axes lack, where they are several; a single one is named where it is read."""
     lacking = [f"{letter}.{key}" for letter, axis in axes.items() if isinstance(axis, dict) for key in KEYS if key not in axis]
     if len(lacking) > 1:
@@ -245,61 +175,52 @@ def _check_whole(axes: _Object) -> None:
             lacking=", ".join(lacking),
             roles=", ".join(ROLES),
         )
-        raise _fail("machine.axes", problem, lacking)
+        raise fail("machine.axes", problem, lacking)
 
 
-def _extra(data: _Object, unit: float) -> dict[str, Any]:
+def _extra(data: JsonObject, unit: float) -> dict[str, Any]:
     """What stands under ``fiveaxis``, as fields of Machine; what does not keeps its default."""
     where = "fiveaxis."
-    extra = _object(data, "", "fiveaxis") if "fiveaxis" in data else {}
+    extra = get_object(data, "", "fiveaxis") if "fiveaxis" in data else {}
     readers: dict[str, Callable[[str], Any]] = {
-        "gauge_point": lambda key: _as_vector(extra[key], where + key, unit),
-        "origin": lambda key: _as_vector(extra[key], where + key, unit),
-        "singular_cone": lambda key: math.radians(_number(extra, where, key)),
-        "controller": lambda key: _text(extra, where, key),
-        "safe_start": lambda key: _safe_start(_object(extra, where, key), f"{where}{key}.", unit),
-        "rapids": lambda key: _choice(extra, where, key, RAPIDS),
-        "table": lambda key: unit * _number(extra, where, key),
+        "gauge_point": lambda key: as_vector(extra[key], where + key, unit),
+        "origin": lambda key: as_vector(extra[key], where + key, unit),
+        "singular_cone": lambda key: math.radians(get_number(extra, where, key)),
+        "controller": lambda key: get_text(extra, where, key),
+        "safe_start": lambda key: _safe_start(get_object(extra, where, key), f"{where}{key}.", unit),
+        "rapids": lambda key: get_choice(extra, where, key, RAPIDS),
+        "table": lambda key: unit * get_number(extra, where, key),
         "bodies": lambda key: read_bodies(extra[key], where + key, unit),
-        "no_motion": lambda key: _names(extra, where, key),
+        "no_motion": lambda key: get_names(extra, where, key),
     }
     return {key: read(key) for key, read in readers.items() if key in extra}
 
 
-def _names(holder: _Object, where: str, key: str) -> tuple[str, ...]:
-    value = _get(holder, where, key)
-    if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
-        raise _fail(
-            where + key, say('{value} is no list of names; write ["M202", "CYCL DEF 392"]', value=reprlib.repr(value)), value
-        )
-    return tuple(value)
-
-
-def _safe_start(given: _Object, where: str, unit: float) -> SafeStart:
-    retract = _choice(given, where, "retract", RETRACTS)
+def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
+    retract = get_choice(given, where, "retract", RETRACTS)
     spare = [key for key in given if key not in ("retract", *(("Z",) if retract == BY_MACHINE else ()))]
     if spare:
-        raise _fail(where + spare[0], say("retract {retract} takes no such key; leave it out", retract=retract), given[spare[0]])
-    return SafeStart(retract, unit * _number(given, where, "Z") if retract == BY_MACHINE else None)
+        raise fail(where + spare[0], say("retract {retract} takes no such key; leave it out", retract=retract), given[spare[0]])
+    return SafeStart(retract, unit * get_number(given, where, "Z") if retract == BY_MACHINE else None)
 
 
-def _axis(letter: str, axes: _Object, unit: float) -> Axis:
+def _axis(letter: str, axes: JsonObject, unit: float) -> Axis:
     if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
-        raise _fail(
+        raise fail(
             "machine.axes", say("{letter} names no axis; use X Y Z and up to two of A B C", letter=reprlib.repr(letter)), letter
         )
-    axis, where = _object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
-    rotary = KINDS[_choice(axis, where, "type", KINDS)]
-    role = _choice(axis, where, "role", ROLES)
+    axis, where = get_object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
+    rotary = KINDS[get_choice(axis, where, "type", KINDS)]
+    role = get_choice(axis, where, "role", ROLES)
     if rotary != role.endswith("rotary"):
-        raise _fail(where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role)
+        raise fail(where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role)
     side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
     direction, point = _joint(axis, where, rotary, unit)
-    limits = _object(axis, where, "limits")
-    low, high = (_limit(_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
-    rate = _number(axis, where, "max_velocity")
-    rate = _as_number(math.radians(rate) if rotary else rate * unit, where + "max_velocity")
-    wrap = _text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
+    limits = get_object(axis, where, "limits")
+    low, high = (_limit(get_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
+    rate = get_number(axis, where, "max_velocity")
+    rate = as_number(math.radians(rate) if rotary else rate * unit, where + "max_velocity")
+    wrap = get_text(axis, where, "wrap_strategy") if rotary and "wrap_strategy" in axis else "unwound"
     return Axis(letter, rotary, side, direction, point, low, high, rate, wrap)
 
 
@@ -310,27 +231,27 @@ def _limit(value: float, rotary: bool, unit: float) -> float:
     return math.radians(value) if rotary else value
 
 
-def _joint(axis: _Object, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
+def _joint(axis: JsonObject, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
     """Direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's the other way round."""
-    joint, where = _get(axis, where, "joint"), where + "joint"
+    joint, where = get_key(axis, where, "joint"), where + "joint"
     if isinstance(joint, list):
         if len(joint) != 2:
-            raise _fail(where, say("{joint} is not [[origin], [axis]]", joint=reprlib.repr(joint)), joint)
+            raise fail(where, say("{joint} is not [[origin], [axis]]", joint=reprlib.repr(joint)), joint)
         joint = {"origin": joint[0], "axis": joint[1]}
         if not rotary and joint["axis"] == [0, 0, 0]:
             joint = {"origin": joint["axis"], "axis": joint["origin"]}
     elif not isinstance(joint, dict):
-        raise _fail(where, say('{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint=reprlib.repr(joint)), joint)
-    origin, direction = (_get(joint, where + ".", key) for key in ("origin", "axis"))
-    return _as_vector(direction, where + ".axis"), _as_vector(origin, where + ".origin", unit)
+        raise fail(where, say('{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint=reprlib.repr(joint)), joint)
+    origin, direction = (get_key(joint, where + ".", key) for key in ("origin", "axis"))
+    return as_vector(direction, where + ".axis"), as_vector(origin, where + ".origin", unit)
 
 
-def _parent(letter: str, axes: _Object) -> str | None:
+def _parent(letter: str, axes: JsonObject) -> str | None:
     where = f"machine.axes.{letter}."
-    parent = _get(axes[letter], where, "parent")
+    parent = get_key(axes[letter], where, "parent")
     if parent is not None and (not isinstance(parent, str) or parent not in axes):
         problem = say("{parent} is no axis of this machine; name one, or null for the base", parent=reprlib.repr(parent))
-        raise _fail(where + "parent", problem, parent)
+        raise fail(where + "parent", problem, parent)
     return parent
 
 
@@ -344,11 +265,11 @@ def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) ->
                 other=axes[carrier].side,
                 carrier=carrier,
             )
-            raise _fail(f"machine.axes.{letter}.parent", say("{sides}; name another, or null for the base", sides=sides), carrier)
+            raise fail(f"machine.axes.{letter}.parent", say("{sides}; name another, or null for the base", sides=sides), carrier)
     outwards = _outwards(None, axes, parent)
     lost = [letter for letter in axes if letter not in outwards]
     if lost:
-        raise _fail(
+        raise fail(
             "machine.axes", say("{lost} carry one another in a circle; give one the parent null", lost=", ".join(lost)), lost
         )
     table = [letter for letter in outwards if axes[letter].side == "table"]
@@ -367,7 +288,7 @@ def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str
                 rivals=" and ".join(rivals),
                 carrier=carrier or say("the base"),
             )
-            raise _fail("machine.axes", problem, rivals)
+            raise fail("machine.axes", problem, rivals)
     plain = [chain for chain in chains if chain not in turning]
     return [letter for chain in plain + turning for letter in chain]
 

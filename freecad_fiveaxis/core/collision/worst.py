@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a check of one body comes to, for what is told of it once: the deepest block, and what is not proven of rapids."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import PARTS
+
+from .check import GougeCheck
+from .rapid_check import unproven_blocks
+from .rapid_ways import WayEntries
+from .search import Entries
+
+
+class Worst(NamedTuple):
+    """``row`` of the program to which the deepest block leads; ``line`` of the NC file; ``depth`` mm, 0 where only whole cutters
+    are in the body: then it is the first such block; ``part`` of the tool, ``place`` mm, work frame; ``blocks``: how many
+    enter."""
+
+    row: int
+    line: int
+    depth: float
+    part: str
+    place: Vector
+    blocks: int
+
+
+class Unproven(NamedTuple):
+    """``rapids``: how many; ``row`` and ``line`` of the first; ``bound`` mm: none of them enters by more."""
+
+    rapids: int
+    row: int
+    line: int
+    bound: float
+
+
+def find_worst(check: GougeCheck, program: Program) -> Worst | None:
+    """Find the deepest block of cutter, shank, holder and rapids; None where nothing enters."""
+    kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
+    depth = np.max([one.depth for one in kinds], axis=0, initial=0.0)
+    count = int(np.count_nonzero((depth > 0.0) | check.buried))
+    if not count:
+        return None
+    block = int(depth.argmax()) if depth.any() else int(check.buried.argmax())
+    worst = max(kinds, key=lambda one: float(one.depth[block]))
+    x, y, z = worst.place[block].tolist()
+    line, part = int(program.line[block + 1]), PARTS[int(worst.part[block])]
+    return Worst(block + 1, line, float(depth[block]), part, (x, y, z), count)
+
+
+def find_unproven(ways: WayEntries | None, program: Program, tolerance: float) -> Unproven | None:
+    """Find the rapids of which it is not proven, on every way of independent axes, that nothing enters deeper than ``tolerance``
+    mm; None where there are none."""
+    rows = np.empty(0, np.int64) if ways is None else unproven_blocks(ways, tolerance)
+    if ways is None or not len(rows):
+        return None
+    return Unproven(len(rows), int(rows[0]) + 1, int(program.line[rows[0] + 1]), float(ways.bound[rows].max()))
