@@ -63,6 +63,7 @@ KINDS = {
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
     "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
     "number": "App::PropertyFloat", "speed": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
+    "curve": "App::PropertyFile",
     "stack": "App::PropertyString", "height": "App::PropertyString",
     "place": "App::PropertyString",
 }  # fmt: skip
@@ -218,6 +219,7 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
             "count": 0,
             "text": MACHINES_OWN,
             "path": "",
+            "curve": "",
         }
         return none.get(kind, 0.0)
     if kind == "angle":

@@ -69,8 +69,8 @@ def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ..
     Raises FileError for a file that cannot be read."""
     groups = {type(getattr(settings, top.name)): getattr(settings, top.name) for top in fields(Settings)}
     leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
-    leaves = [(cls, leaf) for cls, leaf in leaves if leaf.name not in (*unread, "boundary")]
-    named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups] + curve_files(settings)
+    named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups and leaf.name not in unread]
+    named += curve_files(settings)
     named += [body.file for body in _machine(settings).bodies]
     return tuple(hashlib.sha256(read_bytes(name, "file")).hexdigest() for name in named if name)
 

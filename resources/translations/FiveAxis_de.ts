@@ -5520,6 +5520,10 @@
         <translation>{name} fehlt</translation>
     </message>
     <message>
+        <source>it is empty; write a text in quotes</source>
+        <translation>er ist leer; einen Text in Anführungszeichen schreiben</translation>
+    </message>
+    <message>
         <source>it is too tight for the cutter; use a smaller one</source>
         <translation>für den Fräser ist es zu eng; einen kleineren nehmen</translation>
     </message>
@@ -8020,10 +8024,6 @@
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
     </message>
     <message>
-        <source>{value} is beyond {most} mm</source>
-        <translation>{value} liegt jenseits von {most} mm</translation>
-    </message>
-    <message>
         <source>{value} is no list of names; write ["M202", "CYCL DEF 392"]</source>
         <translation>{value} ist keine Liste von Namen; schreiben: ["M202", "CYCL DEF 392"]</translation>
     </message>
@@ -8046,10 +8046,6 @@
     <message>
         <source>{value} is not a text that can be shown; write one in quotes</source>
         <translation>{value} ist kein Text, der gezeigt werden kann; einen in Anführungszeichen schreiben</translation>
-    </message>
-    <message>
-        <source>{value} is not a text; write one in quotes</source>
-        <translation>{value} ist kein Text; einen in Anführungszeichen schreiben</translation>
     </message>
     <message>
         <source>{value} is not a vector; write [x, y, z]</source>

@@ -28,14 +28,10 @@ GROUPS = {"Part", "Machine", "Tool", "Passes", "Axis", "Safety", "Output"}
 """As in the panel."""
 
 
-READ = {"boundary"}
-"""Files that are read, not selected."""
-
-
 def test_every_option_but_files_to_write_or_to_select_has_a_property_with_its_group_and_help(path):
     for cls, leaf in option_fields(MILL):
         kind = leaf.metadata["kind"]
-        if cls is OutputSettings or (kind in ("path", "paths") and leaf.name not in READ):
+        if cls is OutputSettings or kind in ("path", "paths"):
             assert properties.property_name(leaf.name) not in {one.name for one in properties.setting_properties(MILL)}
             continue
         names = [one.name for one in properties.CUTTER] if kind == "cutter" else [properties.property_name(leaf.name)]

@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
-from freecad_fiveaxis.core.base.curve_text import ENDING, is_inline
+from freecad_fiveaxis.core.base.curve_text import END_OF_LINE, ENDING, is_inline
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.sentences import say
@@ -51,14 +51,14 @@ def read_json(path: str) -> Any:
 def beside_file(path: str, options: Mapping[str, Any]) -> dict[str, Any]:
     """Options of a job file, their paths relative to it."""
     settings_paths = {leaf.name for _, leaf in option_fields() if leaf.metadata["kind"] in ("path", "paths")}
-    if is_inline(str(options.get("boundary", ""))):
-        settings_paths.remove("boundary")
     beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
     for name in {"machine", "machines"} & set(beside):
         beside[name] = _machines_beside(path, beside[name])
     for name in ("from", "to"):
         if str(beside.get(name, "")).lower().endswith(ENDING):
             beside[name] = _beside(path, beside[name])
+    if not is_inline(str(beside.get("boundary", END_OF_LINE))):
+        beside["boundary"] = _beside(path, beside["boundary"])
     return beside
 
 

@@ -139,6 +139,7 @@ READERS: dict[str, Any] = {
     "text": read_text,
     "choice": read_text,
     "path": read_text,
+    "curve": read_text,
     "place": _place,
     "paths": _paths,
     "names": _names,

@@ -78,7 +78,7 @@ def curve_files(settings: Settings) -> list[str]:
 def _paths(settings: Settings, written: bool) -> Iterator[str]:
     """The files that the options name, those to write or those to read."""
     for name, value in _values(settings):
-        if (name in WRITTEN) == written and value and name != "boundary":
+        if (name in WRITTEN) == written and value:
             yield from (value,) if isinstance(value, str) else value
 
 

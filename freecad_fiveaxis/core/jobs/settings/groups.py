@@ -123,7 +123,7 @@ class BoundarySettings:
 
     boundary: str | None = option(
         None,
-        "path",
+        "curve",
         "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two (or the lines themselves, a ; between "
         "two, and ;; between two curves): passes end at them [none]",
         (*FROM_SOLID, REACH),
