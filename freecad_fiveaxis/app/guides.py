@@ -162,8 +162,8 @@ def _next(shape: Any, chain: list[Any], at_end: bool) -> Any:
     if edge.isClosed() or not ends:
         return None
     end = ends[-1] if at_end else ends[0]
-    others = [one for one in shape.Edges if not one.Degenerated and not any(one.isSame(own) for own in chain)]
-    others = [one for one in others if any(end.isSame(vertex) for vertex in one.Vertexes)]
+    others = [one for one in shape.ancestorsOfType(end, Part.Edge) if not one.Degenerated]
+    others = [one for one in others if not any(one.isSame(own) for own in chain)]
     smooth = [one for one in others if _way_from(one, end).getAngle(-_way_from(edge, end)) < math.radians(SMOOTH)]
     return smooth[0] if len(smooth) == 1 else None
 

@@ -83,9 +83,10 @@ from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 def run(settings: Settings, progress: Progress = silent) -> Result:
     """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
     result = prove(make(settings, progress), progress)
-    if settings.output.advise == "off":
+    made = result.made
+    if settings.output.advise == "off" or not isinstance(made, Milled):
         return result
-    return add_advice(result, lambda other: prove(make(other, progress), progress))
+    return add_advice(result, lambda other: prove(make(other, progress, made.mesh, fixtures=made.fixtures), progress))
 
 
 def make(

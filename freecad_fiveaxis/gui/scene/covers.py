@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,8 +14,6 @@ from .layout import NONE
 
 NAMES = ("OverlayLeft", "OverlayRight", "OverlayTop", "OverlayBottom")
 """What FreeCAD calls them. Asked for by name, so that PySide makes no objects for other widgets, which may go before these do."""
-_panels: list[Any] = []
-"""FreeCAD makes them with its window, and keeps them."""
 
 
 def covered_boxes(size: tuple[int, int]) -> np.ndarray:
@@ -29,12 +28,11 @@ def covered_boxes(size: tuple[int, int]) -> np.ndarray:
     return np.array([_box(panel, viewport) for panel in shown], float).reshape(-1, 4) * scale
 
 
+@cache
 def _overlays() -> list[Any]:
-    if not _panels:
-        found = (main_window().findChild(QtWidgets.QTabWidget, name) for name in NAMES)
-        _panels.extend(one for one in found if one is not None)
-        _panels.append(None)  # looked for, also where there are none
-    return _panels[:-1]
+    """FreeCAD makes them with its window, and keeps them."""
+    found = (main_window().findChild(QtWidgets.QTabWidget, name) for name in NAMES)
+    return [one for one in found if one is not None]
 
 
 def _viewport() -> Any:
