@@ -22,6 +22,7 @@ from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.csgraph import connected_components, dijkstra
 from scipy.sparse.linalg import splu
 
+from freecad_fiveaxis.core.base.chunks import meanwhile
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.vectors import row_dot
 
@@ -127,23 +128,23 @@ def distance(vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: 
 
     Every component of the surface needs a source.
     """
-    count, length = len(vertex), side_lengths(vertex, face, frame, metric)
-    bound = _along_sides(face, length, source, known, count)
-    step = max(float(np.sqrt(np.mean(length * length))), float(bound.max()) / FADED)
+    count = len(vertex)
     weight = frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)
-    stiff = _stiffness(face, frame, metric, count, clipped=False)
-    mass = np.bincount(face.T.reshape(-1), np.tile(weight / 3.0, 3), count)
     free = np.ones(count, np.bool_)
     free[source] = False
     inner = np.flatnonzero(free)
-    heat = csc_matrix(_stiffness(face, frame, metric, count, clipped=True) * (step * step))
-    heat.setdiag(heat.diagonal() + mass)
-    warmth = np.zeros(count)
-    warmth[source] = np.exp(-known / step)
-    warmth[inner] = np.maximum(Factored(heat, inner).solve(-(heat @ warmth)), 0.0)
-    value = np.zeros(count)
+    stiff = _stiffness(face, frame, metric, count, clipped=False)
+    factored: list[Factored] = []
+
+    def spread() -> tuple[Floats, Floats]:
+        length = side_lengths(vertex, face, frame, metric)
+        bound = _along_sides(face, length, source, known, count)
+        step = max(float(np.sqrt(np.mean(length * length))), float(bound.max()) / FADED)
+        return bound, _warmth(face, frame, metric, weight, source, known, step, inner, count)
+
+    bound, warmth = meanwhile(lambda: factored.append(Factored(stiff, inner)), spread)
+    value, way, poisson = np.zeros(count), -gradient(frame, face, warmth), factored[0]
     value[source] = known
-    way, poisson = -gradient(frame, face, warmth), Factored(stiff, inner)
     lost = ~(np.hypot(*way) > TINY)
     way[:, lost] = gradient(frame, face, bound)[:, lost]
     for _ in range(1 + ROUNDS):
@@ -151,6 +152,19 @@ def distance(vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: 
         value[inner] = poisson.solve(_outflow(face, frame, metric, weight, way, count) - stiff @ fixed)
         way = gradient(frame, face, value)
     return np.clip(value, 0.0, bound)
+
+
+def _warmth(
+    face: Ints, frame: Frames, metric: Floats, weight: Floats, source: Ints, known: Floats, step: float, inner: Ints, count: int
+) -> Floats:
+    """How warm (v,) each vertex is a ``step`` of time after heat was let in at the source, less where its distance is larger."""
+    mass = np.bincount(face.T.reshape(-1), np.tile(weight / 3.0, 3), count)
+    heat = csc_matrix(_stiffness(face, frame, metric, count, clipped=True) * (step * step))
+    heat.setdiag(heat.diagonal() + mass)
+    warmth = np.zeros(count)
+    warmth[source] = np.exp(-known / step)
+    warmth[inner] = np.maximum(Factored(heat, inner).solve(-(heat @ warmth)), 0.0)
+    return warmth
 
 
 def spread_between(face: Ints, frame: Frames, metric: Floats, low: Ints, high: Ints) -> Floats:

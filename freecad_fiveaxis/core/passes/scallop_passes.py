@@ -11,11 +11,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -60,6 +62,9 @@ AMPLE = 1.001
 
 SURELY = 1.0 - 1e-12
 """Of a distance: what is so near is so by any rounding."""
+
+ASKED = 16
+"""Portions of the facets that are asked for gaps: threads take one after the other."""
 
 DENSE = 0.2
 """Steps between the samples of a pass from which the gaps are measured."""
@@ -253,7 +258,17 @@ def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats) -> B
     """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is, and where
     its facet is ``looking`` (f, 3)."""
     tree, most = cKDTree(samples), AMPLE * float(enough.max())
-    corner = mesh.vertex[mesh.face]
+    ends = np.linspace(0, len(mesh.face), ASKED + 1).astype(np.int64).tolist()
+
+    def ask(some: slice) -> Bools:
+        return _left_of(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
+
+    return np.concatenate(in_threads(ask, [slice(*pair) for pair in pairwise(ends)]))
+
+
+def _left_of(tree: cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:
+    """The same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked beyond ``most``."""
+    samples = tree.data
     far, nearest = tree.query(np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most)
     found = np.flatnonzero(far <= most)
     place = (PLACES @ corner).reshape(-1, len(PLACES), 3)
