@@ -60,10 +60,10 @@ def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Flo
 def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
     """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
     plate = tree.plates(node)
-    place, go = _inner(plate.normal, sweep.tip), _inner(plate.normal, sweep.travel)
-    lean, turn = _inner(plate.normal, sweep.unit), _dot(plate.normal, sweep.turn)
+    place, lean = _inner(plate.normal, sweep.tip), _inner(plate.normal, sweep.unit)
+    go, turn = _dot(plate.normal, sweep.travel), _dot(plate.normal, sweep.turn)
     up = _swept(piece, sweep, go, lean, turn) + place - plate.bottom
-    down = _swept(piece, sweep, -go, -lean, None if turn is None else -turn) - place + plate.top
+    down = _swept(piece, sweep, _opposite(go), -lean, _opposite(turn)) - place + plate.top
     return np.asarray(np.minimum(up, down))
 
 
@@ -99,6 +99,8 @@ def least_depth(piece: Piece, sweep: StraightSweep, point: Floats) -> Floats:
     out = arm - height * sweep.unit
     off = distance_off(piece, np.sqrt(_inner(out, out)), height)
     short = 0.0 if sweep.cosine is None else np.abs(1.0 - sweep.cosine)
+    if sweep.bend_tip is None or sweep.bend_axis is None:
+        return np.asarray(-off - (piece.reach + piece.round) * short)
     return np.asarray(-off - sweep.bend_tip - (piece.reach + piece.round) * (sweep.bend_axis + short))
 
 
@@ -125,12 +127,13 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
 
 def _reached(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
     """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
-    go, lean = _inner(g, sweep.travel), _inner(g, sweep.unit)
-    return _swept(piece, sweep, go, lean, _dot(g, sweep.turn))
+    return _swept(piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn))
 
 
-def _swept(piece: Piece, sweep: StraightSweep, go: Floats, lean: Floats, turn: Floats | None) -> Floats:
+def _swept(piece: Piece, sweep: StraightSweep, go: Floats | None, lean: Floats, turn: Floats | None) -> Floats:
     """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
+    if go is None or sweep.bend_tip is None or sweep.bend_axis is None:  # both ends are the same
+        return support(piece, lean if sweep.cosine is None else sweep.cosine * lean)
     if turn is None or sweep.cosine is None:
         return np.asarray(support(piece, lean, sweep.bend_axis) + np.abs(go) + sweep.bend_tip)
     middle = sweep.cosine * lean
@@ -140,6 +143,10 @@ def _swept(piece: Piece, sweep: StraightSweep, go: Floats, lean: Floats, turn: F
 
 def _dot(one: Floats, two: Floats | None) -> Floats | None:
     return None if two is None else _inner(one, two)
+
+
+def _opposite(one: Floats | None) -> Floats | None:
+    return None if one is None else -one
 
 
 def _inner(one: Floats, two: Floats) -> Floats:

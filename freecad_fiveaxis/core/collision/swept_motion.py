@@ -157,20 +157,23 @@ def segments_of(swept: SweptMotion, blocks: Ints, reach: float, least: float) ->
 class StraightSweep(NamedTuple):
     """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes ``cosine unit`` -+
     ``turn`` (None where no axis turns: 1 and 0). ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by. All
-    are rows of ``column`` (15 or 11, n)."""
+    are rows of ``column`` (15 or 11, n), or (7 or 6, n) where all only stand: then travel and bends are None, too, all of them
+    0."""
 
     column: Floats
     tip: Floats
     unit: Floats
-    travel: Floats
-    bend_tip: Floats
-    bend_axis: Floats
+    travel: Floats | None
+    bend_tip: Floats | None
+    bend_axis: Floats | None
     turn: Floats | None
     cosine: Floats | None
 
     @classmethod
     def of(cls, column: Floats) -> StraightSweep:
         """The way whose rows these are."""
+        if len(column) < 11:
+            return cls(column, column[0:3], column[3:6], None, None, None, None, column[6] if len(column) > 6 else None)
         turn, cosine = (column[11:14], column[14]) if len(column) > 11 else (None, None)
         return cls(column, column[0:3], column[3:6], column[6:9], column[9], column[10], turn, cosine)
 
@@ -182,7 +185,8 @@ class StraightSweep(NamedTuple):
 class Clusters(NamedTuple):
     """Stretches and their clusters in one table, the largest first: ``sweep`` (11 or 15, n), rows as in :class:`StraightSweep`;
     ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the column of the first
-    stretch, ``top`` how many clusters stand at the head."""
+    stretch, ``top`` how many clusters stand at the head. ``still`` (7 or 6, n): the rows of ``sweep`` that are not 0 in any
+    stretch, where all of these only stand; else None."""
 
     sweep: Floats
     size: Floats
@@ -190,10 +194,12 @@ class Clusters(NamedTuple):
     arity: Ints
     first: int
     top: int
+    still: Floats | None
 
     def ways(self, rows: Ints) -> StraightSweep:
         """Those of these clusters (k,)."""
-        return StraightSweep.of(self.sweep.take(rows, axis=1))
+        table = self.sweep if self.still is None or not len(rows) or rows.min() < self.first else self.still
+        return StraightSweep.of(table.take(rows, axis=1))
 
 
 def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels: int = 3) -> Clusters:
@@ -219,7 +225,9 @@ def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels:
         sweep += [turn, cosine[None]]
     size = _length(travel) + bend_tip + reach * (turned + bend_axis)
     table, (child, arity) = np.concatenate(sweep), _family(counts)
-    return Clusters(table, size, child, arity, sum(counts[:-1]), counts[0])
+    stretches = sum(counts[:-1])
+    still = None if table[6:14, stretches:].any() else np.concatenate([tip, unit, *sweep[6:]])  # and cosine where there is one
+    return Clusters(table, size, child, arity, stretches, counts[0], still)
 
 
 def _length(vector: Floats) -> Floats:

@@ -130,8 +130,16 @@ def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
     as long as ``loose`` (n,)."""
     low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
     across = np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
-    most = [z * along + r * across + (abs(z) + r) * loose for z, r in ([low] if low == high else [low, high])]
+    most = [_plus(z * along, r * across, (abs(z) + r) * loose) for z, r in ([low] if low == high else [low, high])]
     return np.asarray((most[0] if len(most) == 1 else np.maximum(*most)) + piece.round)
+
+
+def _plus(column: Floats, *more: Floats | float) -> Floats:
+    """The sum: a plain 0 takes no turn through the column."""
+    for one in more:
+        if not isinstance(one, float) or one != 0.0:
+            column = column + one
+    return column
 
 
 def seen_from(body: Body, height: float) -> Body:
