@@ -291,15 +291,14 @@ def _run_file(arguments: argparse.Namespace) -> int:
 
 def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
     """Do what is asked; ``read``: files that are read already, which no output may be."""
-    from freecad_fiveaxis.core.calibration import calibration as workshop
     from freecad_fiveaxis.core.jobs import job, outputs
+    from freecad_fiveaxis.core.jobs.settings import TRIALS, WORKSHOP
     from freecad_fiveaxis.core.report import as_text
-    from freecad_fiveaxis.core.studies import study as trials
 
     outputs.check_outputs(settings, read)
-    if settings.task in workshop.TASKS:
+    if settings.task in WORKSHOP:
         return _work(settings, quiet)
-    if settings.task in trials.TRIALS:
+    if settings.task in TRIALS:
         return _try(settings, quiet)
     if settings.task != "audit" and not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)

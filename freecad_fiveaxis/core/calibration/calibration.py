@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.cl.apt import read_apt
 from freecad_fiveaxis.core.jobs.options import cl_reading, clamped, dialect_for, search_folders, title_of
-from freecad_fiveaxis.core.jobs.settings import PROVE, RECOVER, Settings, flat_options
+from freecad_fiveaxis.core.jobs.settings import RECOVER, Settings, flat_options
 from freecad_fiveaxis.core.machine import Axis, Machine, check_new, load_machine, machine_bytes
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import Program
@@ -39,7 +39,6 @@ from .recover import (
     rotary_letters,
 )
 
-TASKS = (RECOVER, PROVE)
 SUFFIX = ".fcm"
 
 

@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Volume, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.tool.body import Body, Piece, off_piece
+from freecad_fiveaxis.core.tool.body import Body, Piece, distance_off
 
 from .swept_motion import Poses, SweptMotion
 
@@ -231,38 +231,43 @@ def _lowest_piece(body: Body) -> Piece:
     return min(body.pieces, key=lambda piece: piece.low - piece.round)
 
 
-def _starts(body: Body, way: _Way, point: Floats, count: int) -> Ints:
-    """The samples (n, k) from which to follow: of so many the lowest, then the lowest away from that, and so on."""
+def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Floats]:
+    """The samples (n, k) from which to follow: of so many the lowest, then the lowest away from that, and so on; and the height
+    (n,) mm at the lowest."""
     near = np.asarray(way.tree.query(point, k=count)[1]).reshape(len(point), count)
     there, place = near.ravel(), np.repeat(point, near.shape[1], axis=0).T
     pose = Poses(way.pose.tip.take(there, axis=1), way.pose.axis.take(there, axis=1))
     height, at = _height(body, pose, place).reshape(near.shape), way.at[near]
     level = any(piece.low_radius > 0.0 for piece in body.pieces)
-    rows, starts = np.arange(len(point)), []
+    rows, starts, least = np.arange(len(point)), [], height.min(axis=1)
     for _ in range(FOLLOWED * (1 + level)):
         best = height.argmin(axis=1)
         starts.append(near[rows, best])
         height[np.abs(at - at[rows, best][:, None]) < 1.5 * way.spacing] = np.inf
-    return np.stack(starts, axis=1)
+    return np.stack(starts, axis=1), least
 
 
 def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -> tuple[Floats, Ints]:
-    """The least height (n,) of points and the block where it is; where the nearest sample of all leaves no more than ``enough``
-    mm, its height."""
+    """The least height (n,) of points and the block where it is; where a sample near it leaves no more than ``enough`` mm, the
+    height there."""
     if enough == -np.inf:
-        return _lowest(body, way, point, count)
+        return _lowest(body, way, point, _starts(body, way, point, count)[0])
     near = np.asarray(way.tree.query(point)[1])
     pose = Poses(way.pose.tip.take(near, axis=1), way.pose.axis.take(near, axis=1))
     height, block = _height(body, pose, point.T), way.block[way.place(way.at[near])[0]]
     rows = np.flatnonzero(height > enough)
     if len(rows):
-        height[rows], block[rows] = _lowest(body, way, point[rows], count)
+        starts, least = _starts(body, way, point[rows], count)
+        height[rows], block[rows] = least, way.block[way.place(way.at[starts[:, 0]])[0]]
+        more = np.flatnonzero(least > enough)
+        rows = rows[more]
+        if len(rows):
+            height[rows], block[rows] = _lowest(body, way, point[rows], starts[more])
     return height, block
 
 
-def _lowest(body: Body, way: _Way, point: Floats, count: int) -> tuple[Floats, Ints]:
-    """The least height (n,) of points over so many samples about them, and the block where it is."""
-    starts = _starts(body, way, point, count)
+def _lowest(body: Body, way: _Way, point: Floats, starts: Ints) -> tuple[Floats, Ints]:
+    """The least height (n,) of points on the way about some samples (n, k) each, and the block where it is."""
     place, middle = np.repeat(point, starts.shape[1], axis=0).T, way.at[starts.ravel()]
     row, _ = way.place(middle)
     low, high = np.maximum(middle - way.spacing, way.low[row]), np.minimum(middle + way.spacing, way.high[row])
@@ -289,7 +294,7 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
     along = (arm * pose.axis).sum(axis=0)
     out = arm - along * pose.axis
     across = np.sqrt((out * out).sum(axis=0))
-    return np.asarray(np.min([off_piece(piece, across, along).distance for piece in body.pieces], axis=0))
+    return np.asarray(np.min([distance_off(piece, across, along) for piece in body.pieces], axis=0))
 
 
 def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:

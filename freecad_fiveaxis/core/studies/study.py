@@ -30,7 +30,7 @@ from freecad_fiveaxis.core.jobs.job import chosen_faces, make
 from freecad_fiveaxis.core.jobs.made import Milled, Posted
 from freecad_fiveaxis.core.jobs.options import clamped, driven_to_surface, stood, title_of
 from freecad_fiveaxis.core.jobs.over_table import IN_TABLE
-from freecad_fiveaxis.core.jobs.settings import COMPARE, MILL, POST, REACH, SETUP, Settings, flat_options, is_part
+from freecad_fiveaxis.core.jobs.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION
 from freecad_fiveaxis.core.machine import Vector, load_machine
 from freecad_fiveaxis.core.machine.kinematics import chain
@@ -41,7 +41,6 @@ from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
 from .setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
-TRIALS = (SETUP, COMPARE, REACH)
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
 WORK = 8_000_000

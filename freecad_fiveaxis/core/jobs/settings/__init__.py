@@ -10,7 +10,21 @@ from .groups import (
     OutputSettings,
     SetupSettings,
 )
-from .option import AUDIT, COMPARE, MILL, POST, PROVE, REACH, RECOVER, SETUP, TASKS, WITHOUT_SOURCE, option
+from .option import (
+    AUDIT,
+    COMPARE,
+    MILL,
+    POST,
+    PROVE,
+    REACH,
+    RECOVER,
+    SETUP,
+    TASKS,
+    TRIALS,
+    WITHOUT_SOURCE,
+    WORKSHOP,
+    option,
+)
 from .settings import FRAMES, Settings, build_settings, flat_options, is_part, option_fields
 
 __all__ = [
@@ -25,7 +39,9 @@ __all__ = [
     "RTCP",
     "SETUP",
     "TASKS",
+    "TRIALS",
     "WITHOUT_SOURCE",
+    "WORKSHOP",
     "CureSettings",
     "FacesSettings",
     "GougeSettings",

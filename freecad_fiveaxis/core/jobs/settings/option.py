@@ -17,6 +17,8 @@ from typing import Any
 MILL, POST, AUDIT, SETUP, COMPARE = "mill", "post", "audit", "setup", "compare"
 RECOVER, PROVE, REACH = "recover", "prove-signs", "reach"
 TASKS = (MILL, POST, AUDIT, SETUP, COMPARE, REACH, RECOVER, PROVE)
+TRIALS, WORKSHOP = (SETUP, COMPARE, REACH), (RECOVER, PROVE)
+"""Tasks that try many jobs, and those that make no program of a part: a package of its own each, loaded for them alone."""
 WITHOUT_SOURCE = (PROVE,)
 FROM_SOLID = (MILL, SETUP, COMPARE)
 FROM_PATH = (MILL, POST, SETUP, COMPARE)
