@@ -28,7 +28,7 @@ import re
 import reprlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, Literal
 
@@ -73,11 +73,13 @@ FREECAD_VERSION = "26.3.0"
 """The first version with a Machine editor; its format is what is written."""
 
 
+@cache
 def shipped_machines() -> tuple[str, ...]:
     """The names of the machines that come with the program, sorted."""
     return tuple(sorted(path.stem for path in machine_folder().glob("*" + SUFFIX)))
 
 
+@cache
 def machine_folder() -> Path:
     """Where those machines are: in the package when it is installed, beside it in the source tree."""
     package = Path(__file__).resolve().parents[2]
