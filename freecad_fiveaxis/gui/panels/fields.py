@@ -8,7 +8,7 @@ given     the value that the field was shown. Until the user edits the field, it
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 from freecad_fiveaxis.app.labels import option_label
@@ -29,6 +29,8 @@ FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
 selectable (1) and enabled (32)."""
 
 
+LINES = {"error": error_line, "warning": warning_line, "note": note_line}
+"""The lines under a field, in their order, and what makes them."""
 NARROW = 60
 """Pixels that an editor needs at least."""
 ARROW = 30
@@ -52,9 +54,41 @@ class Field(QtCore.QObject):
         editor.setToolTip(hint)
         editor.setMinimumWidth(NARROW)
         leave_wheel(editor)
-        self.error = error_line(name + "_error")
-        self.warning = warning_line(name + "_warning")
-        self.note = note_line(name + "_note")
+        self.lines: dict[str, Any] = {}
+        self.place_line: Callable[[str, Any], Any] = lambda kind, line: None
+
+    def line(self, kind: str) -> Any:
+        """The label of that kind, one of LINES, made and placed when it is asked for first: most fields never say anything, and
+        a panel of sixty fields opens in half the time without their lines."""
+        if kind not in self.lines:
+            self.lines[kind] = LINES[kind](f"{self.name}_{kind}")
+            self.place_line(kind, self.lines[kind])
+        return self.lines[kind]
+
+    @property
+    def error(self) -> Any:
+        """The label that says why the value cannot be used."""
+        return self.line("error")
+
+    @property
+    def warning(self) -> Any:
+        """The label that says what to think of before the value is used."""
+        return self.line("warning")
+
+    @property
+    def note(self) -> Any:
+        """The label that says why the field counts for nothing."""
+        return self.line("note")
+
+    def says(self, kind: str) -> str:
+        """What the line of that kind says; nothing where there is none yet."""
+        return str(self.lines[kind].text()) if kind in self.lines else ""
+
+    def _say(self, kind: str, text: str) -> None:
+        if text != self.says(kind):
+            line = self.line(kind)
+            line.setText(text)
+            line.setVisible(bool(text))
 
     def focus_widget(self) -> Any:
         """What the field's label leads to."""
@@ -70,19 +104,16 @@ class Field(QtCore.QObject):
 
     def show_warning(self, text: str) -> None:
         """What to think of before the value is used, in amber under the editor; an empty text takes it away."""
-        self.warning.setText(text)
-        self.warning.setVisible(bool(text))
+        self._say("warning", text)
 
     def show_note(self, text: str) -> None:
         """Why the field counts for nothing, in small letters under the editor, which is then idle; an empty text: it counts."""
-        self.note.setText(text)
-        self.note.setVisible(bool(text))
+        self._say("note", text)
         self.editor.setEnabled(not text)
 
     def show_error(self, text: str) -> None:
         """The reason why the value cannot be used, in red under the editor; an empty text takes it away."""
-        self.error.setText(text)
-        self.error.setVisible(bool(text))
+        self._say("error", text)
 
     def want(self) -> None:
         """The user has asked for the result: what he has not given yet is missing from now on."""

@@ -144,7 +144,7 @@ class Form(QtCore.QObject):
 
     def _unfold_errors(self) -> None:
         for section in self.sections:
-            if any(self.fields[name].error.text() for name in section.names):
+            if any(self.fields[name].says("error") for name in section.names):
                 self.groups[section.name].unfold()
 
     def _changed(self) -> None:

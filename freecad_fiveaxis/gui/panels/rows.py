@@ -11,7 +11,7 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtWidgets
 
-from .fields import Field
+from .fields import LINES, Field
 
 SHARE = 0.42
 """Of the width that the labels get, where the editors stand beside them."""
@@ -36,16 +36,21 @@ class Rows(QtWidgets.QWidget):
 
     def add(self, field: Field) -> list[Any]:
         """A row of the field; returns the widgets that are hidden with it."""
-        row = Row(field, self.grid.rowCount())
+        row = Row(field, self._next())
         self.rows.append(row)
-        for under, line in enumerate((field.error, field.warning, field.note), row.at + 2):
-            self.grid.addWidget(line, under, 0, 1, 3)
+        for kind, line in field.lines.items():
+            row.place_line(self.grid, kind, line)
+        field.place_line = lambda kind, line: row.place_line(self.grid, kind, line)
         row.place(self.grid, self._label_room(), self._editor_room())
         return row.widgets
 
     def add_wide(self, widget: Any) -> None:
         """A row of one widget."""
-        self.grid.addWidget(widget, self.grid.rowCount(), 0, 1, 3)
+        self.grid.addWidget(widget, self._next(), 0, 1, 3)
+
+    def _next(self) -> int:
+        """The first line of the grid after the last field and its lines, which may still come."""
+        return max([self.grid.rowCount(), *(row.at + 2 + len(LINES) for row in self.rows[-1:])])
 
     def resizeEvent(self, event: Any) -> None:
         """Labels go beside the editors where there is room now, or above them."""
@@ -69,6 +74,10 @@ class Row:
         self.label = None if field.has_own_labels else _label(field)
         self.widgets = [one for one in (self.label, field.editor, self.browse) if one is not None]
         self.above: bool | None = None
+
+    def place_line(self, grid: Any, kind: str, line: Any) -> None:
+        """Put the field's line of that kind under its editor."""
+        grid.addWidget(line, self.at + 2 + list(LINES).index(kind), 0, 1, 3)
 
     def place(self, grid: Any, label_room: int, editor_room: int) -> None:
         """Put the widgets where they have room (pixels); nothing is done to a row that stays as it is."""
