@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where to clamp, whoever makes the trials: the same bytes, and a stop that is heard in the middle."""
+"""Where to clamp and what to compare, whoever makes the trials: the same bytes, and a stop that is heard in the middle."""
 
 import json
 import multiprocessing
@@ -18,9 +18,10 @@ WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", 
 SETUP = {"grid": "3,2,1", "turns": 2, "region": "40,30,0", "origin": "10,5,-20"}
 STUDIES = {
     "setup": WAY | SETUP,
+    "compare": WAY | {"stepover": 12, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
     "setup of little reach": WAY | SETUP | {"machine": "mikron_ucp710", "turns": 1, "region": "400,400,300", "grid": "2,2,2"},
 }
-STAGES = {"setup": "setup map"}
+STAGES = {"setup": "setup map", "compare": "compare"}
 """What progress calls the trials."""
 
 
@@ -32,7 +33,11 @@ def roof(tmp_path_factory):
 
 
 def try_study(name, roof, executor=None, progress=lambda stage, fraction: None):
-    return study.run(build_settings(name.split()[0], roof, STUDIES[name]), progress, executor)
+    return study.run(build_settings(name.split()[0], roof, options_of(name)), progress, executor)
+
+
+def options_of(name):
+    return {key: value for key, value in STUDIES[name].items() if value is not None}
 
 
 def bytes_of(trial):
@@ -99,7 +104,7 @@ def test_a_stop_in_the_middle_leaves_no_process(expected, roof):
 
 
 def words_of(name, roof):
-    options = (word for key, value in STUDIES[name].items() for word in (f"--{key.replace('_', '-')}", str(value)))
+    options = (word for key, value in options_of(name).items() for word in (f"--{key.replace('_', '-')}", str(value)))
     return [name, roof, *options, "--quiet"]
 
 

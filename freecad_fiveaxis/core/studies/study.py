@@ -89,7 +89,7 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
         return try_reach(settings, progress)
     if settings.task == SETUP:
         return try_setups(settings, progress, executor=executor)
-    return try_machines(settings, progress)
+    return try_machines(settings, progress, executor=executor)
 
 
 def try_reach(
@@ -150,10 +150,11 @@ def try_setups(
 
 
 def try_machines(
-    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
-) -> Comparison:
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
+    executor: Executor | None = None,
+) -> Comparison:  # fmt: skip
     """The same path on every machine that the settings name, with each cure. The path is made for the first of them that can
-    cut it; those that cannot are rows that say why.
+    cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
 
     Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long work; and what the
     first machine says where none can cut the path.
@@ -171,7 +172,7 @@ def try_machines(
         station(machine, setup, _posting(settings, made, dialect), name, "" if why is None else why.text)
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
     ]
-    rows = compare(made.path, stations, cures(made, wanted), progress=progress)
+    rows = compare(made.path, stations, cures(made, wanted), progress=progress, executor=executor)
     return Comparison(settings, made, rows, tuple(_row_findings(rows)))
 
 
