@@ -54,6 +54,8 @@ ABOUT = {
     "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }
 SHORT = {"output": ("-o", "--output"), "machine_file": ("-o", "--output")}
+SPREAD = ("setup", "compare")
+"""Tasks whose trials are spread over processes where so many are asked for."""
 SECOND = {"program": "PROGRAM.ngc"}
 """Options that are given as a second file, without a name."""
 
@@ -201,6 +203,8 @@ def _add_batch(commands: Any) -> None:
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
     if what:
         parser.add_argument("source", metavar=what)
+    if task in SPREAD:
+        parser.add_argument("--workers", metavar="N", help="so many processes work on it; the result is the same [1]")
     _add_options(parser, task)
     parser.set_defaults(act=_run_task, task=task)
 
@@ -263,7 +267,15 @@ def _run_task(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.jobs.settings import build_settings
 
     settings = build_settings(arguments.task, getattr(arguments, "source", ""), _options_given(arguments))
-    return _run(settings, arguments.quiet)
+    return _run(settings, arguments.quiet, workers=_workers(arguments))
+
+
+def _workers(arguments: argparse.Namespace) -> int:
+    """How many processes are asked for. Raises SettingsError."""
+    from freecad_fiveaxis.core.base.crew import read_workers
+
+    given = getattr(arguments, "workers", None)
+    return 1 if given is None else read_workers(given)
 
 
 def _options_given(arguments: argparse.Namespace) -> dict[str, Any]:
@@ -289,8 +301,8 @@ def _run_file(arguments: argparse.Namespace) -> int:
     return _run(read_job(arguments.source), arguments.quiet, (arguments.source,))
 
 
-def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
-    """Do what is asked; ``read``: files that are read already, which no output may be."""
+def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int = 1) -> int:
+    """Do what is asked; ``read``: files that are read already, which no output may be; ``workers``: processes for trials."""
     from freecad_fiveaxis.core.jobs import job, outputs
     from freecad_fiveaxis.core.jobs.settings import TRIALS, WORKSHOP
     from freecad_fiveaxis.core.report import as_text
@@ -299,7 +311,7 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
     if settings.task in WORKSHOP:
         return _work(settings, quiet)
     if settings.task in TRIALS:
-        return _try(settings, quiet)
+        return _try(settings, quiet, workers)
     if settings.task != "audit" and not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
     check_readable(settings.source)
@@ -311,12 +323,13 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = ()) -> int:
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
 
 
-def _try(settings: Settings, quiet: bool) -> int:
+def _try(settings: Settings, quiet: bool, workers: int) -> int:
+    from freecad_fiveaxis.core.base.crew import at_work, process_crew
     from freecad_fiveaxis.core.studies import study as trials
 
     check_readable(settings.source)
-    with bars(quiet) as progress:
-        trial = trials.run(settings, progress)
+    with bars(quiet) as progress, at_work(process_crew(workers) if workers > 1 else None) as executor:
+        trial = trials.run(settings, progress, executor)
         made = trials.write_outputs(trial)
     if not quiet:
         _show_report([trials.as_text(trial), *_wrote(made)], made)

@@ -4988,6 +4988,10 @@
         <translation>ein Ebenenabstand ist {wrong}: endliche Zahlen angeben</translation>
     </message>
     <message>
+        <source>a process died, as when memory runs out; give fewer {workers}</source>
+        <translation>ein Prozess ist gestorben, wie bei zu wenig Speicher; weniger {workers} angeben</translation>
+    </message>
+    <message>
         <source>a program's name where O takes a number</source>
         <translation>ein Programmname, wo O eine Nummer nimmt</translation>
     </message>

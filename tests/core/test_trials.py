@@ -151,7 +151,7 @@ def test_machine_files_of_a_job_file_are_beside_it(path, tmp_path, monkeypatch):
 
 
 def test_a_cancelled_trial_writes_nothing(part, tmp_path, monkeypatch):
-    def stop(settings, progress):
+    def stop(settings, progress, executor):
         raise Cancelled("by the user")
 
     monkeypatch.setattr(trials, "run", stop)

@@ -8,13 +8,13 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from freecad_fiveaxis.core.base.crew import Crew, read_workers
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, written
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import one_line, say
 
 if TYPE_CHECKING:
-    from .crews import Crew
     from .task import BatchJob, JobOutcome
 
 NAMED_HERE = ("output", "cl", "report", "blocks")
@@ -86,21 +86,10 @@ def _plan_batch(
         raise SettingsError(say("no jobs given; name a folder of STL files or a table (JSON)"), None)
     if not os.path.isdir(arguments.source):
         check_readable(arguments.source)
-    crew = find_crew(arguments.executor, _workers(arguments.workers))
+    crew = find_crew(arguments.executor, (os.cpu_count() or 1) if arguments.workers is None else read_workers(arguments.workers))
     shard = plan.read_shard(arguments.shard) if arguments.shard else None
     jobs = plan.read_jobs(arguments.source, options, arguments.out, arguments.overwrite)
     return plan.of_shard(jobs, shard) if shard else jobs, shard, crew
-
-
-def _workers(given: str | None) -> int:
-    """How many. Raises SettingsError."""
-    if given is None:
-        return os.cpu_count() or 1
-    if not (given.isascii() and given.isdigit() and 1 <= int(given) <= 4096):
-        raise SettingsError(
-            say("{workers} {given} is no count; give a whole number from 1 on", workers="--workers", given=given), given
-        )
-    return int(given)
 
 
 def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) -> tuple[str, str, str]:

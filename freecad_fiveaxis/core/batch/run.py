@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 
+from freecad_fiveaxis.core.base.crew import WORKERS
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 
 from .crews import work_in_crew
-from .task import WORKERS, BatchJob, JobOutcome
+from .task import BatchJob, JobOutcome
 
 TICK = 0.2
 """s between two calls of progress while no job ends."""

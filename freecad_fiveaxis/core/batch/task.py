@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.base.sentences import say
 FAILED = "failed"
 """In the place of a verdict's light: there is no program."""
 
-OUT, OVERWRITE, WORKERS, SHARD = "--out", "--overwrite", "--workers", "--shard"
+OUT, OVERWRITE, SHARD = "--out", "--overwrite", "--shard"
 """Of the command line, which alone knows batches: no window has a name for them."""
 
 COLUMNS = (

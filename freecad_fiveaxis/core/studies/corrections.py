@@ -3,7 +3,8 @@
 
 To add one: a line in CURES. It makes the cure (see :mod:`.compare`) for what ``job.make`` has made, so it has the settings at
 hand. A cure that divides blocks starts from :func:`~.compare.solved`; those that turn the tool axes are the corrections of
-``core.corrections.axis_corrections``.
+``core.corrections.axis_corrections``. A cure is a function of a module with what it needs put in first (``partial``), so that it
+can be sent to another process.
 """
 
 from __future__ import annotations
@@ -27,13 +28,12 @@ from .compare import Cure, Station, solved
 
 def dividing(made: Posted) -> Cure:
     """The cure that divides feed blocks over tolerance into the fewest that hold it."""
+    return partial(_divided, made.settings.proof.tolerance)
 
-    def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
-        joints = solved(path, where, progress)
-        tolerance, posting = made.settings.proof.tolerance, where.posting
-        return linearize(joints, where.kinematics, posting.dialect, tolerance, None, progress, posting.above)
 
-    return cure
+def _divided(tolerance: float, path: CLPath, where: Station, progress: Progress) -> JointPath:
+    joints, posting = solved(path, where, progress), where.posting
+    return linearize(joints, where.kinematics, posting.dialect, tolerance, None, progress, posting.above)
 
 
 def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
@@ -52,18 +52,18 @@ def cures(made: Posted, names: Sequence[str] = ()) -> dict[str, Cure]:
 def leading(correction: AxisCorrection, made: Posted) -> Cure:
     """The cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a path that was made from a
     solid."""
+    return partial(_led, correction, made)
 
-    def cure(path: CLPath, where: Station, progress: Progress) -> JointPath:
-        if not isinstance(made, Milled):
-            text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
-            raise SettingsError(text, made.settings.source)
-        context = made.context(progress)
-        options = axis_corrections(context)
-        offset, given = correction.rows(made.offset, made.axis, options)
-        axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
-        return solved(linked(context, offset, axis), where, progress)
 
-    return cure
+def _led(correction: AxisCorrection, made: Posted, path: CLPath, where: Station, progress: Progress) -> JointPath:
+    if not isinstance(made, Milled):
+        text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
+        raise SettingsError(text, made.settings.source)
+    context = made.context(progress)
+    options = axis_corrections(context)
+    offset, given = correction.rows(made.offset, made.axis, options)
+    axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
+    return solved(linked(context, offset, axis), where, progress)
 
 
 CURES: Mapping[str, Callable[[Posted], Cure]] = {

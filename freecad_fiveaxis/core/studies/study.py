@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -80,11 +81,14 @@ class ReachTrial:
 Trial = SetupTrial | Comparison | ReachTrial
 
 
-def run(settings: Settings, progress: Progress = silent) -> Trial:
-    """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
+def run(settings: Settings, progress: Progress = silent, executor: Executor | None = None) -> Trial:
+    """Do the task that the settings name. ``executor``: whose workers make the trials, with the same result to the last bit;
+    None: they are made here. Raises FiveAxisError for input that cannot be used; writes nothing."""
     if settings.task == REACH:
         return try_reach(settings, progress)
-    return (try_setups if settings.task == SETUP else try_machines)(settings, progress)
+    if settings.task == SETUP:
+        return try_setups(settings, progress, executor=executor)
+    return try_machines(settings, progress, executor=executor)
 
 
 def try_reach(
@@ -124,9 +128,10 @@ def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[F
 
 
 def try_setups(
-    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
-) -> SetupTrial:
-    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`.
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
+    executor: Executor | None = None,
+) -> SetupTrial:  # fmt: skip
+    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`; ``executor``: as in :func:`run`.
 
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
@@ -137,17 +142,18 @@ def try_setups(
     made = _posted(job, progress, mesh, faces)
     region = _region(settings, base.origin, len(made.path.tip), table)
     posting, enough = _posting(job, made, dialect), settings.proof.tolerance
-    chart = setup_map(made.path, machine, base, region, posting, enough, progress, table)
+    chart = setup_map(made.path, machine, base, region, posting, enough, progress, table, executor)
     if chart.best is None:
         _refuse(chart)
     return SetupTrial(settings, made, chart, chart.findings)
 
 
 def try_machines(
-    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
-) -> Comparison:
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
+    executor: Executor | None = None,
+) -> Comparison:  # fmt: skip
     """The same path on every machine that the settings name, with each cure. The path is made for the first of them that can
-    cut it; those that cannot are rows that say why.
+    cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
 
     Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long work; and what the
     first machine says where none can cut the path.
@@ -165,7 +171,7 @@ def try_machines(
         station(machine, setup, _posting(settings, made, dialect), name, "" if why is None else why.text)
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
     ]
-    rows = compare(made.path, stations, cures(made, wanted), progress=progress)
+    rows = compare(made.path, stations, cures(made, wanted), progress=progress, executor=executor)
     return Comparison(settings, made, rows, tuple(_row_findings(rows)))
 
 

@@ -4,6 +4,8 @@
 station   a machine with the part clamped on it, and how it is posted for.
 cure      a way from the CL path to joints that deviate less: a function, so that every cure there is, and none, stands in
           the same table. A cure may divide blocks or lead the axes otherwise; it must not move what is cut.
+pair      a station and a cure: the work of one worker, where there are several. Most of the time goes into the cure that leads
+          the axes to the least deviation: with one machine alone, more than two workers gain little.
 row       one combination. Its deviation is that of its own rounded blocks from the segments that they command.
 """
 
@@ -11,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +23,7 @@ from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
@@ -89,32 +93,53 @@ NO_CURE: Mapping[str, Cure] = {"none": solved}
 
 def compare(
     path: CLPath, stations: Sequence[Station], cures: Mapping[str, Cure] = NO_CURE, guided: Sequence[bool] = (False, True),
-    progress: Progress = silent,
+    progress: Progress = silent, executor: Executor | None = None,
 ) -> tuple[Row, ...]:  # fmt: skip
     """A row for each station, each cure, and each of ``guided`` (tool-centre control), in this order.
 
-    What cannot be done (a machine that does not take up an axis, a cure that refuses) is a row with its problem. Raises
-    SettingsError where there is nothing to compare, and what a cancelling ``progress`` raises.
+    What cannot be done (a machine that does not take up an axis, a cure that refuses) is a row with its problem.
+    ``executor``: whose workers do a pair of station and cure each (for processes the cures must pickle), with the same rows to
+    the last bit; None: all is done here. Raises SettingsError where there is nothing to compare, and what a cancelling
+    ``progress`` raises.
     """
     if not stations or not cures or not guided:
         raise SettingsError(say("there is nothing to compare; name at least one machine and one correction"), 0)
     if not len(path.tip):
         raise SettingsError(say("there is no path to compare on: it has no rows"), 0)
-    rows: list[Row] = []
-    tasks = [(where, name, cure) for where in stations for name, cure in cures.items()]
-    for at, (where, name, cure) in enumerate(tasks):
-        part = Share(progress, at, len(tasks))
-        part("", 0.0)
-        rows += _rows(path, where, name, cure, guided, part)
-    progress("compare", 1.0)
-    return tuple(rows)
+    pairs = [Pair(place, name) for place in range(len(stations)) for name in cures]
+    work = Compared(path, tuple(stations), dict(cures), tuple(guided))
+    return tuple(row for rows in spread(_pair_rows, work, pairs, executor, progress, "compare") for row in rows)
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """What all pairs have in common."""
+
+    path: CLPath
+    stations: tuple[Station, ...]
+    cures: dict[str, Cure]
+    guided: tuple[bool, ...]
+
+
+@dataclass(frozen=True)
+class Pair:
+    """``place`` of a station among all, and the name of a cure."""
+
+    place: int
+    cure: str
+
+
+def _pair_rows(work: Compared, pair: Pair, progress: Progress) -> list[Row]:
+    share = Share(progress)
+    share("", 0.0)
+    return _rows(work.path, work.stations[pair.place], pair.cure, work.cures[pair.cure], work.guided, share)
 
 
 class Share:
-    """The progress of one of ``count`` combinations as that of the whole. A cure has many stages, each from 0 to 1, and nobody
-    knows how many are to come: each new one takes up half of what is left, so that the whole never goes back."""
+    """The progress of one pair, of ``count`` the one ``at`` this place, as that of the whole. A cure has many stages, each from 0
+    to 1, and nobody knows how many are to come: each new one takes up half of what is left, so that the whole never goes back."""
 
-    def __init__(self, progress: Progress, at: int, count: int) -> None:
+    def __init__(self, progress: Progress, at: int = 0, count: int = 1) -> None:
         self._progress, self._at, self._count = progress, at, count
         self._stage, self._last, self._begin, self._room = "", 0.0, 0.0, 0.5
 

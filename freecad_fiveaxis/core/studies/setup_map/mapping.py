@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,18 +15,16 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
+from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Setup
 
-from .driven import Cost, Driven, Posting, drive_turned, part_box
-from .search import Found, best_origin
+from .driven import Cost, Posting, part_box
+from .search import Found
 from .setups import Kind, Region, SetupMap, recommended
+from .trials import Ground, Trial, Tried, carry_out, trials_of
 
-SEARCH_WORTH = 16
-"""Setups of the grid that take as long as one search: for the progress only."""
-SET_DECIMALS = 3
-"""Of a work zero, mm: nobody sets one finer than a micrometre."""
 BELOW = 1e-6
 """mm below the table that are rounding."""
 NO_COST = Cost(math.nan, math.nan, math.nan, math.nan)
@@ -42,7 +41,7 @@ class _Row:
 
 def setup_map(
     path: CLPath, machine: Machine, base: Setup, region: Region, posting: Posting, enough: float = 0.0,
-    progress: Progress = silent, table: float | None = None,
+    progress: Progress = silent, table: float | None = None, executor: Executor | None = None,
 ) -> SetupMap:  # fmt: skip
     """What the program of ``path`` costs wherever the part may stand, and where it should.
 
@@ -50,31 +49,23 @@ def setup_map(
     is posted, rounded and measured as a full run would; then the least deviation of each turn is searched over the whole
     region, with a proof (module ``search``). ``enough`` mm: setups below this deviation are equally good, and time decides.
     ``table`` mm: height of the table's face in the machine frame; no setup below it is searched or recommended.
+    ``executor``: whose workers do the trials, with the same result to the last bit; None: they are done here.
     Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
     """
     if not len(path.tip):
         raise SettingsError(say("there is no path to set up: it has no rows"), 0)
     if not enough >= 0.0:
         raise SettingsError(say("a deviation of {enough} cannot be enough; give 0 or more", enough=Length(enough)), enough)
-    steps = 1 + region.size + SEARCH_WORTH * len(region.turns)
-    rows, found, lost = _Rows(progress, steps), [], []
     present, stand = np.array(base.origin, float), _Stand(table, float(part_box(path, posting.part)[0][2]))
-    searched, reached = stand.above(region), False
-    for turn, kind in [(0.0, Kind.PRESENT), *((turn, Kind.GRID) for turn in region.turns)]:
-        zeros = present[None] if kind == Kind.PRESENT else region.grid()
-        try:
-            driven = drive_turned(path, machine, base, posting, turn, rows.part)
-        except ReachError as error:
-            lost.append((turn, error))
-            rows.nowhere(zeros, turn, kind)
-            continue
-        rows.measure(driven, zeros, kind)
-        reached |= kind == Kind.GRID
-        if kind == Kind.GRID and searched is not None:
-            found.append(rows.search(driven, searched, present, enough))
-    if not reached:
-        raise lost[-1][1]
-    return _mapped(machine, base, region, enough, rows, found, lost, stand)
+    ground = Ground(path, machine, base, posting, stand.above(region), enough)
+    trials = list(trials_of(region, present, ground.searched is not None))
+    tried = spread(carry_out, ground, trials, executor, progress, "setup map", [trial.weight for trial in trials])
+    rows = [row for trial, one in zip(trials, tried, strict=True) for row in _rows(trial, one)]
+    found = [one.found for one in tried if one.found is not None]
+    lost = {(trial.kind, trial.turn): one.lost for trial, one in zip(trials, tried, strict=True) if one.lost is not None}
+    if all((Kind.GRID, turn) in lost for turn in region.turns):
+        raise lost[Kind.GRID, region.turns[-1]]
+    return _mapped(machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand)
 
 
 @dataclass(frozen=True)
@@ -97,59 +88,20 @@ class _Stand:
         return replace(region, low=(low[0], low[1], min(max(low[2], self.least), high[2])))
 
 
-class _Rows:
-    """The rows of a map while it is made, and how far that is."""
-
-    def __init__(self, progress: Progress, steps: int) -> None:
-        self.rows: list[_Row] = []
-        self.found: list[_Row] = []
-        self._progress, self._steps, self._done = progress, steps, 0.0
-
-    def part(self, stage: str, fraction: float) -> None:
-        """Progress of a stage that counts for nothing, but may be cancelled."""
-        self._progress("setup map", min(1.0, self._done / self._steps))
-
-    def measure(self, driven: Driven, zeros: Floats, kind: Kind) -> None:
-        for origin in zeros:
-            self.part("", 0.0)
-            self.rows.append(_Row(origin, driven.turn, driven.cost(origin), driven.rewinds, kind))
-            self._done += 1.0
-
-    def nowhere(self, zeros: Floats, turn: float, kind: Kind) -> None:
-        self.rows += [_Row(origin, turn, NO_COST, 0, kind) for origin in zeros]
-        self._done += len(zeros) + (SEARCH_WORTH if kind == Kind.GRID else 0)
-
-    def search(self, driven: Driven, region: Region, present: Floats, enough: float) -> Found:
-        before = self._done
-
-        def part(stage: str, fraction: float) -> None:
-            self._done = before + SEARCH_WORTH * fraction
-            self.part(stage, fraction)
-
-        found = best_origin(driven, region, present, enough, part)
-        if found.origin is not None:
-            origin, cost = _to_set(driven, region, found.origin)
-            self.found.append(_Row(origin, driven.turn, cost, driven.rewinds, Kind.FOUND))
-        self._done = before + SEARCH_WORTH
-        return found
-
-    def all(self) -> list[_Row]:
-        self._progress("setup map", 1.0)
-        return self.rows + self.found
-
-
-def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost]:
-    """The work zero in steps that somebody can set; the one that was found where these would leave the limits."""
-    origin = np.clip(np.round(found, SET_DECIMALS), region.low, region.high)
-    cost = driven.cost(origin)
-    return (origin, cost) if cost.within else (found, driven.cost(found))
+def _rows(trial: Trial, tried: Tried) -> Iterator[_Row]:
+    """The rows that came of one trial."""
+    if trial.zeros is None:
+        if tried.origin is not None:
+            yield _Row(tried.origin, trial.turn, tried.costs[0], tried.rewinds, Kind.FOUND)
+        return
+    for origin, cost in zip(trial.zeros, tried.costs or [NO_COST] * len(trial.zeros), strict=True):
+        yield _Row(origin, trial.turn, cost, tried.rewinds, trial.kind)
 
 
 def _mapped(
-    machine: Machine, base: Setup, region: Region, enough: float, made: _Rows, found: list[Found],
-    lost: list[tuple[float, ReachError]], stand: _Stand,
+    machine: Machine, base: Setup, region: Region, enough: float, rows: list[_Row], found: list[Found],
+    lost: dict[tuple[Kind, float], ReachError], stand: _Stand,
 ) -> SetupMap:  # fmt: skip
-    rows = made.all()
     origin, costs = np.array([row.origin for row in rows]), [row.cost for row in rows]
     deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
     rewinds, within = np.array([row.rewinds for row in rows]), np.array([cost.within for cost in costs])
@@ -220,8 +172,8 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
         yield Finding(Severity.WARNING, "part-below-table", text, stand.least, None, "mm")
 
 
-def _lost_findings(lost: list[tuple[float, ReachError]]) -> Iterator[Finding]:
-    for turn, error in lost:
+def _lost_findings(lost: dict[tuple[Kind, float], ReachError]) -> Iterator[Finding]:
+    for (_, turn), error in lost.items():
         angle = math.degrees(turn)
         text = say("With the part turned by {angle} the rotary limits allow no way: {error}.", angle=Angle(angle), error=error)
         yield Finding(Severity.WARNING, "turn-out-of-reach", text, angle, None, "deg")

@@ -125,16 +125,19 @@ def best_origin(driven: Driven, region: Region, present: Floats, enough: float, 
             break
     if best is None:
         return Found(None, least, planes.least_over(region))
-    return Found(_nearer(driven, region, present, planes, best, as_good_as(value, enough)), least)
+    return Found(_nearer(driven, region, present, planes, best, as_good_as(value, enough), progress), least)
 
 
-def _nearer(driven: Driven, region: Region, present: Floats, planes: _Planes, best: Floats, level: float) -> Floats:
+def _nearer(
+    driven: Driven, region: Region, present: Floats, planes: _Planes, best: Floats, level: float, progress: Progress
+) -> Floats:  # fmt: skip
     """The nearest to ``present`` that keeps ``level``, or a place on the way there from ``best``.
 
     What keeps the level is a convex set: halving the way from a place inside to one outside ends at its border.
     """
     outside = present
     for _ in range(NEARER):
+        progress("setup map", 1.0)
         at = planes.nearest(region, present, level)
         if at is None:
             return best
@@ -142,6 +145,7 @@ def _nearer(driven: Driven, region: Region, present: Floats, planes: _Planes, be
             return at
         outside = at
     for _ in range(HALVINGS):
+        progress("setup map", 1.0)
         middle = 0.5 * (best + outside)
         if _keeps(driven, middle, planes, level):
             best = middle

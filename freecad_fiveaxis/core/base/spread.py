@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spread the tasks of one job over the workers of an executor: whoever does which, and in whatever order they end, the results
+are the same and in the same order.
+
+task      a small frozen value that pickles; what is done with it is a function of a module, which processes find by its name.
+common    what all tasks of a job share, as a path: pickled once, and made again once in each process.
+weight    how long a task takes, in any unit: for the progress only.
+
+A worker keeps to one thread, for the others have the other processors. Tasks that were not begun are cancelled where the
+work is stopped. Those that run hear of it at their next step in threads of any pool; in processes where they are those of a
+:class:`~freecad_fiveaxis.core.base.crew.Crew` that is told to stop, as in :func:`~freecad_fiveaxis.core.base.crew.at_work`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+from collections.abc import Callable, Sequence
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
+from dataclasses import dataclass
+from queue import Empty, SimpleQueue
+from typing import Any, Generic, TypeVar
+
+from .chunks import keep_to_one_thread
+from .crew import WORKERS, look_for_stop
+from .errors import Cancelled, SettingsError
+from .progress import Progress
+from .sentences import say
+
+C = TypeVar("C")
+T = TypeVar("T")
+R = TypeVar("R")
+
+TICK = 0.2
+"""s between two calls of progress while no task ends."""
+
+Work = Callable[[C, T, Progress], R]
+"""From what is common, a task, and the progress to tell, whose fraction is that of the task."""
+
+
+def spread(
+    work: Work[C, T, R], common: C, tasks: Sequence[T], executor: Executor | None, progress: Progress, stage: str,
+    weights: Sequence[float] = (),
+) -> list[R]:  # fmt: skip
+    """What ``work`` gives for each task, in their order. ``executor`` None: one after the other, here, with all threads.
+
+    ``progress`` gets ``stage`` and the share that is done, by ``weights`` (none: all alike). Raises what a task or progress
+    raises, and SettingsError where the executor gives back anything but a task's own result or its workers die.
+    """
+    told = _Told(progress, stage, weights or [1.0] * len(tasks))
+    told(0.0)
+    if executor is None:
+        return [told.end(at, work(common, task, told.within(at))) for at, task in enumerate(tasks)]
+    results: dict[int, R] = {}
+    shared, ended, todo = _Shared(common), SimpleQueue[Future[Any]](), dict[Future[Any], int]()
+    try:
+        for at, task in enumerate(tasks):
+            future = _submit(executor, work, shared, at, task)
+            todo[future] = at
+            future.add_done_callback(ended.put)
+            told(0.0)
+        while todo:
+            try:
+                at = todo.pop(future := ended.get(timeout=TICK))
+            except Empty:
+                told(0.0)
+            else:
+                results[at] = told.end(at, _own_result(future, at))
+    finally:
+        shared.stopped = bool(todo)
+        for future in todo:
+            future.cancel()
+    return [results[at] for at in range(len(tasks))]
+
+
+class _Told:
+    """How much is done, told to progress."""
+
+    def __init__(self, progress: Progress, stage: str, weights: Sequence[float]) -> None:
+        self._progress, self._stage, self._weights = progress, stage, weights
+        self._all, self._done = sum(weights), 0.0
+
+    def __call__(self, more: float) -> None:
+        self._progress(self._stage, min((self._done + more) / self._all, 1.0) if self._all else 1.0)
+
+    def within(self, at: int) -> Progress:
+        """The progress of one task as that of the whole."""
+        return lambda stage, fraction: self(self._weights[at] * fraction)
+
+    def end(self, at: int, result: R) -> R:
+        """The result, told."""
+        self._done += self._weights[at]
+        self(0.0)
+        return result
+
+
+class _Shared(Generic[C]):
+    """What is common. ``stopped``: the work is; only threads of the same process see it."""
+
+    def __init__(self, value: C) -> None:
+        self.value, self.stopped = value, False
+        self._packed: tuple[str, bytes] | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._packed is None:
+            data = pickle.dumps(self.value, pickle.HIGHEST_PROTOCOL)
+            self._packed = hashlib.sha256(data).hexdigest(), data
+        return _unpacked, self._packed
+
+
+_kept: dict[str, _Shared[Any]] = {}
+"""Of a process: the last that it unpacked, by its hash."""
+
+
+def _unpacked(key: str, data: bytes) -> _Shared[Any]:
+    shared = _kept.get(key)
+    if shared is None:
+        shared = _Shared(pickle.loads(data))
+        _kept.clear()
+        _kept[key] = shared
+    return shared
+
+
+@dataclass(frozen=True)
+class _Result(Generic[R]):
+    """``at``: the task's place among all."""
+
+    at: int
+    result: R
+
+
+def _submit(executor: Executor, work: Work[C, T, R], shared: _Shared[C], at: int, task: T) -> Future[Any]:
+    try:
+        return executor.submit(_do, work, shared, at, task)
+    except BrokenExecutor as error:
+        raise _died() from error
+
+
+def _do(work: Work[C, T, R], shared: _Shared[C], at: int, task: T) -> _Result[R]:
+    """What a worker does."""
+
+    def listen(stage: str, fraction: float) -> None:
+        look_for_stop(stage, fraction)
+        if shared.stopped:
+            raise Cancelled(say("stopped"))
+
+    with keep_to_one_thread():
+        listen("", 0.0)
+        return _Result(at, work(shared.value, task, listen))
+
+
+def _own_result(future: Future[Any], at: int) -> Any:
+    try:
+        given = future.result()
+    except (BrokenExecutor, CancelledError) as error:
+        raise _died() from error
+    if not isinstance(given, _Result) or given.at != at:
+        what = f"{given.at + 1}" if isinstance(given, _Result) else type(given).__name__
+        raise SettingsError(
+            say("the executor gave back {given} for the job {job}; choose another one", given=what, job=at + 1), what
+        )
+    return given.result
+
+
+def _died() -> SettingsError:
+    return SettingsError(say("a process died, as when memory runs out; give fewer {workers}", workers=WORKERS), None)
