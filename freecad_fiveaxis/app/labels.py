@@ -100,6 +100,7 @@ def _of_passes() -> dict[str, str]:
         "pass_axis": translate("FiveAxis", "Axis of passes I, J, K"),
         "rotary_by": translate("FiveAxis", "Rotary passes"),
         "frames": translate("FiveAxis", "Frames at most"),
+        "within_frames": translate("FiveAxis", "Passes in each frame"),
         "direction": translate("FiveAxis", "Direction of passes"),
         "scallop": translate("FiveAxis", "Scallop height"),
         "stepover": translate("FiveAxis", "Stepover"),

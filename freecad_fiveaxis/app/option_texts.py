@@ -43,6 +43,9 @@ TEXTS = {
     "rotary_by": QT_TRANSLATE_NOOP(
         "App::Property", "Rings around the rotary axis, which spiral passes make one helix, or lines along it"
     ),
+    "within_frames": QT_TRANSLATE_NOOP(
+        "App::Property", "Constant scallop in each frame, or planes along the frame's axis and the direction of passes"
+    ),
     "boundary": QT_TRANSLATE_NOOP(
         "App::Property",
         "CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work zero, a blank line "

@@ -208,6 +208,10 @@
         <translation>Fester Abstand der Zeilen statt einer Kuppenhöhe</translation>
     </message>
     <message>
+        <source>Constant scallop in each frame, or planes along the frame's axis and the direction of passes</source>
+        <translation>Gleiche Kuppenhöhe in jeder Anstellung oder Ebenen entlang ihrer Achse und der Bahnrichtung</translation>
+    </message>
+    <message>
         <source>Control Point</source>
         <translation>Geführter Punkt</translation>
     </message>
@@ -1480,6 +1484,10 @@
         <translation>Breite des Werkzeugwegs in Bildpunkten</translation>
     </message>
     <message>
+        <source>Within Frames</source>
+        <translation>In den Anstellungen</translation>
+    </message>
+    <message>
         <source>Work Offset</source>
         <translation>Nullpunktverschiebung</translation>
     </message>
@@ -2357,6 +2365,10 @@
     <message>
         <source>Passes end at</source>
         <translation>Bahnen enden bei</translation>
+    </message>
+    <message>
+        <source>Passes in each frame</source>
+        <translation>Bahnen je Anstellung</translation>
     </message>
     <message>
         <source>Peak of 1st rotary</source>

@@ -326,3 +326,55 @@ def test_frames_keep_clear_of_fixtures(tmp_path):
     hidden = [sum((centres(one)[:, 1] > 12.0) & (centres(one)[:, 2] < 8.0)) for one in (result, free)]
     assert hidden[0] == 0 < hidden[1]
     assert not [one.code for one in result.findings if one.code in ("fixture-collision", "fixture-unproven")]
+
+
+# ------------------------------------------------------------------------------------------------ planes in each frame
+
+
+def planar(result, angle):
+    """How far (k,) mm the contacts of each pass are from one plane that contains the pass's frame's axis and the travel, and how
+    far apart (j,) mm such planes of a frame are that follow one another."""
+    made = result.made
+    axes = np.unique(np.round(made.axis, 12), axis=0)  # the note rounds them
+    travel = np.array([math.cos(angle), math.sin(angle), 0.0])
+    across = np.cross(axes, travel)
+    across /= np.linalg.norm(across, axis=1)[:, None]
+    contact = made.contact
+    off, apart = [], []
+    for one in across:
+        value = contact.point @ one
+        order = np.unique(contact.pass_)
+        widths = np.array([np.ptp(value[contact.pass_ == number]) for number in order])
+        middle = np.array([value[contact.pass_ == number].mean() for number in order])
+        off.append(widths)
+        apart.append(np.abs(np.diff(middle[widths < 1e-6])))
+    return np.min(off, axis=0), np.concatenate(apart)
+
+
+@lru_cache
+def in_planes():
+    return milled(block(), within_frames="planes", direction=30)
+
+
+def test_planes_in_each_frame_contain_its_axis_and_leave_no_more_than_scallops():
+    result, mesh = in_planes(), block()
+    assert locked(result) == 2
+    off, apart = planar(result, math.radians(30))
+    flat = 2.0 * math.sqrt(2.0 * RADIUS * SCALLOP - SCALLOP**2)
+    assert off.max() < 1e-6 and apart[apart < 2.0].max() <= flat + 1e-6  # on a plane the steps are those of a flat, or less
+    point, normal = spread(mesh, 1500)
+    above = (normal[:, 2] > -0.99) | (point[:, 2] > 1e-3)
+    rest = cKDTree(centres(result)).query(point[above])[0] - RADIUS
+    seen = seen_by(mesh, axes_of(result), point[above], normal[above])
+    assert seen.mean() > 0.6 and rest.min() > -TOLERANCE - 0.005
+    assert np.quantile(rest[seen], 0.99) <= 2 * SCALLOP + TOLERANCE
+
+
+def test_passes_that_are_not_planes_would_be_noticed():
+    off, _ = planar(of("block"), math.radians(30))
+    assert off.max() > 1.0
+
+
+def test_planes_in_frames_ask_for_frames_by_themselves():
+    settings = build_settings("mill", "part", {"machine": "trunnion_ac", "within_frames": "planes", "direction": 30})
+    assert settings.passes.passes == "frames" and settings.tool_axis.tool_axis == "auto"

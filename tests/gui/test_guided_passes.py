@@ -11,7 +11,7 @@ from freecad_fiveaxis.gui.panels import toolpath
 FOUR_AXES = str(Path(__file__).parents[2] / "examples" / "mill_xyza.fcm")
 COARSE = {"cutter": "ball:6", "scallop": 0.1, "max_axis_angle": 50.0, "tool_axis": "facet_mean"}
 ASKED = {
-    "frames": {"frames"}, "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
+    "frames": {"frames", "within_frames"}, "scallop": {"from_"}, "morph": {"from_", "to", "direction"}, "radial": {"pass_centre", "pass_axis"}, "planes": {"direction"},
     "rotary": {"pass_centre", "pass_axis", "rotary_by"},
 }  # fmt: skip
 
@@ -132,6 +132,18 @@ def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screensh
     assert path.PassStrategy == "frames" and path.Frames == 2 and path.ToolAxis == "auto"
     codes = {one.code: one for one in path.Proxy.last.result.findings}
     assert codes["frames"].value == 2 and "outside-frames" in codes
+    length = path.CutLength.Value
+    assert not panel.options.fields["direction"].editor.isVisible()
+    panel.options.show_options({"within_frames": "planes"})
+    pump(200)
+    assert panel.options.fields["direction"].editor.isVisible()
+    assert panel.calculate() and path.WithinFrames == "planes" and path.CutLength.Value != length
+    pump(600)
+    screenshot("passes_frames_planes")
+    panel.options.show_options({"passes": "scallop"})
+    pump(200)
+    assert not panel.options.fields["direction"].editor.isVisible(), "planes in frames count where there are frames"
+    panel.options.show_options({"passes": "frames"})
     assert panel.accept()
 
 

@@ -118,6 +118,7 @@ def pass_options(settings: Settings) -> PassOptions:
         passes.pass_centre,
         passes.pass_axis or UPRIGHT,
         passes.rotary_by,
+        passes.within_frames,
     )
 
 

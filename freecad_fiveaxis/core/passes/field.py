@@ -39,7 +39,8 @@ class PassOptions:
     """``direction`` rad of the travel of upright planes; ``stepover`` or ``scallop``, and ``least`` interval, mm; ``normal`` of
     planes, any length, None: upright; ``source`` where passes begin and ``target`` where they end: the word ``border``, a
     point, or the path of a curve; ``centre``, the word ``middle`` or a point, and ``axis``, any length, of passes that
-    radiate or turn with the part, these ``by`` the words ``around`` or ``along``."""
+    radiate or turn with the part, these ``by`` the words ``around`` or ``along``; ``within`` frames lie passes of constant
+    ``scallop`` or ``planes``."""
 
     direction: float = 0.0
     stepover: float | None = None
@@ -51,6 +52,7 @@ class PassOptions:
     centre: str | Vector = "middle"
     axis: Vector = (0.0, 0.0, 1.0)
     by: str = "around"
+    within: str = "scallop"
 
 
 @dataclass(frozen=True, eq=False)

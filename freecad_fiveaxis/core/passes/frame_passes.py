@@ -1,24 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategy of frames: constant scallop in each of a few 3+2 positions, one after the other.
+"""The pass strategy of frames: constant scallop, or planes, in each of a few 3+2 positions, one after the other.
 
 frame      a position of the rotary axes, that is a tool axis fixed while passes are cut (corrections/find_frames.py finds them).
 territory  what of the surface is cut in a frame: of the places about which the frame was chosen those that it sees flattest.
+planes     contain the frame's axis, as upright ones do on a machine of three axes.
 overlap    where two territories meet on a smooth surface each is cut beyond their seam by a step.
 """
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 from .field import PassField, PassOptions, Region
 from .frames import Frames
 from .refine import Copy, joined, taken
+from .scallop import hand_curvature_on
 from .scallop_passes import ConstantScallop, Ground, copy_region, lay_passes, lay_steps, measure_copy, survey_region
+from .spacing import WIDEST, prepare_planes
 
 OVERLAP = 1.0
 """Steps beyond the seam."""
@@ -26,15 +31,22 @@ OVERLAP = 1.0
 ALIKE = 0.5
 """Difference of unit normals beyond which there is no smooth seam between them: about 29 deg."""
 
+ALONG = 1e-6
+"""Sine between a frame's axis and the travel below which the travel runs along the axis."""
+
+SCALLOP, PLANES = "scallop", "planes"
+"""What is laid within a frame."""
+
 SEEN = 0.05
 """Cosine between an axis and the normal of what may be cut with it beyond a seam."""
 
 
 class FramePasses(ConstantScallop):
-    """Level sets of the distance from the border of each territory, frame after frame."""
+    """Level sets of the distance from the border of each territory, or of that across planes, frame after frame."""
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps from the border of the territories, one after the other. Where there are no frames the whole region is one."""
+        """Steps from the border of the territories, or mm across planes in them, one after the other. Where there are no frames
+        the whole region is one, of constant scallop."""
         if region.frames is None:
             return super().field(region, options)
         region.progress("placing passes", 0.0)
@@ -44,7 +56,10 @@ class FramePasses(ConstantScallop):
         for frame, rows in _territories(whole, region.frames, ground.flat):
             part = taken(whole, region.mesh, rows)
             region.progress("placing passes", frame / len(region.frames.axis))
-            made.append(_Laid(frame, _cut_whole(region, ground, part)))
+            if options.within == PLANES:
+                made.append(_Laid(frame, _lay_planes(region, options, part, region.frames.axis[frame])))
+            else:
+                made.append(_Laid(frame, _cut_whole(region, ground, part)))
         return _one_after_the_other(made)
 
 
@@ -56,6 +71,29 @@ class _Laid(NamedTuple):
 def _cut_whole(region: Region, ground: Ground, part: Copy) -> PassField:
     surface = measure_copy(region, ground, part)
     return lay_passes(region, surface, lay_steps(surface, ground.curve))
+
+
+def _lay_planes(region: Region, options: PassOptions, part: Copy, axis: Floats) -> PassField:
+    """Planes along the axis (3,) of a frame, and along the direction as far as that lies across it; mm from the first facet."""
+    hand_curvature_on(region.mesh, part.mesh, part.parent)
+    across = _across(axis, options.direction)
+    place = prepare_planes(
+        part.mesh, options.direction, region.radius, stepover=options.stepover, scallop=options.scallop, least=options.least,
+        progress=region.progress, widest=region.widest or WIDEST, normal=across,
+    )  # fmt: skip
+    levels, found = place()
+    value = part.mesh.vertex @ across
+    low = float(value.min())
+    return PassField(value - low, levels - low, found, surface=part)
+
+
+def _across(axis: Floats, angle: float) -> Floats:
+    """The unit normal (3,) of planes that contain the axis and the travel at ``angle`` rad from X; where that runs along the
+    axis, the level one across."""
+    travel = np.array([math.cos(angle), math.sin(angle), 0.0])
+    across = np.cross(axis, travel)
+    length = float(np.linalg.norm(across))
+    return across / length if length > ALONG else np.array([-travel[1], travel[0], 0.0])
 
 
 def _territories(whole: Copy, frames: Frames, step: float) -> list[tuple[int, Ints]]:
@@ -87,12 +125,13 @@ def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
 def _one_after_the_other(made: list[_Laid]) -> PassField:
     """The fields of frames as one: none of a frame hangs together with another's, and its levels lie behind those before it."""
     surface, begin = made[0].field.surface, 0.0
-    value, levels, frame = list[Floats](), list[Floats](), list[Ints]()
+    value, levels, frame, findings = list[Floats](), list[Floats](), list[Ints](), list[Finding]()
     for k, (number, one) in enumerate(made):
         assert one.surface is not None and surface is not None
         surface = surface if k == 0 else joined(surface, one.surface)
         value.append(one.value + begin)
         levels.append(one.levels + begin)
         frame.append(np.full(len(one.levels), number))
+        findings += one.findings
         begin += float(np.ceil(one.value.max())) + 1.0
-    return PassField(np.concatenate(value), np.concatenate(levels), surface=surface, frame=np.concatenate(frame))
+    return PassField(np.concatenate(value), np.concatenate(levels), tuple(findings), surface=surface, frame=np.concatenate(frame))

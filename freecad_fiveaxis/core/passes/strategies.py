@@ -16,7 +16,7 @@ from .scallop_passes import ConstantScallop
 
 PASS_STRATEGIES: dict[str, PassStrategy] = {
     "frames": FramePasses(
-        "constant scallop with locked rotary axes: from the few directions that see most of the part, one after the other"
+        "locked rotary axes: constant scallop, or planes, from the few directions that see most of the part, one after the other"
     ),
     "morph": Morph(
         "from one guide curve, or side of the border, to another, changing from the form of the one to that of the other"

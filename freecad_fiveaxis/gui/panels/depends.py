@@ -42,7 +42,8 @@ DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], 
     ("passes", _is("rotary"), ("pass_centre", "pass_axis", "rotary_by"), ("steep_shallow",)),
     ("tool_axis", _is("from_axis"), ("pass_centre", "pass_axis"), ()),
     ("boundary", bool, ("boundary_axis", "boundary_by"), ()),
-    ("passes", _is("frames"), ("frames",), ("lead", "tilt", "steep_shallow")),
+    ("within_frames", _is("planes"), ("direction",), ()),
+    ("passes", _is("frames"), ("frames", "within_frames"), ("lead", "tilt", "steep_shallow")),
     ("passes", _is("zlevel"), (), ("steep_shallow",)),
     ("tool_axis", _is("fixed"), ("axis",), ()),
     ("tool_axis", _is("minimax"), ("max_tilt",), ("lead", "tilt")),
@@ -59,6 +60,11 @@ not count then."""
 
 def idle_options(fields: Mapping[str, Field]) -> set[str]:
     """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
-    asked = [(holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
-    wanted = {name for true, only, _ in asked if true for name in only}
-    return {name for true, only, never in asked for name in (never if true else set(only) - wanted)}
+    asked = [(choice, holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
+    asked = [(choice, true and choice not in _idle(asked), only, never) for choice, true, only, never in asked]
+    return _idle(asked)
+
+
+def _idle(asked: Sequence[tuple[str, bool, Sequence[str], Sequence[str]]]) -> set[str]:
+    wanted = {name for _, true, only, _ in asked if true for name in only}
+    return {name for _, true, only, never in asked for name in (never if true else set(only) - wanted)}

@@ -287,13 +287,14 @@ def _tessellation(obj: Any) -> Any:
     return obj.Mesh if base and hasattr(obj.Mesh, "LinearDeflection") and not is_mesh(base[0]) else None
 
 
+OF_FRAMES = ("frames", "within_frames")
 DIVIDED = ("direction", "steep_shallow")
 ORDERING = ("order", "spiral", "links", "lead_in", "boundary", "boundary_axis", "boundary_by")
 SECTIONS = {
     "Part": ("avoid", "work_zero", "linear_deflection", "angular_deflection"),
     "Machine": ("setup", "machine", "controller", "tool_length"),
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
-    "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", "frames", SPACING, *DIVIDED, *ORDERING),
+    "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", *OF_FRAMES, SPACING, *DIVIDED, *ORDERING),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
     "Safety": ("gouge", "fixtures", "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),

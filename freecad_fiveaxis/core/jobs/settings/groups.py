@@ -75,6 +75,11 @@ class PassSettings:
         12, "count", "most positions of the rotary axes that the passes `frames` are cut in [as many as are worth it]", least=1,
         most=12,
     )  # fmt: skip
+    within_frames: Literal["scallop", "planes"] = option(
+        "scallop", "choice", "what the passes `frames` are in each frame: constant scallop, or planes along the frame's axis and "
+        "the direction",
+        choices=("scallop", "planes"),
+    )  # fmt: skip
     direction: float = option(
         0.0, "angle", "travel direction of planes (and of morph passes from border to border), counter-clockwise from X"
     )

@@ -147,7 +147,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
-    for option, passes in (("frames", FRAMES), ("rotary_by", ROTARY)):
+    for option, passes in (("frames", FRAMES), ("within_frames", FRAMES), ("rotary_by", ROTARY)):
         if "passes" not in given and option in given:
             settings = replace(settings, passes=replace(settings.passes, passes=passes))
     if settings.passes.passes == FRAMES:
