@@ -20,18 +20,27 @@ def parts(doc):
     return made
 
 
-def tick(editor, row, click, pump):
-    editor.scrollToItem(editor.item(row))
-    pump(100)  # the groups that were unfolded have moved it
-    rect = editor.visualItemRect(editor.item(row))
+def tick(editor, row, click, until):
+    """Click the square of a row once it stands still, for the groups that were unfolded move it; wait until it is turned."""
+    item, seen = editor.item(row), []
+    before = item.checkState()
+
+    def at_rest():
+        editor.scrollToItem(item)
+        seen.append(editor.viewport().mapToGlobal(editor.visualItemRect(item).center()))
+        return editor.visualItemRect(item).isValid() and seen[-2:-1] == seen[-1:]
+
+    until(at_rest, 20000, "a row that stands still")
+    rect = editor.visualItemRect(item)
     click(editor.viewport(), QtCore.QPoint(rect.left() + 10, rect.center().y()))
+    until(lambda: item.checkState() != before, 20000, "the row turned")
 
 
 def labels(editor):
     return [editor.item(row).text() for row in range(editor.count())]
 
 
-def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, unfold, screenshot):
+def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, unfold, screenshot, until):
     part, clamp = parts
     panel = toolpath.create(part)
     panel.options.show_options(COARSE)
@@ -39,7 +48,7 @@ def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, 
     unfold()
     editor = panel.options.fields["fixtures"].editor
     assert labels(editor) == ["Clamp"], "the part itself is none"
-    tick(editor, 0, click, pump)
+    tick(editor, 0, click, until)
     assert panel.options.fields["fixtures"].words() == "Clamp"
     screenshot("fixtures_ticked")
     assert panel.calculate()
@@ -55,7 +64,7 @@ def test_a_clamp_is_ticked_and_the_path_goes_around_it(doc, parts, pump, click, 
     unfold()
     assert again.options.fields["fixtures"].value() == [clamp]
     assert labels(again.options.fields["fixtures"].editor) == ["Clamp"]
-    tick(again.options.fields["fixtures"].editor, 0, click, pump)
+    tick(again.options.fields["fixtures"].editor, 0, click, until)
     assert again.calculate() and not path.Fixtures
     assert again.reject()
     pump(200)
