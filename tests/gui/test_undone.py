@@ -254,8 +254,7 @@ def test_refresh_pressed_again_while_freecad_recomputes_recomputes_nothing_withi
 ):
     """By the mouse and by its key, once the recompute shows its dialog: FreeCAD would say *Recursive calling of recompute*."""
     planned(dome, "OK")
-    doc.Toolpath.Stepover = 0.3
-    doc.recompute()
+    doc.Toolpath.Stepover = 0.3  # long enough to press something meanwhile
     dome.Radius = 22
     button, pressed = tool_button("Std_Refresh"), []
 
