@@ -69,10 +69,15 @@ def _out():
 
 
 def _shoot(name):
-    """The whole screen as a PNG, packed quickly; its path. (The X server's picture: a widget's grab() would leave the 3D view blank.)"""
+    """The screen as far as windows reach on it, from its top left on, as a PNG, packed quickly; its path. (The X server's picture: a
+    widget's grab() would leave the 3D view blank.)"""
     _pump(300)
     path = os.path.join(_out(), f"{name}.png")
-    assert QtGui.QGuiApplication.primaryScreen().grabWindow(0).save(path, "PNG", QUICKLY), path
+    screen, end = QtGui.QGuiApplication.primaryScreen(), QtCore.QRect(*SMALL)
+    for widget in QtWidgets.QApplication.topLevelWidgets():
+        if widget.isVisible():
+            end = end.united(widget.frameGeometry())
+    assert screen.grabWindow(0, 0, 0, end.right() + 1, end.bottom() + 1).save(path, "PNG", QUICKLY), path
     return path
 
 
@@ -322,7 +327,7 @@ def until():
 
 @pytest.fixture
 def screenshot():
-    """screenshot(name): picture of the whole screen, kept; its path."""
+    """screenshot(name): picture of the screen with all windows, kept; its path."""
     return _shoot
 
 
