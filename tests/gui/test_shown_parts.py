@@ -18,6 +18,7 @@ except ImportError:  # FreeCAD 0.20 keeps them here
 from freecad_fiveaxis import app
 from freecad_fiveaxis.gui import attach, shown_parts
 
+pytestmark = pytest.mark.usefixtures("kept")
 SWITCHED = {"ShowCuts": "cuts", "ShowLinks": "links", "ShowRapids": "rapids", "ShowAxes": "axes", "ShowMarkers": "marks"}
 
 
@@ -236,7 +237,7 @@ def test_a_folded_legend_still_warns():
     assert len(long.title) <= overlay.FOLDED_WIDTH + 1 and long.title.endswith("…")
 
 
-def test_a_document_of_an_earlier_version_shows_what_it_showed(path, doc, until, tmp_path):
+def test_a_document_of_an_earlier_version_shows_what_it_showed(path, doc, until, tmp_path, anew):
     """Rapids were on, and there was no property for cuts and links."""
     view, label = path.ViewObject, path.Label
     view.ShowRapids = True
@@ -244,6 +245,7 @@ def test_a_document_of_an_earlier_version_shows_what_it_showed(path, doc, until,
         assert view.removeProperty(name)
     doc.saveAs(str(tmp_path / "earlier.FCStd"))
     FreeCAD.closeDocument(doc.Name)
+    anew()
     again = FreeCAD.openDocument(str(tmp_path / "earlier.FCStd"))
     try:
         opened = again.getObjectsByLabel(label)[0]

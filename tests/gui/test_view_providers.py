@@ -13,6 +13,7 @@ from freecad_fiveaxis.app import results
 from freecad_fiveaxis.core import report
 from freecad_fiveaxis.gui import attach, foremost, view_providers
 
+pytestmark = pytest.mark.usefixtures("kept")
 TABLE_2 = (
     "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
 )
@@ -234,7 +235,7 @@ def test_the_label_honours_the_users_units(audit, schema, value):
     assert said.startswith(f"{value}, NC line 3: over ")
 
 
-def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_path, screenshot):
+def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_path, screenshot, anew):
     app.annotate(path)
     path.ViewObject.LineWidth = 3.0
     pump(200)
@@ -242,6 +243,7 @@ def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_
     doc.saveAs(str(tmp_path / "again.FCStd"))
     FreeCAD.closeDocument(doc.Name)
     pump(200)
+    anew()
     again = FreeCAD.openDocument(str(tmp_path / "again.FCStd"))
     try:
         path = again.getObjectsByLabel(label)[0]
