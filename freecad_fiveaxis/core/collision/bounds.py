@@ -51,10 +51,17 @@ def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Flo
     these begin along it (n,) mm from the tip."""
     arm = box.middle - tip
     height = _inner(arm, axis)
-    core = np.minimum(np.maximum(height, piece.low), piece.high) * axis - arm  # its place on the axis, from the box's middle
-    off = np.minimum(np.maximum(along(box.ways, core), -box.half), box.half)
-    g = _away(piece, axis, arm + np.einsum("kn,kin->in", off, box.ways))
-    return g, _inner(g, arm) - (np.abs(along(box.ways, g)) * box.half).sum(axis=0)
+    core = np.minimum(np.maximum(height, piece.low), piece.high) * axis
+    core -= arm  # its place on the axis, from the box's middle
+    off = along(box.ways, core)
+    np.minimum(np.maximum(off, -box.half, out=off), box.half, out=off)
+    place = np.einsum("kn,kin->in", off, box.ways)
+    place += arm
+    g = _away(piece, axis, place)
+    wide = along(box.ways, g)
+    np.abs(wide, out=wide)
+    wide *= box.half
+    return g, _inner(g, arm) - wide.sum(axis=0)
 
 
 def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
@@ -112,7 +119,8 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
     if piece.low_radius != piece.high_radius:
         return toward(piece, axis, place)[1]
     height = _inner(place, axis)
-    g = place - height * axis
+    g = height * axis
+    np.subtract(place, g, out=g)
     if piece.low_radius > 0.0:
         radius = np.sqrt(_inner(g, g))
         g *= np.maximum(radius - piece.low_radius, 0.0) / np.maximum(radius, NEAR)

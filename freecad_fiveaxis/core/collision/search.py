@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.tool.body import Body, Piece
 from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
 from .deepest import deepest, end_and_side, least_mixed, shortened, support_at
 from .demanded_lift import raise_to_demand
-from .swept_motion import Clusters, MotionSegments, Poses, StraightSweep, SweptMotion, clusters_of, segments_of
+from .swept_motion import Clusters, MotionSegments, Poses, SweptMotion, clusters_of, segments_of
 
 BATCH = 8192
 """Blocks at a time: enough of them, and no more than a thread is done with in a second or two."""
@@ -38,6 +38,10 @@ FEW = 2048
 
 SLICE = 49152
 """Pairs at a time: fewer stay in the cache of one thread, but two threads wait for each other between short calls."""
+
+AT_BOXES = 12288
+"""Pairs whose boxes are looked at together: their columns stay in the cache, and memory that small is not given back to the
+system and asked for anew at each step."""
 
 ROUNDS = 40
 """Divisions of a pair; after that the bound is what it is."""
@@ -232,26 +236,30 @@ class _Search:
         kept, deep = [], []
         for first in range(0, len(sweep), SLICE):
             some, place = sweep[first : first + SLICE], owner.take(sweep[first : first + SLICE])
-            rows, enters = self._stay(piece, clusters.ways(some), place, node[first : first + SLICE])
+            rows, enters = self._stay(piece, clusters, some, place, node[first : first + SLICE])
             kept.append(first + rows)
             deep.append(enters)
         rows = np.concatenate(kept)
         return sweep[rows], node[rows], np.concatenate(deep)
 
-    def _stay(self, piece: Piece, ways: StraightSweep, place: Ints, node: Ints) -> tuple[Ints, Bools]:
-        """:meth:`_pruned` for so many that they stay in the processor's cache: which rows stay."""
+    def _stay(self, piece: Piece, clusters: Clusters, sweep: Ints, place: Ints, node: Ints) -> tuple[Ints, Bools]:
+        """:meth:`_pruned` for so many that two threads do not wait for each other: which rows stay."""
         core, off = pared(piece, self.limit)
-        rows, floor = np.arange(len(node)), self.floors.take(place) - off
-        most = np.full(len(node), piece.most - off)
-        for bound in (box_bound, plate_bound, facet_bound):
+        floor, most = self.floors.take(place) - off, np.full(len(node), piece.most - off)
+        for first in range(0, len(node), AT_BOXES):
+            some = slice(first, first + AT_BOXES)
+            most[some] = np.minimum(most[some], box_bound(core, clusters.ways(sweep[some]), self.tree, node[some]))
+        rows = np.flatnonzero(most > floor)
+        ways, node, floor, most = clusters.ways(sweep.take(rows)), node.take(rows), floor.take(rows), most.take(rows)
+        for bound in (plate_bound, facet_bound):
             most = np.minimum(most, bound(core, ways, self.tree, node))
-            some = np.flatnonzero(most > floor)
-            rows, ways, node, floor, most = rows.take(some), ways.take(some), node.take(some), floor.take(some), most.take(some)
+            left = np.flatnonzero(most > floor)
+            rows, ways, node, floor, most = rows.take(left), ways.take(left), node.take(left), floor.take(left), most.take(left)
         least, place = least_depth(piece, ways, self.tree.points(node)), place.take(rows)
         if self.learns:
             self._learn(place, least)
-        some = np.flatnonzero(most > self.floors.take(place) - off)
-        return rows.take(some), least.take(some) > self.limit
+        left = np.flatnonzero(most > self.floors.take(place) - off)
+        return rows.take(left), least.take(left) > self.limit
 
     def _learn(self, place: Ints, least: Floats) -> None:
         """Depths that are known to be reached, though not yet where."""
