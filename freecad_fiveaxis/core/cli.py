@@ -54,7 +54,7 @@ ABOUT = {
     "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }
 SHORT = {"output": ("-o", "--output"), "machine_file": ("-o", "--output")}
-SPREAD = ("setup", "compare")
+SPREAD = ("setup", "compare", "reach")
 """Tasks whose trials are spread over processes where so many are asked for."""
 SECOND = {"program": "PROGRAM.ngc"}
 """Options that are given as a second file, without a name."""

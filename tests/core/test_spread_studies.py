@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where to clamp and what to compare, whoever makes the trials: the same bytes, and a stop that is heard in the middle."""
+"""Where to clamp and what to compare and where the tool gets, whoever makes the trials: the same bytes, and a stop that is heard in the middle."""
 
 import json
 import multiprocessing
@@ -19,9 +19,10 @@ SETUP = {"grid": "3,2,1", "turns": 2, "region": "40,30,0", "origin": "10,5,-20"}
 STUDIES = {
     "setup": WAY | SETUP,
     "compare": WAY | {"stepover": 12, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
+    "reach": {"machine": "trunnion_ac", "cutter": "ball:6:12", "holder": "30x20", "face": None},
     "setup of little reach": WAY | SETUP | {"machine": "mikron_ucp710", "turns": 1, "region": "400,400,300", "grid": "2,2,2"},
 }
-STAGES = {"setup": "setup map", "compare": "compare"}
+STAGES = {"setup": "setup map", "compare": "compare", "reach": "reach"}
 """What progress calls the trials."""
 
 

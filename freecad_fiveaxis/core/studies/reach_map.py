@@ -13,13 +13,15 @@ axis between those tried.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.collision.fixtures import Fixture, join_obstacles
 from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, enters, obstacles
 from freecad_fiveaxis.core.collision.rest_material import surface_samples
@@ -42,6 +44,12 @@ FINEST = 0.1
 
 BATCH = 2048
 """Places tried at a time."""
+
+PORTIONS = 32
+"""Of all places, one for a worker at a time."""
+
+FEW = 128
+"""Places of a portion, at least, of those at which a tool that sticks out farther is tried."""
 
 UPRIGHT = 1e-6
 """rad: no tilt that counts, but it says on which side of a flat bottom the contact lies."""
@@ -74,27 +82,100 @@ class ReachMap:
 
 
 def reach_map(
-    mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent, fixtures: Sequence[Fixture] = ()
-) -> ReachMap:
-    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as the part is. Raises
-    SettingsError for sizes that no tool has."""
+    mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent, fixtures: Sequence[Fixture] = (),
+    executor: Executor | None = None,
+) -> ReachMap:  # fmt: skip
+    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as the part is.
+    ``executor``: whose workers do a portion of the places each, with the same result to the last bit; None: all is done here,
+    which is quicker for a part of a few thousand places. Raises SettingsError for sizes that no tool has."""
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)
-    tree, normal = facet_tree(join_obstacles(mesh, fixtures)), mesh.normal[facet]
-    obstacle, tilt = np.full(len(point), int(Obstacle.LIMITS)), np.full(len(point), np.nan)
-    axis = np.full((len(point), 3), np.nan)
-    for part in batches(len(point)):
+    ground, normal, tilts = Ground(reacher, join_obstacles(mesh, fixtures)), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
+    portions = list(_portions(point, normal, BATCH if executor else len(point)))
+    tried = spread(_try_all, ground, portions, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in portions])
+    obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
+    held = np.flatnonzero(obstacle == Obstacle.HOLDER)
+    rows = held[:: max(1, len(held) // TRIED)]
+    portions = list(_portions(point[rows], normal[rows], FEW if executor else len(rows)))
+    told = _scaled(progress, tilts, 1.0)
+    steps = spread(_try_longer, ground, portions, executor, told, "reach", [len(one) for one in portions])
+    longer = tuple(_reached(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
+    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
+
+
+def _scaled(progress: Progress, first: float, last: float) -> Progress:
+    return lambda stage, fraction: progress(stage, first + (last - first) * fraction)
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What all places have in common: the tool, and what is in its way. The tree is not sent: it is four times as large."""
+
+    reacher: Reacher
+    mesh: Mesh
+
+    @property
+    def tree(self) -> FacetTree:
+        """Of the facets, grown once in each process."""
+        return facet_tree(self.mesh)
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """``point`` (k, 3) mm and unit ``normal`` (k, 3) of some places."""
+
+    point: Floats
+    normal: Floats
+
+    def __len__(self) -> int:
+        return len(self.point)
+
+
+def _portions(point: Floats, normal: Floats, least: int) -> Iterator[Places]:
+    """These places in up to PORTIONS of at least so many; an empty one where there are none."""
+    size = max(least, -(-len(point) // PORTIONS), 1)
+    for first in range(0, max(len(point), 1), size):
+        yield Places(point[first : first + size], normal[first : first + size])
+
+
+Met = tuple[Ints, Floats, Floats]
+"""Obstacle (k,), tilt (k,) rad and axis (k, 3) as in :class:`ReachMap`."""
+
+
+def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
+    """What is in the way of each place."""
+    reacher, tight = ground.reacher, np.zeros(len(places), np.bool_)
+    for part in batches(len(places)):
         progress("reach", 0.0)
-        obstacle[part][_too_tight(reacher, tree, point[part], normal[part])] = Obstacle.CUTTER
-    open_ = np.flatnonzero(obstacle == Obstacle.LIMITS)
+        tight[part] = _too_tight(reacher, ground.tree, places.point[part], places.normal[part])
+    met = _set_on(reacher, ground.tree, places, np.flatnonzero(~tight), progress)
+    met[0][tight] = Obstacle.CUTTER
+    return met
+
+
+def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
+    """The first of LONGER (k,) by which the tool has to stick out farther to get there; len(LONGER) where it never does."""
+    reacher, step, none = ground.reacher, np.full(len(places), len(LONGER)), len(LONGER)
+    width = reacher.shank[-1][0] if reacher.shank else reacher.cutter.diameter
+    for k, more in enumerate(LONGER):
+        rows = np.flatnonzero(step == none)
+        longer = replace(reacher, shank=(*reacher.shank, (width, more)))
+        met, _, _ = _set_on(longer, ground.tree, places, rows, _scaled(progress, k / none, (k + 1) / none))
+        step[met == Obstacle.NONE] = k
+    return step
+
+
+def _set_on(reacher: Reacher, tree: FacetTree, places: Places, open_: Ints, progress: Progress) -> Met:
+    """Set the tool on the ``open_`` places with all axes of each tilt, the least first, until one is free. The others stay as
+    they are before any try."""
+    obstacle, tilt = np.full(len(places), int(Obstacle.LIMITS)), np.full(len(places), np.nan)
+    axis = np.full((len(places), 3), np.nan)
     for k, angle in enumerate(TILTS):
         for part in batches(len(open_)):
-            progress("reach", (k + part.start / len(open_)) / (len(TILTS) + 1))
-            _try(reacher, tree, point, normal, angle, open_[part], obstacle, tilt, axis)
+            progress("reach", (k + part.start / len(open_)) / len(TILTS))
+            _try(reacher, tree, places.point, places.normal, angle, open_[part], obstacle, tilt, axis)
         open_ = open_[obstacle[open_] != Obstacle.NONE]
-    longer = tuple(_longer(reacher, tree, point, normal, area, obstacle, progress))
-    progress("reach", 1.0)
-    return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
+    return obstacle, tilt, axis
 
 
 def batches(count: int) -> list[slice]:
@@ -107,13 +188,13 @@ def _spacing(mesh: Mesh, cutter: Cutter, facets: Bools | None) -> float:
     return max(math.sqrt(area / PLACES), FINEST * cutter.radius)
 
 
-def _too_tight(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> Ints:
-    """The places (k,) where a ball end itself enters the part: no axis helps. Of other cutters nothing is known beforehand."""
+def _too_tight(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> Bools:
+    """Whether (k,) a ball end itself enters the part: no axis helps. Of other cutters nothing is known beforehand."""
     cutter = reacher.cutter
     if cutter.ring > 0.0:
-        return np.empty(0, np.int64)
+        return np.zeros(len(point), np.bool_)
     ball = Body((round_piece(0.0, cutter.corner, cutter.corner),))
-    return np.flatnonzero(enters(ball, tree, point, normal, reacher.limit))
+    return enters(ball, tree, point, normal, reacher.limit)
 
 
 def _try(
@@ -153,26 +234,13 @@ def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
     return np.asarray(math.cos(angle) * normal[:, None] + math.sin(angle) * out)
 
 
-def _longer(
-    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, area: Floats, obstacle: Ints, progress: Progress
-) -> list[tuple[float, float]]:
-    """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of what only the holder is in
-    the way of: an estimate from TRIED of those places. A shank as wide as the one there is, or as the cutter, fills the gap."""
-    held = np.flatnonzero(obstacle == Obstacle.HOLDER)
-    rows = held[:: max(1, len(held) // TRIED)]
-    each, found, reached = float(area[held].sum()) / max(float(area[rows].sum()), 1e-30), list[tuple[float, float]](), 0.0
-    width = reacher.shank[-1][0] if reacher.shank else reacher.cutter.diameter
-    for k, step in enumerate(LONGER):
-        if not len(rows):
-            break
-        progress("reach", (len(TILTS) + k / len(LONGER)) / (len(TILTS) + 1))
-        longer = replace(reacher, shank=(*reacher.shank, (width, step)))
-        met, tilt, axis = obstacle.copy(), np.empty(len(point)), np.empty((len(point), 3))
-        for angle in TILTS:
-            _try(longer, tree, point, normal, angle, rows[met[rows] != Obstacle.NONE], met, tilt, axis)
-        free = met[rows] == Obstacle.NONE
-        if free.any():
-            reached += each * float(area[rows[free]].sum())
-            found.append((step, reached))
-        rows = rows[~free]
-    return found
+def _reached(area: Floats, held: Ints, rows: Ints, step: Ints) -> Iterator[tuple[float, float]]:
+    """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of the places ``held``, where
+    only the holder is in the way: an estimate from ``rows``, of which ``step`` is the first of LONGER that helps. A shank as wide
+    as the one there is, or as the cutter, fills the gap."""
+    each, reached = float(area[held].sum()) / max(float(area[rows].sum()), 1e-30), 0.0
+    for k, more in enumerate(LONGER):
+        free = rows[step == k]
+        if len(free):
+            reached += each * float(area[free].sum())
+            yield more, reached

@@ -85,7 +85,7 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
     """Do the task that the settings name. ``executor``: whose workers make the trials, with the same result to the last bit;
     None: they are made here. Raises FiveAxisError for input that cannot be used; writes nothing."""
     if settings.task == REACH:
-        return try_reach(settings, progress)
+        return try_reach(settings, progress, executor=executor)
     if settings.task == SETUP:
         return try_setups(settings, progress, executor=executor)
     return try_machines(settings, progress, executor=executor)
@@ -93,10 +93,10 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
 
 def try_reach(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: Sequence[Fixture] = (), most: float = math.pi,
+    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None,
 ) -> ReachTrial:  # fmt: skip
     """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
-    rad from +Z it may lean. Raises FiveAxisError."""
+    rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
     machine, setup, _ = stood(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
@@ -110,7 +110,8 @@ def try_reach(
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
     reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
-    return ReachTrial(settings, reach_map(mesh, reacher, faces, progress, fixtures), mesh.findings + said + below, reacher)
+    found = reach_map(mesh, reacher, faces, progress, fixtures, executor)
+    return ReachTrial(settings, found, mesh.findings + said + below, reacher)
 
 
 def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:
