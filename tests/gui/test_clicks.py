@@ -29,9 +29,9 @@ def _quick_preferences(parameters, tmp_path):
 
 @pytest.fixture
 def dome(doc):
-    """A half ball of 20 mm made by Part's own command; its top passes the pole of trunnion_ac."""
+    """A half ball of 12 mm made by Part's own command; its top passes the pole of trunnion_ac."""
     ball = doc.addObject("Part::Sphere", "Dome")
-    ball.Radius, ball.Angle1 = 20, 0
+    ball.Radius, ball.Angle1 = 12, 0
     doc.recompute()
     look(doc)
     return ball
@@ -230,7 +230,7 @@ def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, sho
         FreeCADGui.Selection.clearSelection()
         until(lambda: shown("reopened", path, "ColourGood")[0] > 300, 30000, HIDDEN)
         assert results.nc_of(path) == nc
-        again.getObject("Dome").Radius = 15
+        again.getObject("Dome").Radius = 9
         assert "Touched" in again.getObject("Dome").State
         press("Std_Refresh", 500)
         until(lambda: 0 < path.Blocks < blocks and "Up-to-date" in path.State, 60000, "a path over the smaller ball")
