@@ -33,7 +33,7 @@ def tick(editor, row, click, until):
     until(at_rest, 20000, "a row that stands still")
     rect = editor.visualItemRect(item)
     click(editor.viewport(), QtCore.QPoint(rect.left() + 10, rect.center().y()))
-    until(lambda: item.checkState() != before, 20000, "the row turned")
+    until(lambda: editor.item(row).checkState() != before, 20000, "the row turned")
 
 
 def labels(editor):
