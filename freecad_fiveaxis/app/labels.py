@@ -152,6 +152,7 @@ def _of_programs() -> dict[str, str]:
         "advise": translate("FiveAxis", "Advice"),
         "fixture": translate("FiveAxis", "Fixtures"),
         "fixtures": translate("FiveAxis", "Fixtures"),
+        "fixture_clearance": translate("FiveAxis", "Clearance to fixtures"),
         "left": translate("FiveAxis", "Rest material"),
         "linearize": translate("FiveAxis", "Divide blocks"),
         "singularity": translate("FiveAxis", "Near the pole"),

@@ -146,6 +146,9 @@ TEXTS = {
     "holder": QT_TRANSLATE_NOOP(
         "App::Property", "Cylinders of the holder above cutter and shank, from below: diameter x length in mm, as 40x25,63x50"
     ),
+    "fixture_clearance": QT_TRANSLATE_NOOP(
+        "App::Property", "How near the tool may come to fixtures and bodies of the machine before that is told"
+    ),
     "left": QT_TRANSLATE_NOOP("App::Property", "Find the rest material and the overcut on the machined surface"),
     "tolerance": QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the programmed line"),
     "method": QT_TRANSLATE_NOOP(

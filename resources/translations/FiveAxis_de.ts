@@ -400,6 +400,10 @@
         <translation>Spannmittel</translation>
     </message>
     <message>
+        <source>Fixture Clearance</source>
+        <translation>Abstand zu Spannmitteln</translation>
+    </message>
+    <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
     </message>
@@ -490,6 +494,10 @@
     <message>
         <source>How much the tool reaches, in a plain sentence</source>
         <translation>Wie viel das Werkzeug erreicht, in einem Satz</translation>
+    </message>
+    <message>
+        <source>How near the tool may come to fixtures and bodies of the machine before that is told</source>
+        <translation>Wie nahe das Werkzeug Spannmitteln und Körpern der Maschine kommen darf, ehe das gemeldet wird</translation>
     </message>
     <message>
         <source>How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; machine: as the machine file says</source>
@@ -1743,6 +1751,10 @@
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
+        <source>Clearance to fixtures</source>
+        <translation>Abstand zu Spannmitteln</translation>
+    </message>
+    <message>
         <source>Click a point, or press Esc</source>
         <translation>Einen Punkt anklicken, oder Esc drücken</translation>
     </message>
@@ -2245,6 +2257,14 @@
     <message>
         <source>Name the machine file.</source>
         <translation>Geben Sie der Maschinendatei einen Namen.</translation>
+    </message>
+    <message>
+        <source>Near a fixture</source>
+        <translation>Nahe einem Spannmittel</translation>
+    </message>
+    <message>
+        <source>Near the machine</source>
+        <translation>Nahe der Maschine</translation>
     </message>
     <message>
         <source>Near the pole</source>
@@ -4812,6 +4832,10 @@
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
+        <source>The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.</source>
+        <translation>{part}: kommt {name} bei {at} näher als {distance}, der nächste von {count} Sätzen; verlangt sind {clearance}.</translation>
+    </message>
+    <message>
         <source>The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp the part higher, use a longer tool, or lean it less ({max_axis_angle}).</source>
         <translation>{part}: mindestens {depth} unter der Tischfläche bei {at}, am tiefsten von {count} Sätzen. Das Teil höher spannen, ein längeres Werkzeug nehmen oder es weniger neigen ({max_axis_angle}).</translation>
     </message>
@@ -4828,8 +4852,8 @@
         <translation>{part}: dringt bei {at} mindestens {depth} ins Werkstück ein, in einem Eilgang, dessen Achsen unabhängig laufen; frei ist der Weg nur, wenn sie interpoliert werden.</translation>
     </message>
     <message>
-        <source>The {part} goes at least {depth} into the {name}, at {at} in the machine frame with the axes that carry it at zero, deepest of {count} blocks.</source>
-        <translation>{part}: geht mindestens {depth} hinein in {name}, bei {at} im Maschinenkoordinatensystem, die Achsen, die es tragen, auf null; am tiefsten von {count} Sätzen.</translation>
+        <source>The {part} goes at least {depth} into the {name}, at {at}, deepest of {count} blocks.</source>
+        <translation>{part}: mindestens {depth} tief in {name}, bei {at}, der tiefste von {count} Sätzen.</translation>
     </message>
     <message>
         <source>The {part} goes {depth} into the part at {at}.</source>
@@ -6668,6 +6692,10 @@
         <translation>es gibt nichts zu vergleichen; mindestens eine Maschine und eine Korrektur nennen</translation>
     </message>
     <message>
+        <source>they keep {clearance} away from fixtures</source>
+        <translation>sie halten {clearance} Abstand zu Spannmitteln</translation>
+    </message>
+    <message>
         <source>this arc alone needs {count} chords; give a larger tolerance</source>
         <translation>dieser Kreisbogen allein braucht {count} Sehnen; eine größere Toleranz angeben</translation>
     </message>
@@ -6892,6 +6920,10 @@
         <translation>{area} ({share} % des Teils), zuerst bei {place}, werden ausgelassen, denn dort ist das Werkzeug in keiner der {count} Anstellungen frei. Mit anderen Achsen ist es auf {could} davon frei: {more}. Für den Rest ein kleineres Werkzeug nehmen.</translation>
     </message>
     <message>
+        <source>{at} in the machine frame with the axes that carry it at zero</source>
+        <translation>{at} im Maschinensystem, die tragenden Achsen auf null</translation>
+    </message>
+    <message>
         <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
         <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
@@ -6922,6 +6954,10 @@
     <message>
         <source>{change} {rate}, {turned}, {blocks}</source>
         <translation>{change} {rate}, {turned}, {blocks}</translation>
+    </message>
+    <message>
+        <source>{clearance} mm is no clearance; give 0 to {most} mm</source>
+        <translation>{clearance} mm ist kein Abstand; 0 bis {most} mm angeben</translation>
     </message>
     <message>
         <source>{count} HAL files cannot be read; {module} takes no value from them. The first: {error}</source>

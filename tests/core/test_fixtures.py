@@ -172,3 +172,36 @@ def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_w
     assert main([*given, "-o", str(out)]) == 2
     lines = capsys.readouterr().err.strip().splitlines()
     assert len(lines) == 1 and said in lines[0] and not out.exists()
+
+
+def nearest(made, low, high):
+    """By dense samples, mm: how near the ball of 6 comes to the box; 0 in it."""
+    return max(-sampled_depth(made, np.array(low), np.array(high)), 0.0)
+
+
+def test_what_comes_nearer_than_the_clearance_is_told_as_near_as_dense_samples_say(files):
+    low, high = np.subtract(LOW, (0, 4, 0)), np.subtract(HIGH, (0, 4, 0))
+    write_stl(clamp(low, high), files / "aside.stl")
+    result = proved(files, "aside.stl", gouge="report", fixture_clearance=5.0)
+    away = nearest(result.made, low, high)
+    assert away == pytest.approx(3.0, abs=1e-6)  # 1 mm in it, moved by 4
+    (one,) = [one for one in result.findings if one.code == "fixture-near"]
+    assert one.severity.name == "WARNING" and not hits(result)
+    assert one.value == pytest.approx(away, abs=0.02) and "nearer than" in str(one.text) and "5 mm are asked for" in str(one.text)
+    assert low[1] <= one.place[1] <= high[1] + 1e-9
+
+
+def test_what_keeps_the_clearance_is_told_in_the_scope(files):
+    low, high = np.subtract(LOW, (0, 4, 0)), np.subtract(HIGH, (0, 4, 0))
+    write_stl(clamp(low, high), files / "aside.stl")
+    for clearance, kept in ((2.97, True), (3.03, False)):
+        result = proved(files, "aside.stl", gouge="report", fixture_clearance=clearance)
+        figures = job.figures(result)
+        told = " ".join(map(str, scope(figures, summary(figures)).proven))
+        assert ("away from fixtures" in told) == kept, clearance
+        assert [one.code for one in result.findings if one.code == "fixture-near"] == ([] if kept else ["fixture-near"])
+
+
+def test_a_collision_is_told_once_and_no_clearance_with_it(files):
+    result = proved(files, "clamp.stl", gouge="report", fixture_clearance=5.0)
+    assert len(hits(result)) == 1 and not [one for one in result.findings if one.code == "fixture-near"]

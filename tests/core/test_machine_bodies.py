@@ -310,3 +310,32 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
     audit = ["audit", str(tmp_path / "post.ngc"), "--machine", str(vise), "--cutter", "ball:6", "--holder", "40x30", "--quiet"]
     assert cli.main([*audit, "--report", str(tmp_path / "a.json")]) == 1
     assert "machine-collision" in [one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]]
+
+
+def test_a_body_is_told_that_comes_nearer_than_its_own_clearance_or_that_of_all(tmp_path):
+    """A post on the platter, 15 mm beside the edge over which the middle of a ball of 6 runs: 12 mm are left."""
+    from freecad_fiveaxis.core.jobs import job
+    from freecad_fiveaxis.core.jobs.settings import build_settings
+
+    write_stl(from_triangles(box((-10, -10, 0), (10, 10, 10))), tmp_path / "part.stl")
+    post = {"name": "post", "carrier": "C", "box": {"low": [25, -50, 0], "high": [60, 50, 40]}}
+    given = {"cutter": "ball:6", "passes": "planes", "stepover": 4, "spindle": "off", "gouge": "off", "max_axis_angle": 1}
+    given |= {"tool_axis": "facet_mean", "linearize": "off"}
+
+    def near(body, **more):
+        machine = str(machine_file(tmp_path, [body]))
+        found = job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "machine": machine, **more})).findings
+        return [one for one in found if one.code == "machine-near"]
+
+    assert not near(post) and not near(post, fixture_clearance=2.0) and not near({**post, "clearance": 11.9})
+    (one,), (other,) = near({**post, "clearance": 13}), near(post, fixture_clearance=13.0)
+    assert one.value == pytest.approx(12.0, abs=0.02) == other.value and one.limit == 13.0 and "post" in one.text
+
+
+def test_the_clearance_of_a_body_is_read_and_written_in_mm(tmp_path):
+    machine = load_machine(machine_file(tmp_path, [{**GOOD[2], "clearance": 2.5}]))
+    assert machine.bodies[0].clearance == 2.5
+    save_machine(machine, tmp_path / "again.fcm")
+    assert load_machine(tmp_path / "again.fcm").bodies == machine.bodies
+    with pytest.raises(MachineError, match=r"bodies\[0\].clearance: -1 mm is no clearance"):
+        load_machine(machine_file(tmp_path, [{**GOOD[2], "clearance": -1}]))

@@ -239,7 +239,7 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_i
         type_into(field("cutter_" + size), sizes[size][0])
     text = ":".join([kind, "6.0", *(sizes[size][1] for size in CUTTER_SIZES[kind]), "30.0"])
     until(lambda: panel.options.options()["cutter"] == text, 20000, text)
-    until(lambda: not shown("cutter_error").isVisible(), 20000, "nothing wrong")
+    until(lambda: not cutter.says("error"), 20000, "nothing wrong")
     qt_scroll(field("cutter_kind"), pump)
     screenshot("panel_cutter_" + kind)
 

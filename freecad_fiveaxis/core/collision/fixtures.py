@@ -23,9 +23,9 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
 from .check import GougeCheck, check_program
-from .worst import find_unproven, find_worst
+from .worst import find_nearest, find_unproven, find_worst, near_finding
 
-FIXTURE_COLLISION, FIXTURE_UNPROVEN = "fixture-collision", "fixture-unproven"
+FIXTURE_COLLISION, FIXTURE_UNPROVEN, FIXTURE_NEAR = "fixture-collision", "fixture-unproven", "fixture-near"
 """The codes of the findings."""
 
 ENTERS = Template("The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks.")
@@ -73,14 +73,21 @@ def box_with(box: tuple[Floats, Floats], fixtures: Sequence[Fixture]) -> tuple[F
 
 def check_fixtures(
     fixtures: tuple[Fixture, ...], body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0,
-    progress: Progress = silent, rapids: str = INTERPOLATED,
+    progress: Progress = silent, rapids: str = INTERPOLATED, clearance: float = 0.0,
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """Find where the ``body`` goes more than ``tolerance`` mm into a fixture, on any block; see :func:`.check.check_program`.
-    None deeper is missed; told of each fixture is the deepest place."""
+    """Find where the ``body`` goes more than ``tolerance`` mm into a fixture, on any block, or nearer to it than ``clearance``
+    mm; see :func:`.check.check_program`. None deeper, or nearer by more than the tolerance, is missed; told of each fixture is
+    the deepest place, or the nearest where nothing enters."""
     found: list[Finding] = []
     for fixture in fixtures:
         check = check_program(fixture.mesh, body, kinematics, program, tolerance, back, progress, "", rapids)
-        found += [*_entering(fixture, check, program, tolerance), *_unproven(fixture, check, program, tolerance)]
+        told = [*_entering(fixture, check, program, tolerance), *_unproven(fixture, check, program, tolerance)]
+        near = find_nearest(
+            body, clearance if not told else 0.0, fixture.mesh, kinematics, program, tolerance, back, progress, rapids
+        )
+        if near is not None:
+            told.append(near_finding(FIXTURE_NEAR, fixture.name, near, clearance, Point(near.place)))
+        found += told
     return tuple(found)
 
 

@@ -17,9 +17,9 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.base.sentences import Length, Option, Point, joined, say
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine import Machine, Vector
 from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
@@ -27,9 +27,9 @@ from freecad_fiveaxis.core.tool.body import Body
 
 from .check import GougeCheck, check_program
 from .machine_bodies import make_mesh, spindle_body
-from .worst import find_unproven, find_worst
+from .worst import Worst, find_nearest, find_unproven, find_worst, near_finding
 
-MACHINE_COLLISION, MACHINE_UNPROVEN = "machine-collision", "machine-unproven"
+MACHINE_COLLISION, MACHINE_UNPROVEN, MACHINE_NEAR = "machine-collision", "machine-unproven", "machine-near"
 """The codes of the findings."""
 
 REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
@@ -39,7 +39,7 @@ REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it 
 class InMachine:
     """What is to be checked: the ``machine`` with its bodies, the ``setup`` in which the part stands on it, the chain of both,
     and the tool's ``body``. ``length`` mm, gauge point to the driven point; None where it is not known. ``back`` mm from the tip
-    up to that point; ``rapids`` as of :func:`.check.check_program`."""
+    up to that point; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm to bodies that have none of their own."""
 
     machine: Machine
     setup: Setup
@@ -48,6 +48,7 @@ class InMachine:
     length: float | None
     back: float = 0.0
     rapids: str = INTERPOLATED
+    clearance: float = 0.0
 
 
 def check_machine(
@@ -118,8 +119,13 @@ def _against_bodies(given: InMachine, program: Program, tolerance: float, progre
         moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
         check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)
-        yield from _entering(body.name, check, given, program, tolerance)
-        yield from _unproven(body.name, check, program, tolerance)
+        told = [*_entering(body.name, check, given, program, tolerance), *_unproven(body.name, check, program, tolerance)]
+        asked = 0.0 if told else body.clearance or given.clearance
+        near = find_nearest(stack, asked, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids)
+        if near is not None:
+            at, place = _places(near, given, program)
+            told.append(near_finding(MACHINE_NEAR, body.name, near._replace(place=place), asked, at))
+        yield from told
 
 
 def _against_part(
@@ -145,18 +151,23 @@ def _entering(name: str, check: GougeCheck, given: InMachine, program: Program, 
     worst = find_worst(check, program)
     if worst is None:
         return
-    at = np.add(worst.place, given.setup.origin)
-    x, y, z = forward(given.kinematics, words_to_q(program.words[worst.row : worst.row + 1]))[0][0].tolist()
+    at, place = _places(worst, given, program)
     if worst.depth:
         text = say(
-            "The {part} goes at least {depth} into the {name}, at {at} in the machine frame with the axes that carry it at zero, "
-            "deepest of {count} blocks.",
-            part=worst.part, depth=Length(worst.depth, ".4g"), name=name, at=Point(tuple(at.tolist()), ".4g"), count=worst.blocks,
+            "The {part} goes at least {depth} into the {name}, at {at}, deepest of {count} blocks.",
+            part=worst.part, depth=Length(worst.depth, ".4g"), name=name, at=at, count=worst.blocks,
         )  # fmt: skip
     else:
         text = say("In {count} blocks the whole cutter is inside the {name}.", count=worst.blocks, name=name)
     text, row, line = joined((text, REMEDY)), worst.row, worst.line
-    yield Finding(Severity.ERROR, MACHINE_COLLISION, text, worst.depth, tolerance, "mm", row, line, (x, y, z))
+    yield Finding(Severity.ERROR, MACHINE_COLLISION, text, worst.depth, tolerance, "mm", row, line, place)
+
+
+def _places(worst: Worst, given: InMachine, program: Program) -> tuple[Sentence, Vector]:
+    """Where that is on the machine, in words, and where the tip then is, mm, work frame."""
+    at = Point(tuple(np.add(worst.place, given.setup.origin).tolist()), ".4g")
+    x, y, z = forward(given.kinematics, words_to_q(program.words[worst.row : worst.row + 1]))[0][0].tolist()
+    return say("{at} in the machine frame with the axes that carry it at zero", at=at), (x, y, z)
 
 
 def _unproven(name: str, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:

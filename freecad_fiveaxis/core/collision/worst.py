@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a check of one body comes to, for what is told of it once: the deepest block, and what is not proven of rapids."""
+"""What a check of one body comes to, for what is told of it once: the deepest block, what is not proven of rapids, and where
+nothing enters the block that comes nearest."""
 
 from __future__ import annotations
 
@@ -7,11 +8,16 @@ from typing import NamedTuple
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.sentences import Length, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import PARTS
+from freecad_fiveaxis.core.tool.body import PARTS, Body, grow_body
 
-from .check import GougeCheck
+from .check import GougeCheck, check_program
 from .rapid_check import unproven_blocks
 from .rapid_ways import WayEntries
 from .search import Entries
@@ -60,3 +66,25 @@ def find_unproven(ways: WayEntries | None, program: Program, tolerance: float) -
     if ways is None or not len(rows):
         return None
     return Unproven(len(rows), int(rows[0]) + 1, int(program.line[rows[0] + 1]), float(ways.bound[rows].max()))
+
+
+def find_nearest(
+    body: Body, clearance: float, mesh: Mesh, kinematics: Chain, program: Program, tolerance: float, back: float,
+    progress: Progress, rapids: str,
+) -> Worst | None:  # fmt: skip
+    """Find where a ``body`` that enters nothing comes nearer to a ``mesh`` than ``clearance`` mm, by more than ``tolerance``:
+    there the body, grown by as much, enters. None where it comes no nearer, or no clearance is asked for."""
+    if clearance <= tolerance:
+        return None
+    check = check_program(mesh, grow_body(body, clearance), kinematics, program, tolerance, back, progress, "", rapids)
+    return find_worst(check, program)
+
+
+def near_finding(code: str, name: str, worst: Worst, clearance: float, at: object) -> Finding:
+    """Tell what comes nearer to a body of this ``name`` than the ``clearance``, mm, and ``at`` which place."""
+    distance = max(clearance - worst.depth, 0.0)
+    text = say(
+        "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.",
+        part=worst.part, distance=Length(distance, ".3g"), name=name, at=at, count=worst.blocks, clearance=Length(clearance),
+    )  # fmt: skip
+    return Finding(Severity.WARNING, code, text, distance, clearance, "mm", worst.row, worst.line, worst.place)

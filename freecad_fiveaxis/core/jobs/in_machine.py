@@ -37,7 +37,7 @@ def look_in_machine(made: Made, against: object, progress: Progress) -> tuple[Fi
     part = made.mesh if isinstance(made, Milled) else against if isinstance(against, Mesh) else None
     given = InMachine(
         machine, setup, made.kinematics, tool_body(settings), length, tip_to_driven(settings),
-        rapids_of(settings, machine, made.dialect),
+        rapids_of(settings, machine, made.dialect), settings.gouge.fixture_clearance,
     )  # fmt: skip
     obstacles = None if part is None else join_obstacles(part, made.fixtures)
     return check_machine(given, made.program, obstacles, settings.proof.tolerance, progress)

@@ -261,7 +261,8 @@ def _in_fixtures(made: Made, progress: Progress) -> tuple[Finding, ...]:
     settings, back = made.settings, tip_to_driven(made.settings)
     rapids, tolerance = rapids_of(settings, made.machine, made.dialect), settings.proof.tolerance
     body = tool_body(settings)
-    return check_fixtures(made.fixtures, body, made.kinematics, made.program, tolerance, back, progress, rapids)
+    near = settings.gouge.fixture_clearance
+    return check_fixtures(made.fixtures, body, made.kinematics, made.program, tolerance, back, progress, rapids, near)
 
 
 def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:

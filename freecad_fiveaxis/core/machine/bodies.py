@@ -4,6 +4,7 @@
 carrier  the axis of the table that carries the body, ``base`` for what stands still, ``spindle`` for what goes with the tool.
 shape    ``box`` {low, high}, ``cylinder`` {low, high, radius}, ``cone`` {low, high, low_radius, high_radius} (low and high are
          the middles of its ends), ``sphere`` {centre, radius}, or ``file``, an STL in mm beside the machine's file.
+clearance  how near tool and spindle may come.
 place    all in the machine frame with every joint at zero, in the file's unit.
 """
 
@@ -31,7 +32,7 @@ FARTHEST = 1e5
 @dataclass(frozen=True)
 class MachineBody:
     """``points`` and ``radii``, mm, machine frame, in the order of POINTS and RADII; ``file``: the STL instead, of a shape
-    ``file``."""
+    ``file``; ``clearance`` mm: what comes nearer is told, 0: what is asked for of all."""
 
     name: str
     carrier: str
@@ -39,6 +40,7 @@ class MachineBody:
     points: tuple[Vector, ...] = ()
     radii: tuple[float, ...] = ()
     file: str = ""
+    clearance: float = 0.0
 
 
 def check_carriers(bodies: Sequence[MachineBody], table: Sequence[str], gauge: Vector) -> None:

@@ -30,7 +30,12 @@ def read_bodies(given: Any, where: str, unit: float) -> tuple[MachineBody, ...]:
 
 def write_bodies(bodies: Sequence[MachineBody]) -> list[dict[str, Any]]:
     """Write the bodies as the file holds them, mm."""
-    return [{"name": one.name, "carrier": one.carrier, one.shape: _shape_data(one)} for one in bodies]
+    return [_body_data(one) for one in bodies]
+
+
+def _body_data(body: MachineBody) -> dict[str, Any]:
+    data = {"name": body.name, "carrier": body.carrier, body.shape: _shape_data(body)}
+    return data | ({"clearance": body.clearance} if body.clearance else {})
 
 
 def _shape_data(body: MachineBody) -> Any:
@@ -44,15 +49,20 @@ def _read_body(given: Any, where: str, unit: float) -> MachineBody:
     if not isinstance(given, dict):
         raise fail(where, say("{given} is not an object; write {{ ... }}", given=reprlib.repr(given)), given)
     name, carrier = (_name(given, where, key) for key in ("name", "carrier"))
-    spare = [key for key in given if key not in ("name", "carrier", *SHAPES)]
+    spare = [key for key in given if key not in ("name", "carrier", "clearance", *SHAPES)]
     if spare:
         raise fail(where, say("key {key} is not known; leave it out", key=spare[0]), spare)
     shapes = [key for key in given if key in SHAPES]
     if len(shapes) != 1:
         raise fail(where, say("it needs one of {shapes}", shapes=", ".join(SHAPES)), shapes)
+    clearance = unit * as_number(given.get("clearance", 0.0), f"{where}.clearance")
+    if not 0.0 <= clearance <= FARTHEST:
+        text = say("{clearance} mm is no clearance; give 0 to {most} mm", clearance=clearance, most=FARTHEST)
+        raise fail(f"{where}.clearance", text, clearance)
     if shapes[0] == FILE:
-        return MachineBody(name, carrier, FILE, file=_name(given, where, FILE))
-    return MachineBody(name, carrier, shapes[0], *_sizes(given[shapes[0]], shapes[0], f"{where}.{shapes[0]}", unit))
+        return MachineBody(name, carrier, FILE, file=_name(given, where, FILE), clearance=clearance)
+    sizes = _sizes(given[shapes[0]], shapes[0], f"{where}.{shapes[0]}", unit)
+    return MachineBody(name, carrier, shapes[0], *sizes, clearance=clearance)
 
 
 def _name(given: JsonObject, where: str, key: str) -> str:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
-from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_UNPROVEN
+from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR, FIXTURE_UNPROVEN
 from freecad_fiveaxis.core.collision.machine_check import MACHINE_COLLISION, MACHINE_UNPROVEN
 from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
 from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
@@ -63,6 +63,9 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     if figures.fixtures and not codes & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
         yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
+        near = figures.inputs.get("fixture_clearance")
+        if isinstance(near, float) and near > figures.tolerance and FIXTURE_NEAR not in codes:
+            yield say("they keep {clearance} away from fixtures", clearance=Length(near))
 
 
 def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:

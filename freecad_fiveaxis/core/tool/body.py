@@ -79,6 +79,11 @@ class Body(NamedTuple):
         return max((piece.reach + piece.round for piece in self.pieces), default=0.0)
 
 
+def grow_body(body: Body, by: float) -> Body:
+    """Grow every piece by ``by`` mm all round: what enters the grown body comes nearer than that."""
+    return Body(tuple(piece._replace(round=piece.round + by) for piece in body.pieces))
+
+
 def extend_way_out(body: Body, far: float) -> Body:
     """Put the body in all places at once that it takes while it is drawn out along its axis by ``far`` mm: above every piece that
     is wider than those below a cylinder stands, from where the piece is widest."""

@@ -57,7 +57,7 @@ class Field(QtCore.QObject):
         self.lines: dict[str, Any] = {}
         self.place_line: Callable[[str, Any], Any] = lambda kind, line: None
 
-    def line(self, kind: str) -> Any:
+    def line_of(self, kind: str) -> Any:
         """The label of that kind, one of LINES, made and placed when it is asked for first: most fields never say anything, and
         a panel of sixty fields opens in half the time without their lines."""
         if kind not in self.lines:
@@ -68,17 +68,17 @@ class Field(QtCore.QObject):
     @property
     def error(self) -> Any:
         """The label that says why the value cannot be used."""
-        return self.line("error")
+        return self.line_of("error")
 
     @property
     def warning(self) -> Any:
         """The label that says what to think of before the value is used."""
-        return self.line("warning")
+        return self.line_of("warning")
 
     @property
     def note(self) -> Any:
         """The label that says why the field counts for nothing."""
-        return self.line("note")
+        return self.line_of("note")
 
     def says(self, kind: str) -> str:
         """What the line of that kind says; nothing where there is none yet."""
@@ -86,7 +86,7 @@ class Field(QtCore.QObject):
 
     def _say(self, kind: str, text: str) -> None:
         if text != self.says(kind):
-            line = self.line(kind)
+            line = self.line_of(kind)
             line.setText(text)
             line.setVisible(bool(text))
 

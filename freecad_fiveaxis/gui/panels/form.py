@@ -305,7 +305,7 @@ def _show_quietly(field: Field, value: Any) -> None:
 
 
 def _plain(leaf: Any) -> Field:
-    if leaf.metadata["kind"] == "path":
+    if leaf.metadata["kind"] in ("path", "curve"):
         return any_file(leaf)
     choices = [(name, choice_label(name)) for name in leaf.metadata["choices"]]
     none_text = translate("FiveAxis", "as the machine file says") if leaf.default is None else ""

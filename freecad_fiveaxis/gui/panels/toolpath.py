@@ -289,6 +289,7 @@ def _tessellation(obj: Any) -> Any:
 
 OF_FRAMES = ("frames", "within_frames")
 DIVIDED = ("direction", "steep_shallow")
+HELD = ("fixtures", "fixture_clearance")
 ORDERING = ("order", "spiral", "links", "lead_in", "boundary", "boundary_axis", "boundary_by")
 SECTIONS = {
     "Part": ("avoid", "work_zero", "linear_deflection", "angular_deflection"),
@@ -296,7 +297,7 @@ SECTIONS = {
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
     "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", *OF_FRAMES, SPACING, *DIVIDED, *ORDERING),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
-    "Safety": ("gouge", "fixtures", "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
+    "Safety": ("gouge", *HELD, "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
 }
 """The fields of each group; what is not here stands under More settings."""

@@ -50,6 +50,8 @@ def short_names() -> dict[str, str]:
         "table-collision": translate("FiveAxis", "Below the table"),
         "fixture-collision": translate("FiveAxis", "In a fixture"),
         "machine-collision": translate("FiveAxis", "In the machine"),
+        "fixture-near": translate("FiveAxis", "Near a fixture"),
+        "machine-near": translate("FiveAxis", "Near the machine"),
         "retract-below-part": translate("FiveAxis", "Retract below the part"),
         "start-through-part": translate("FiveAxis", "Start through the part"),
     }

@@ -311,6 +311,10 @@ class GougeSettings:
         (), "paths", "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, "
         "and a path is laid around it; may be repeated", ONE_PROGRAM,
     )  # fmt: skip
+    fixture_clearance: float = option(
+        0.0, "length", "how near cutter, shank, holder and spindle may come to fixtures and bodies of the machine before that is "
+        "told", ONE_PROGRAM, least=0.0, most=LONGEST,
+    )  # fmt: skip
     left: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
         choices=("on", "off"), bare="on",
