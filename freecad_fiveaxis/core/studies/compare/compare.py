@@ -4,8 +4,8 @@
 station   a machine with the part clamped on it, and how it is posted for.
 cure      a way from the CL path to joints that deviate less: a function, so that every cure there is, and none, stands in
           the same table. A cure may divide blocks or lead the axes otherwise; it must not move what is cut.
-pair      a station and a cure: the work of one worker, where there are several. Most of the time goes into the cure that leads
-          the axes to the least deviation: with one machine alone, more than two workers gain little.
+pair      a station and a cure: the work of one worker, where there are several. No more workers have anything to do
+          than there are pairs.
 row       one combination. Its deviation is that of its own rounded blocks from the segments that they command.
 """
 
