@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.findings import Hit
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.collision.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
@@ -146,6 +147,8 @@ def test_the_depth_in_a_column_is_that_of_the_closed_form():
         and "holder" in found[0].text
         and "column" in found[0].text
     )
+    assert found[0].hit == Hit("holder", "column", pytest.approx(1.0, abs=0.01))
+    assert found[0].hit == Hit("holder", "column", pytest.approx(1.0, abs=0.01))
 
 
 def test_the_spindle_is_kept_out_of_part_and_bodies_and_needs_the_tools_length():
@@ -160,6 +163,8 @@ def test_the_spindle_is_kept_out_of_part_and_bodies_and_needs_the_tools_length()
     words[1, 2] = 0.0
     found = checked(machine, words, part=part)
     assert [one.code for one in found] == ["machine-collision"] and "spindle" in found[0].text and "part" in found[0].text
+    assert (found[0].hit.enters, found[0].hit.entered) == ("spindle", "")
+    assert (found[0].hit.enters, found[0].hit.entered) == ("spindle", "")
     blind = checked(machine, words, part=part, length=None)
     assert [one.code for one in blind] == ["machine-unproven"] and "--tool-length" in blind[0].text and "nose" in blind[0].text
 

@@ -21,11 +21,22 @@ class Severity(IntEnum):
 
 
 @dataclass(frozen=True)
+class Hit:
+    """A collision: what ``enters`` (cutter, shank, holder, spindle) and what is ``entered``: a fixture or a body of the machine
+    by its name, "" for the part; ``u``: when within the block it is deepest, 0 to 1, None where that is not known."""
+
+    enters: str
+    entered: str
+    u: float | None = None
+
+
+@dataclass(frozen=True)
 class Finding:
     """One poor spot. ``code`` is a stable kebab-case word, ``text`` a full sentence with its remedy.
 
     ``value`` and ``limit`` are in ``unit`` (``mm``, ``deg``, ``mm2``, ``1`` ...); ``block`` is a row of the
-    Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm.
+    Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm. ``hit``: of a collision
+    with a fixture or the machine.
     """
 
     severity: Severity
@@ -37,3 +48,4 @@ class Finding:
     block: int | None = None
     line: int | None = None
     place: tuple[float, float, float] | None = None
+    hit: Hit | None = None

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, Hit, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
@@ -96,19 +96,20 @@ def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
     if worst is None:
         return
     row, line, count = worst.row, worst.line, worst.blocks
+    hit = Hit(worst.part, fixture.name, worst.u)
     if worst.depth:
         text = ENTERS.say(
             part=worst.part, depth=Length(worst.depth, ".4g"), fixture=fixture.name, at=Point(worst.place), count=count
         )
         text = joined((text, REMEDY))
-        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, worst.depth, tolerance, "mm", row, line, worst.place)
+        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, worst.depth, tolerance, "mm", row, line, worst.place, hit)
     else:
         text = say(
             "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the "
             "fixture.",
             count=count, fixture=fixture.name,
         )  # fmt: skip
-        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, float(count), 0.0, "1", row, line)
+        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, float(count), 0.0, "1", row, line, hit=hit)
 
 
 def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:

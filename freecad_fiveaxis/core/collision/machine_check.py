@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, Hit, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
@@ -74,7 +74,7 @@ def check_machine(
 
 def _unplaced(given: InMachine) -> Iterator[Finding]:
     """What cannot be looked at without the tool's length."""
-    missing = [one.name for one in given.machine.bodies if _needs_length(given.machine, one)]
+    missing = [one.name for one in given.machine.bodies if needs_length(given.machine, one)]
     if given.length is None and missing:
         text = say(
             "Where the spindle is over the tip is not known without the tool's length: {names} were not looked at. Give it "
@@ -85,8 +85,8 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
         yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text)
 
 
-def _needs_length(machine: Machine, body: MachineBody) -> bool:
-    """Whether the place of a body against the tip depends on the tool's length: where the table moves along Z beyond it."""
+def needs_length(machine: Machine, body: MachineBody) -> bool:
+    """Tell whether the place of a body against the tip depends on the tool's length: where the table moves along Z beyond it."""
     if body.carrier == SPINDLE:
         return True
     locked = _locked_letters(machine, body)
@@ -99,11 +99,16 @@ def _locked_letters(machine: Machine, body: MachineBody) -> str:
     return "".join(table if body.carrier == BASE else table[: table.index(body.carrier)])
 
 
-def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats, letters: str) -> Floats:
-    """Give the words (m, 5) mm and degrees with the joints of these ``letters`` at zero."""
+def zero_words(machine: Machine, setup: Setup, kinematics: Chain) -> Floats:
+    """Give the words (5,), mm and degrees, at which every joint stands at zero."""
     gauge = np.array(machine.gauge_point) - (0.0, 0.0, setup.tool_length)
     shift = np.linalg.solve(kinematics.direction[:3].T, np.array(setup.origin) - gauge)
-    zero = np.concatenate([-shift, (0.0, 0.0)])
+    return np.concatenate([-shift, (0.0, 0.0)])
+
+
+def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats, letters: str) -> Floats:
+    """Give the words (m, 5) mm and degrees with the joints of these ``letters`` at zero."""
+    zero = zero_words(machine, setup, kinematics)
     at = [k for k, letter in enumerate(kinematics.letters) if letter in letters]
     found = words.copy()
     found[:, at] = zero[at]
@@ -113,13 +118,14 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
 def _against_bodies(given: InMachine, program: Program, tolerance: float, progress: Progress) -> Iterator[Finding]:
     stack = _stack(given)
     for body in given.machine.bodies:
-        if body.carrier == SPINDLE or (given.length is None and _needs_length(given.machine, body)):
+        if body.carrier == SPINDLE or (given.length is None and needs_length(given.machine, body)):
             continue
         letters = _locked_letters(given.machine, body)
         moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
         check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)
-        told = [*_entering(body.name, check, given, program, tolerance), *_unproven(body.name, check, program, tolerance)]
+        told = [*_entering(body.name, body.name, check, given, program, tolerance)]
+        told += _unproven(body.name, check, program, tolerance)
         asked = 0.0 if told else body.clearance or given.clearance
         near = find_nearest(stack, asked, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids)
         if near is not None:
@@ -134,7 +140,7 @@ def _against_part(
     spindle = _spindle(given)
     if part is not None and spindle.pieces:
         check = check_program(part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids)
-        yield from _entering(say("part"), check, given, program, tolerance)
+        yield from _entering(say("part"), "", check, given, program, tolerance)
         yield from _unproven(say("part"), check, program, tolerance)
 
 
@@ -147,7 +153,10 @@ def _stack(given: InMachine) -> Body:
     return Body((*given.body.pieces, *_spindle(given).pieces))
 
 
-def _entering(name: str, check: GougeCheck, given: InMachine, program: Program, tolerance: float) -> Iterator[Finding]:
+def _entering(
+    name: str, entered: str, check: GougeCheck, given: InMachine, program: Program, tolerance: float
+) -> Iterator[Finding]:
+    """What enters a body that is told of as ``name``; ``entered`` as in a Hit."""
     worst = find_worst(check, program)
     if worst is None:
         return
@@ -160,7 +169,8 @@ def _entering(name: str, check: GougeCheck, given: InMachine, program: Program, 
     else:
         text = say("In {count} blocks the whole cutter is inside the {name}.", count=worst.blocks, name=name)
     text, row, line = joined((text, REMEDY)), worst.row, worst.line
-    yield Finding(Severity.ERROR, MACHINE_COLLISION, text, worst.depth, tolerance, "mm", row, line, place)
+    hit = Hit(worst.part, entered, worst.u)
+    yield Finding(Severity.ERROR, MACHINE_COLLISION, text, worst.depth, tolerance, "mm", row, line, place, hit)
 
 
 def _places(worst: Worst, given: InMachine, program: Program) -> tuple[Sentence, Vector]:

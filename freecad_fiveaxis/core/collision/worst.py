@@ -26,7 +26,7 @@ from .search import Entries
 class Worst(NamedTuple):
     """``row`` of the program to which the deepest block leads; ``line`` of the NC file; ``depth`` mm, 0 where only whole cutters
     are in the body: then it is the first such block; ``part`` of the tool, ``place`` mm, work frame; ``blocks``: how many
-    enter."""
+    enter; ``u``: when within the block, 0 to 1, None where that is not known."""
 
     row: int
     line: int
@@ -34,6 +34,7 @@ class Worst(NamedTuple):
     part: str
     place: Vector
     blocks: int
+    u: float | None
 
 
 class Unproven(NamedTuple):
@@ -56,7 +57,8 @@ def find_worst(check: GougeCheck, program: Program) -> Worst | None:
     worst = max(kinds, key=lambda one: float(one.depth[block]))
     x, y, z = worst.place[block].tolist()
     line, part = int(program.line[block + 1]), PARTS[int(worst.part[block])]
-    return Worst(block + 1, line, float(depth[block]), part, (x, y, z), count)
+    u = float(worst.u[block]) if isinstance(worst, Entries) and depth[block] else None
+    return Worst(block + 1, line, float(depth[block]), part, (x, y, z), count, u)
 
 
 def find_unproven(ways: WayEntries | None, program: Program, tolerance: float) -> Unproven | None:

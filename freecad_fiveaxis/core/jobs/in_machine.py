@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from freecad_fiveaxis.core.base.files import check_readable
 from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.collision.fixtures import join_obstacles
 from freecad_fiveaxis.core.collision.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.report.standing_bodies import StandingBody, stand_bodies
 
 from .made import Made, Milled
 from .options import rapids_of, stood, tip_to_driven, tool_body
@@ -27,6 +28,13 @@ def check_bodies(settings: Settings, machine: Machine) -> None:
     alone = not machine.bodies and not gouge.fixture and (against is None or not is_part(against))
     if settings.task == AUDIT and alone and (gouge.shank or gouge.holder):
         raise without_part(against)
+
+
+def stand_up(made: Made, progress: Progress = silent) -> tuple[StandingBody, ...]:
+    """Stand up the bodies of a program's machine, to be drawn. Raises FiveAxisError for a body's file that cannot be used."""
+    machine, setup, _ = stood(made.settings, made.machine)
+    length = None if made.settings.machine.tool_length is None else setup.tool_length
+    return stand_bodies(machine, setup, made.kinematics, length, progress)
 
 
 def look_in_machine(made: Made, against: object, progress: Progress) -> tuple[Finding, ...]:
