@@ -35,12 +35,17 @@ class Controls:
         self.worst.setToolTip(translate("FiveAxis", "Where the tip is farthest from its commanded segment"))
         self.singular.setText(translate("FiveAxis", "Next singular"))
         self.singular.setToolTip(translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little"))
+        self.collision = QtWidgets.QPushButton()
+        self.collision.setText(translate("FiveAxis", "Next collision"))
+        self.collision.setToolTip(
+            translate("FiveAxis", "Where tool or spindle go deepest into the next fixture or body of the machine")
+        )
         self.machine, self.follow = QtWidgets.QCheckBox(), QtWidgets.QCheckBox()
         self.machine.setText(translate("FiveAxis", "On the machine"))
         self.machine.setToolTip(translate("FiveAxis", "Table and head move as they really will; otherwise the part stands still"))
         self.follow.setText(translate("FiveAxis", "Follow the tip"))
         self.follow.setToolTip(translate("FiveAxis", "Keep the tip of the tool in the middle of the view"))
-        for name in ("worst", "singular", "machine", "follow"):
+        for name in ("worst", "singular", "collision", "machine", "follow"):
             getattr(self, name).setObjectName(name)
         self.speed = self._speed()
         self.widget = self._laid_out()
@@ -105,4 +110,6 @@ class Controls:
         for row in (buttons, jumps, switches):
             row.setSpacing(3)
             column.addLayout(row)
+        self.collision.setMinimumWidth(NARROW)
+        column.insertWidget(column.indexOf(jumps) + 1, self.collision)
         return widget

@@ -1,17 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine as a picture: the bodies of the core's sketch, each on its axis. Playing moves them and never makes them anew."""
+"""The machine as a picture: the bodies of its file, and of the core's sketch where that names none, each on its axis. Playing
+moves them and never makes them anew."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from pivy import coin
 
+from freecad_fiveaxis.core.machine.bodies import SPINDLE
 from freecad_fiveaxis.core.report.machine_sketch import Body, Box, Cylinder, ToolRoom, corners, sketch
 from freecad_fiveaxis.core.report.playback import Playback, placements
+from freecad_fiveaxis.core.report.standing_bodies import StandingBody, leave_out
 from freecad_fiveaxis.gui.scene import nodes
 
+from .player import Struck
+from .solids import EDGE, Look, mesh_node
 from .tool import DrawnTool, size_of
 
 LOOKS: dict[str, tuple[nodes.Colour, float]] = {
@@ -25,25 +31,27 @@ LOOKS: dict[str, tuple[nodes.Colour, float]] = {
     "ram": ((0.74, 0.76, 0.80), 0.60),
 }
 """Quiet colours, and how much of the cut is seen through each body."""
-GLOW = 0.3
-"""How bright a body is where no light falls on it, as a share of its colour."""
-EDGE, TURNS = (0.16, 0.18, 0.22), 48
+TURNS = 48
 MOMENTS = 200
 """Moments of the program at which the room of all bodies is looked at."""
 
 
 class DrawnMachine:
-    """The bodies of a machine below ``root``, in the machine frame."""
+    """The bodies of a machine below ``root``, in the machine frame: ``bodies`` of the sketch, ``standing`` of its file."""
 
-    def __init__(self, bodies: tuple[Body, ...]) -> None:
-        self.bodies = bodies
-        self.carriers = {body.carrier: coin.SoMatrixTransform() for body in bodies}
+    def __init__(self, bodies: tuple[Body, ...], standing: Sequence[StandingBody] = ()) -> None:
+        self.bodies, self.standing = bodies, tuple(standing)
+        self.looks = [Look(*LOOKS[one.place]) for one in self.standing]
+        self.carriers = {body.carrier: coin.SoMatrixTransform() for body in (*bodies, *self.standing)}
         self.root = nodes.separate(_solid())
         for carrier, placed in self.carriers.items():
             group = nodes.separate(placed)
             for body in bodies:
                 if body.carrier == carrier:
                     group.addChild(_body_node(body))
+            for one, look in zip(self.standing, self.looks, strict=True):
+                if one.carrier == carrier:
+                    group.addChild(mesh_node(one.mesh, look))
             self.root.addChild(group)
 
     def show(self, machine_from_carried: np.ndarray) -> None:
@@ -52,41 +60,56 @@ class DrawnMachine:
             if carrier is not None:
                 placed.matrix.setValue(coin.SbMatrix(*(float(value) for value in machine_from_carried[carrier].T.reshape(-1))))
 
+    def show_struck(self, struck: Struck) -> None:
+        """Draw red what is hit, and the spindle where that hits."""
+        for one, look in zip(self.standing, self.looks, strict=True):
+            look.show(one.name in struck.bodies or (struck.spindle and one.place == SPINDLE))
+
     def room(self, playback: Playback) -> tuple[np.ndarray, np.ndarray]:
         """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is played."""
         words = playback.program.words
         chosen = np.unique(np.linspace(0, len(words) - 1, MOMENTS).astype(int))
         carried = placements(playback.kinematics, words[chosen])["machine_from_carried"]
-        reached = [_reached(body, carried) for body in self.bodies]
+        shapes = [(body.carrier, corners(body.shape)) for body in self.bodies]
+        shapes += [(one.carrier, _corners(*one.mesh.box)) for one in self.standing]
+        reached = [_reached(carrier, points, carried) for carrier, points in shapes]
         return np.min([low for low, _ in reached], axis=0), np.max([high for _, high in reached], axis=0)
 
 
 def machine_of(
-    playback: Playback, low: np.ndarray, high: np.ndarray, tool: DrawnTool, table: float | None = None
+    playback: Playback,
+    low: np.ndarray,
+    high: np.ndarray,
+    tool: DrawnTool,
+    table: float | None = None,
+    standing: Sequence[StandingBody] = (),
+    held: bool = False,
 ) -> DrawnMachine:
     """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm: height of the table's
-    face there, None where it is not known."""
+    face there, None where it is not known; ``standing``: the bodies of its file; ``held``: whether the part's fixtures are known,
+    so that nothing is made up for them."""
     radius, height = size_of(tool)
-    return DrawnMachine(sketch(playback.kinematics, low, high, ToolRoom(height, radius), table))
+    sketched = sketch(playback.kinematics, low, high, ToolRoom(height, radius), table)
+    left = leave_out(sketched, standing, playback.kinematics)
+    return DrawnMachine(tuple(body for body in left if not (held and body.name == "riser")), standing)
 
 
-def _reached(body: Body, carried: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    points = corners(body.shape)
-    if body.carrier is not None:
-        placement = carried[:, body.carrier]
+def _corners(low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """The corners (8, 3) of a box."""
+    return 0.5 * (low + high) + 0.5 * _SIGNS * (high - low)
+
+
+def _reached(carrier: int | None, points: np.ndarray, carried: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    if carrier is not None:
+        placement = carried[:, carrier]
         points = (points @ np.swapaxes(placement[:, :3, :3], 1, 2) + placement[:, None, :3, 3]).reshape(-1, 3)
     return points.min(axis=0), points.max(axis=0)
 
 
 def _body_node(body: Body) -> Any:
-    rgb, transparency = LOOKS[body.name]
-    material = coin.SoMaterial()
-    material.diffuseColor.setValue(*rgb)
-    material.emissiveColor.setValue(*(GLOW * part for part in rgb))
-    material.transparency = transparency
     shape, edges = _box(body.shape) if isinstance(body.shape, Box) else _cylinder(body.shape)
     drawn = nodes.separate(nodes.flat(), nodes.colour(EDGE), nodes.style(1.0), edges)
-    return nodes.separate(nodes.separate(material, shape), drawn)
+    return nodes.separate(nodes.separate(Look(*LOOKS[body.name]).node, shape), drawn)
 
 
 def _solid() -> Any:

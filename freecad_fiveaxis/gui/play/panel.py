@@ -16,6 +16,7 @@ import numpy as np
 from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.jobs.in_machine import stand_up
 from freecad_fiveaxis.core.jobs.made import Milled
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.report.playback import NCLines
@@ -28,6 +29,7 @@ from .controls import SLIDER, Controls
 from .machine import machine_of
 from .player import Player
 from .readout import Readout
+from .solids import DrawnFixtures
 from .stage import Stage
 from .tool import tool_of
 from .watch import Watch
@@ -99,8 +101,8 @@ class PlayPanel:
         passed, self._then = min(now - self._then, LONGEST_STEP), now
         if self.controls.slider.isSliderDown():
             return
-        self.player.advance(passed * self.controls.each_speed())
-        if self.player.at_end:
+        collides = self.player.advance(passed * self.controls.each_speed())
+        if collides or self.player.at_end:  # a short block would else be over before anybody saw what it hits
             self.play(False)
         self.refresh()
 
@@ -113,8 +115,8 @@ class PlayPanel:
         pose, block = self.player.pose, self.player.block
         curve = self.player.playback.curve(block) if block != self._drawn else None
         self._drawn = block
-        self.stage.show(pose, curve, self.controls.machine.isChecked())
-        self.readout.show(pose, self.player.playback.seconds)
+        self.stage.show(pose, curve, self.controls.machine.isChecked(), self.player.struck)
+        self.readout.show(pose, self.player.playback.seconds, self.player.now_colliding)
         self.controls.show_share(self.player.share())
         if self.controls.follow.isChecked():
             self._follow()
@@ -135,8 +137,10 @@ class PlayPanel:
         made = results.result_of(self.obj).made
         origin = made.settings.machine.origin or made.machine.origin
         table = None if made.machine.table is None else made.machine.table - origin[2]
-        machine = machine_of(self.player.playback, *self._part_box(), tool, table)
-        return Stage(self.view.getSceneGraph(), tool, machine, zero, letters, (low + high) / 2.0, reach)
+        box, held = self._part_box(), bool(made.fixtures)
+        machine = machine_of(self.player.playback, *box, tool, table, stand_up(made), held)
+        fixtures = DrawnFixtures(made.fixtures)
+        return Stage(self.view.getSceneGraph(), tool, machine, fixtures, zero, letters, (low + high) / 2.0, reach)
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
         """The corners (3,) mm of the part's box, work frame; those of the path where no part is known."""
@@ -163,13 +167,14 @@ class PlayPanel:
         try:
             self.player = Player(results.figures_of(self.obj))
             self.readout.use(self.player.figures, NCLines(results.nc_of(self.obj)))
+            stage = self._new_stage()
         except FiveAxisError as error:
             status(wording.told(error))
             self._leave()
             return
         self.player.resume(before)
         self._enable()
-        self.stage, self._drawn = self._new_stage(), -1
+        self.stage, self._drawn = stage, -1
         self.refresh()
 
     def _gone(self) -> None:
@@ -250,6 +255,7 @@ class PlayPanel:
                 "forward": lambda: self.step(self.player.forward),
                 "worst": lambda: self.step(self.player.go_to_worst),
                 "singular": lambda: self.step(self.player.go_to_next_singular),
+                "collision": lambda: self.step(self.player.go_to_next_collision),
                 "machine": self._to_machine,
                 "follow": self._followed,
             }
@@ -258,6 +264,7 @@ class PlayPanel:
 
     def _enable(self) -> None:
         self.controls.singular.setEnabled(len(self.player.singular) > 0)
+        self.controls.collision.setVisible(len(self.player.colliding) > 0)
         self.controls.worst.setEnabled(self.player.playback.worst is not None)
 
     def _followed(self) -> None:

@@ -3,9 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
+from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.units import INCH, inches
+from freecad_fiveaxis.core.base.findings import Finding, Hit
+from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.report import Figures
@@ -28,6 +32,11 @@ class Readout:
         self.rows = QtWidgets.QFormLayout(self.widget)
         self.rows.setContentsMargins(0, 0, 0, 0)
         self.rows.setVerticalSpacing(2)
+        self.hit = _label("hit")
+        font = self.hit.font()
+        font.setBold(True)
+        self.hit.setFont(font)
+        self.rows.addRow(self.hit)
         self.line, self.text = self._row("line", translate("FiveAxis", "NC line")), _code("nc")
         self.rows.addRow(self.text)
         self.block = self._row("block", translate("FiveAxis", "Block"))
@@ -47,6 +56,7 @@ class Readout:
     def use(self, figures: Figures, lines: NCLines) -> None:
         """Speak of another result of the same path."""
         self.figures, self.lines = figures, lines
+        self.hit.setVisible(any(one.hit is not None for one in figures.findings))
         self._name_point(figures.surface is not None)
         for at, label in self.joints.items():
             self.rows.labelForField(label).setText(figures.program.letters[at])
@@ -59,10 +69,12 @@ class Readout:
         self.rows.labelForField(self.gap).setText(centre if ball else tip)
         self.gap.setToolTip(of_centre if ball else of_tip)
 
-    def show(self, pose: Pose, whole: float) -> None:
-        """Say where a single moment stands; ``whole`` s: the time of the program."""
+    def show(self, pose: Pose, whole: float, colliding: Sequence[Finding] = ()) -> None:
+        """Say where a single moment stands; ``whole`` s: the time of the program; ``colliding``: what collides in its block."""
         block, program = int(pose.block), self.figures.program
         line = int(program.line[block])
+        self.hit.setText("; ".join(_told(one.hit) for one in colliding if one.hit is not None))
+        self.hit.setToolTip("\n".join(wording.told(one.text) for one in colliding))
         self.line.setText(str(line))
         self.text.setText(self.lines[line])
         self.text.setCursorPosition(0)
@@ -113,6 +125,12 @@ class Readout:
         label = _label(name)
         self.rows.addRow(title, label)
         return label
+
+
+def _told(hit: Hit) -> str:
+    """What is in what, in a few words."""
+    entered = hit.entered or wording.told(say("part"))
+    return translate("FiveAxis", "Collision: {enters} in {entered}").format(enters=wording.told(hit.enters), entered=entered)
 
 
 def joint_text(word: float, rotary: bool) -> str:

@@ -7,8 +7,8 @@ that FreeCAD draws after it as the table turns the work. No document object is t
 leaves the view as it was.
 
 over the part   the part stands still and the tool moves over it.
-on the machine  everything moves as it really will: the table with the part on it, and the tool on its head; the machine itself
-                is sketched about them.
+on the machine  everything moves as it really will: the table with the part on it, and the tool on its head; about them stand
+                the bodies of the machine's file, and a sketch of what that does not name.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ from freecad_fiveaxis.gui.scene.on_screen import Label, Labels, LegendBox
 from freecad_fiveaxis.gui.scene.overlay import Legend
 
 from .machine import DrawnMachine
+from .player import Struck
+from .solids import DrawnFixtures
 from .tool import DrawnTool, tool_node
 
 CHORD, CURVE, TIP = (1.0, 1.0, 1.0), (0.90, 0.30, 0.0), (0.0, 0.0, 0.0)
@@ -32,6 +34,7 @@ LETTER_COLOURS = {"A": (0.85, 0.15, 0.15), "B": (0.10, 0.60, 0.10), "C": (0.25, 
 """As FreeCAD colours X, Y and Z, about which the axes of these letters turn."""
 DASHES, WIDTH, DOT = 0x3FF3, 3.0, 7.0
 IDENTITY = np.eye(4)
+_NOTHING = Struck()
 
 
 class Stage:
@@ -40,9 +43,17 @@ class Stage:
     drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
 
     def __init__(
-        self, graph: Any, tool: DrawnTool, machine: DrawnMachine, zero: np.ndarray, letters: str, centre: np.ndarray, reach: float
+        self,
+        graph: Any,
+        tool: DrawnTool,
+        machine: DrawnMachine,
+        fixtures: DrawnFixtures,
+        zero: np.ndarray,
+        letters: str,
+        centre: np.ndarray,
+        reach: float,
     ) -> None:
-        self.machine = machine
+        self.machine, self.fixtures = machine, fixtures
         self.zero, self.centre, self.reach = np.asarray(zero, float), np.asarray(centre, float), reach
         self.tool, self.work, self.turn = (coin.SoMatrixTransform() for _ in range(3))
         self.axes, self.chord, self.curve, self.gap, self.dots = (_vertices() for _ in range(5))
@@ -62,18 +73,21 @@ class Stage:
         """Whether the nodes are in the view."""
         return self._graph is not None
 
-    def show(self, pose: Pose, curve: np.ndarray | None, on_machine: bool) -> None:
-        """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is drawn already."""
+    def show(self, pose: Pose, curve: np.ndarray | None, on_machine: bool, struck: Struck = _NOTHING) -> None:
+        """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is drawn already;
+        ``struck``: what is hit then."""
         scene_from_work = pose.machine_from_work if on_machine else IDENTITY
         scene_from_machine = IDENTITY if on_machine else pose.work_from_machine
         _put(self.work, scene_from_work)
         _put(self.tool, scene_from_machine @ pose.machine_from_tool)
         _put(self.turn, _about(scene_from_work, self.zero))
         if on_machine and self.sketch.whichChild.getValue() == coin.SO_SWITCH_NONE:
-            self.legend.come_forward(chosen=True)  # that the machine is a sketch must be seen whatever is selected
+            self.legend.come_forward(chosen=True)  # how much of the machine is a sketch must be seen whatever is selected
         nodes.turn(self.sketch, on_machine)
         if on_machine:
             self.machine.show(pose.machine_from_carried)
+        self.machine.show_struck(struck)
+        self.fixtures.show(struck.fixtures)
         self._draw_axes(rotary_lines(pose, self.centre, self.reach), scene_from_machine)
         if curve is not None:
             _fill(self.curve, curve)
@@ -105,9 +119,10 @@ class Stage:
         root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(tool)))
         root.setName("FiveAxisPlay")
         self.legend = LegendBox()
-        self.legend.show(_told())
+        self.legend.show(_told(self.machine))
         self.sketch = nodes.switch(nodes.separate(self.machine.root, self.legend.root), False)
         root.addChild(self.sketch)
+        root.addChild(nodes.separate(self.work, self.fixtures.root))
         root.addChild(nodes.without_box(self._axis_lines(letters)))
         over = coin.SoAnnotation()
         for child in (nodes.flat(), self.work, *self._block_lines()):
@@ -135,12 +150,16 @@ class Stage:
         ]
 
 
-def _told() -> Legend:
-    """What the legend says of the sketched machine."""
-    notes = (
+def _told(machine: DrawnMachine) -> Legend:
+    """What the legend says of the machine: how much of it is a sketch."""
+    notes: tuple[str, ...] = (
         translate("FiveAxis", "The machine is a sketch from its axes: not to scale."),
         translate("FiveAxis", "Collisions are not checked against it."),
     )
+    if machine.standing:
+        own = translate("FiveAxis", "The machine's bodies are those of its file.")
+        rest = translate("FiveAxis", "What stands beside them is a sketch: not to scale, not checked.")
+        notes = (own, rest) if machine.bodies else (own,)
     return Legend(translate("FiveAxis", "On the machine"), np.zeros((0, 3)), (), ("", ""), (), notes)
 
 
