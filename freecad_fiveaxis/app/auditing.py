@@ -8,12 +8,14 @@ from typing import Any
 
 import FreeCAD
 
-from freecad_fiveaxis.core.base.errors import FileError
+from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.base.files import check_readable, read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
+from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.machine.machine_file import SUFFIX
 
 from . import compared, convert, results
 from .plain_errors import hide_trace
@@ -92,14 +94,24 @@ def part_is_gone(obj: Any) -> SelectionError:
 
 
 def audit_options(options: Mapping[str, Any], part: Any = None) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but checked only against a part, where ``gouge`` is not off.
-    A ``part`` of the document stands in place of a file to compare with."""
+    """What the core is asked: shank and holder are always drawn, but checked only against the machine's bodies, and against a
+    part where ``gouge`` is not off. A ``part`` of the document stands in place of a file to compare with."""
     options = dict(options) if part is None else {**options, "against": f"{part.Label}.stl"}
     if not is_part(options.get("against") or ""):
         left_out = {"gouge", "shank", "holder"}
     else:
         left_out = {"shank", "holder"} if options.get("gouge") == "off" else set()
+    if "holder" in left_out and _has_bodies(str(options.get("machine", ""))):
+        left_out -= {"shank", "holder"}
     return {name: value for name, value in options.items() if name not in left_out}
+
+
+def _has_bodies(machine: str) -> bool:
+    """Whether the file of a machine names bodies; what is wrong with the file, the core says."""
+    try:
+        return machine.lower().endswith(SUFFIX) and bool(load_machine(machine).bodies)
+    except FiveAxisError:
+        return False
 
 
 def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
