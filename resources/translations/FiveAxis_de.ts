@@ -1775,6 +1775,10 @@
         <translation>Kollision in einem Eilgang</translation>
     </message>
     <message>
+        <source>Collision: {enters} in {entered}</source>
+        <translation>Kollision: {enters} in {entered}</translation>
+    </message>
+    <message>
         <source>Collisions are not checked against it.</source>
         <translation>Kollisionen mit ihr werden nicht geprüft.</translation>
     </message>
@@ -2279,6 +2283,10 @@
         <translation>Neue Aufspannung</translation>
     </message>
     <message>
+        <source>Next collision</source>
+        <translation>Nächste Kollision</translation>
+    </message>
+    <message>
         <source>Next singular</source>
         <translation>Nächster singulärer</translation>
     </message>
@@ -2771,6 +2779,10 @@
         <translation>Die Maschine ist eine Skizze aus ihren Achsen: nicht maßstäblich.</translation>
     </message>
     <message>
+        <source>The machine's bodies are those of its file.</source>
+        <translation>Die Körper der Maschine sind die ihrer Datei.</translation>
+    </message>
+    <message>
         <source>The next block where a rotary axis turns far to lean the tool a little</source>
         <translation>Der nächste NC-Satz, in dem eine Rundachse weit dreht, um das Werkzeug ein wenig zu neigen</translation>
     </message>
@@ -3059,6 +3071,10 @@
         <translation>Was an jedem Halt zu sehen sein muss, zum Drucken; leer: kein Blatt</translation>
     </message>
     <message>
+        <source>What stands beside them is a sketch: not to scale, not checked.</source>
+        <translation>Was daneben steht, ist eine Skizze: nicht maßstäblich, nicht geprüft.</translation>
+    </message>
+    <message>
         <source>What the distance is proven to stay below, all through this block</source>
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
     </message>
@@ -3085,6 +3101,10 @@
     <message>
         <source>Where to clamp</source>
         <translation>Wohin spannen</translation>
+    </message>
+    <message>
+        <source>Where tool or spindle go deepest into the next fixture or body of the machine</source>
+        <translation>Wo Werkzeug oder Spindel am tiefsten in das nächste Spannmittel oder den nächsten Körper der Maschine eindringen</translation>
     </message>
     <message>
         <source>While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool.</source>

@@ -127,7 +127,7 @@ def test_bodies_stand_where_the_axes_carry_them_and_are_red_where_they_are_hit(
     until(lambda: shown.controls.machine.isChecked(), 20000, "the machine")
     machine = shown.stage.machine
     assert [one.name for one in machine.standing] == ["post", "cheek", "platter", "nose"]
-    assert {body.name for body in machine.bodies} == {"riser"}, "what the file names is not sketched too"
+    assert not machine.bodies, "what the file names is not sketched too"
     for block, u in ((0, 1.0), (1, 0.5), (4, 0.3), (5, 0.7), (8, 0.5)):
         shown.player.block, shown.player.u = block, u
         shown.refresh()

@@ -28,9 +28,9 @@ from .playback import placements, rigid_inverse, sides
 PLATTER, CRADLE = "platter", "cradle"
 SHARP = 0.9
 """Cosine of 26 deg: facets that meet at more than that meet in an edge that is drawn; the sides of a round body meet at less."""
-ON_TABLE = ("platter", "table", "cradle", "base")
-"""Of the sketch; a riser stands under the part whatever carries it."""
+ON_TABLE = ("platter", "riser", "table", "cradle", "base")
 ON_HEAD = ("spindle", "fork", "ram")
+"""Of the sketch."""
 
 
 @dataclass(frozen=True, eq=False)
