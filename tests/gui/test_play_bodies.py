@@ -164,6 +164,14 @@ def test_playing_pauses_at_a_collision_and_goes_on(doc, tmp_path, opened, click,
     until(lambda: shown.player.at_end and not shown.playing, 60000, "the end")
 
 
+def test_the_spindle_is_red_with_what_it_hits(doc, tmp_path, opened, click, until):
+    """A tool so short that the nose, 20 mm in radius, comes below the top of the post."""
+    shown = opened(audited(doc, tmp_path, tool_length=25.0, holder=None))
+    click(shown.controls.collision)
+    until(lambda: shown.player.block == 3, 20000, "the post")
+    assert shown.readout.hit.text() == "Collision: spindle in post" and reds(shown) == {"post", "nose"}
+
+
 def test_without_the_tools_length_the_spindle_is_the_sketchs(doc, tmp_path, opened):
     shown = opened(audited(doc, tmp_path, tool_length=None))
     machine = shown.stage.machine
