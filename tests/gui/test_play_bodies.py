@@ -143,8 +143,9 @@ def test_bodies_stand_where_the_axes_carry_them_and_are_red_where_they_are_hit(
         check_places(doc, shown)
         assert next(one.place for one in machine.standing if one.name == name) == place
         until(lambda: pixels(screenshot(f"play_bodies_{name}"), RED, 40) > quiet + 500, 30000, f"a red {name}")  # noqa: B023
-    click(shown.controls.forward)
-    click(shown.controls.forward)
+    shown.step(shown.player.forward)
+    assert shown.player.block == 3 and reds(shown) == {"post"}, "all through the block"
+    shown.step(shown.player.forward)
     until(lambda: shown.player.block == 4 and not reds(shown), 20000, "quiet again")
     until(lambda: pixels(screenshot("play_bodies_free"), RED, 40) < quiet + 20, 30000, "no red in the picture")
     shown.stage.machine.carriers[3].matrix.setValue(*np.eye(4).reshape(-1).tolist())
