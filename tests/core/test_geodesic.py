@@ -2,12 +2,14 @@
 """The distance in the metric of the scallop, against what is known of planes, cylinders and balls."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from offset_examples import joined as both_paths
 from offset_examples import prism
 
+from freecad_fiveaxis.core.base import chunks
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import facet_curvature, flat_interval, scallop_passes, slice_field
@@ -233,6 +235,28 @@ def test_passes_round_a_point_are_round_within_a_part_of_a_step():
 def test_more_passes_than_any_job_can_want_are_refused_before_they_are_laid():
     with pytest.raises(SettingsError, match="more than any job can want"):
         ConstantScallop("").check(region_of(flat_copy(10.0)[0]), PassOptions(stepover=1e-3))
+
+
+def test_laying_passes_tells_its_progress_and_can_be_stopped_while_gaps_are_looked_for(monkeypatch):
+    monkeypatch.setattr(scallop_passes, "ASKED", 64)
+    monkeypatch.setattr(chunks, "ALONE", True)  # a helper may take it all, and then has nothing to tell
+
+    def lay(stop=math.inf):
+        told = []
+
+        def listen(stage, share):
+            told.append(share)
+            if share >= stop:
+                raise InterruptedError
+
+        ConstantScallop("").field(replace(region_of(flat_copy()[0]), progress=listen), PassOptions(stepover=0.5))
+        return told
+
+    told = lay()
+    assert told == sorted(told) and len([share for share in told if 0.9 < share < 1.0]) >= 4
+    for stop in (0.84, 0.95):
+        with pytest.raises(InterruptedError):
+            lay(stop)
 
 
 def gaps_of(copy, metric, value, levels):

@@ -109,7 +109,7 @@ def auto_axes(
     free = np.zeros(len(contacts.first), np.int64)
     if not len(given) or not field.freedom.some.any():
         return given, free[contacts.contact], _findings(free, contacts)
-    axis = field.at(contacts.point, contacts.mean)
+    axis = field.at(contacts.point, contacts.mean, progress)
     for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
         axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
@@ -141,7 +141,8 @@ def refine_field(
     contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
     each = np.arange(len(contacts.first))
     asked = contacts.all_fit & (each % max(1, len(each) // SOME) == 0)
-    axis = field.at(contacts.point, contacts.mean)
+    axis = np.zeros((len(each), 3))
+    axis[asked] = field.at(contacts.point[asked], contacts.mean[asked], progress)
     rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
     if not len(rows):
         return field
@@ -210,12 +211,14 @@ def _pulled(
     field: AxisField, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
 ) -> tuple[Floats, Bools]:
     """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes, and what is free."""
-    node, _ = field.near(contacts.point, contacts.mean)
-    found, free, asked = axis.copy(), free.copy(), [axis]
-    for near in node.T:
-        left = np.flatnonzero(~free)
-        at, tried = field.freedom.of(near[left]), axis.copy()
-        tried[left], _ = nearest_free(axis[left], field.nodes.normal[near[left]], at)
+    found, free, asked, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
+    if not len(out):
+        return found, free
+    node, _ = field.near(contacts.point[out], contacts.mean[out])
+    for column in node.T:
+        still = ~free[out]
+        left, near, tried = out[still], column[still], axis.copy()
+        tried[left], _ = nearest_free(axis[left], field.nodes.normal[near], field.freedom.of(near))
         left = left[
             ~np.any([(one[left] == tried[left]).all(axis=1) for one in asked], axis=0)
         ]  # nodes side by side: one direction

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.base.chunks import in_threads, portions
 from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -40,6 +41,9 @@ from .axis_field import (
 NEAREST = 6
 """Nodes whose mean a contact takes."""
 
+ASKED = 16384
+"""Points that are asked for an axis at a time."""
+
 ABOUT = 3
 """Nodes about the middle of a facet of which one must be free, where none lies on it."""
 
@@ -55,8 +59,15 @@ class AxisField:
     def near(self, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
         """The nodes (k, NEAREST) nearest to points (k, 3) mm with unit normals (k, 3) of those where any axis is free, and their
         weights: one over the distance, and none for one that is as far off as the next one after them."""
+        rows, tree = self._tree()
+        return self._near(tree, rows, point, normal)
+
+    def _tree(self) -> tuple[Ints, cKDTree]:
+        """The nodes where any axis is free, and where they are."""
         rows = np.flatnonzero(self.freedom.some)
-        tree = cKDTree(self.nodes.places()[rows])
+        return rows, cKDTree(self.nodes.places()[rows])
+
+    def _near(self, tree: cKDTree, rows: Ints, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
         count = min(NEAREST + 1, len(rows))
         away, found = tree.query(near_places(point, normal, self.nodes.spacing), k=np.arange(1, count + 1))
         away = np.maximum(away, 1e-6 * self.nodes.spacing)
@@ -64,10 +75,17 @@ class AxisField:
         node = rows[found[:, : weight.shape[1]]]
         return node, weight * agreeing(normal[:, None], self.nodes.normal[node]) + 1e-12
 
-    def at(self, point: Floats, normal: Floats) -> Floats:
+    def at(self, point: Floats, normal: Floats, progress: Progress = silent) -> Floats:
         """The unit axis (k, 3) at points (k, 3) mm with unit normals (k, 3)."""
-        node, weight = self.near(point, normal)
-        return unit((self.axis[node] * weight[:, :, None]).sum(axis=1))
+
+        def mean(some: slice) -> Floats:
+            node, weight = self._near(tree, rows, point[some], normal[some])
+            return unit((self.axis[node] * weight[:, :, None]).sum(axis=1))
+
+        rows, tree = self._tree()
+        parts = portions(len(point), ASKED)
+        found = in_threads(mean, parts, lambda share: progress("axis field", share))
+        return np.concatenate(found) if parts else np.empty((0, 3))
 
 
 def find_axis_field(

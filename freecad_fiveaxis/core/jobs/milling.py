@@ -206,7 +206,9 @@ def free_rows(
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
+    progress("axis field", 0.0)
     contacts = find_contacts(offset, mesh, reacher)
+    progress("axis field", 0.0)
     field = refine_field(field, offset, mesh, reacher, progress, contacts)
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)

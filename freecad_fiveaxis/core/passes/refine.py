@@ -74,20 +74,21 @@ def _straight_runs(contact: ContactPath, parent: Ints, bend: float) -> Ints:
     entry, exit_, line = contact.point[::2], contact.point[1::2], contact.polyline[::2]
     begins = np.ones(len(parent), np.bool_)
     begins[1:] = (parent[1:] != parent[:-1]) | (line[1:] != line[:-1])
-    while len(parent):
-        first = np.flatnonzero(begins)
-        run = np.cumsum(begins) - 1
-        start, chord = entry[first], exit_[np.append(first[1:], len(parent)) - 1] - entry[first]
+    rows = np.arange(len(parent))  # of runs that are not known to be straight, each of them whole
+    while len(rows):
+        here = begins[rows]
+        first, run = np.flatnonzero(here), np.cumsum(here) - 1
+        start = entry[rows[first]]
+        chord = exit_[rows[np.append(first[1:], len(rows)) - 1]] - start
         along = np.einsum("ij,ij->i", chord, chord)[run]
-        off = entry - start[run]
+        off = entry[rows] - start[run]
         share = np.clip(np.einsum("ij,ij->i", off, chord[run]) / np.where(along > 0.0, along, 1.0), 0.0, 1.0)
         away = np.linalg.norm(off - share[:, None] * chord[run], axis=1)
         worst = np.maximum.reduceat(away, first)
-        split = np.flatnonzero((away == worst[run]) & (away > bend) & ~begins)
-        if not len(split):
-            return first
-        begins[split] = True
-    return np.empty(0, np.int64)
+        split = (away == worst[run]) & (away > bend) & ~here
+        begins[rows[split]] = True
+        rows = rows[np.logical_or.reduceat(split, first)[run]]
+    return np.flatnonzero(begins)
 
 
 def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:

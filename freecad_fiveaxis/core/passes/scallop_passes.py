@@ -10,14 +10,14 @@ gap       what lies farther from every pass than half a step: where two fronts m
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.base.chunks import in_threads
+from freecad_fiveaxis.core.base.chunks import in_threads, portions
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -63,8 +63,8 @@ AMPLE = 1.001
 SURELY = 1.0 - 1e-12
 """Of a distance: what is so near is so by any rounding."""
 
-ASKED = 16
-"""Portions of the facets that are asked for gaps: threads take one after the other."""
+ASKED = 16384
+"""Facets that are asked for gaps at a time."""
 
 DENSE = 0.2
 """Steps between the samples of a pass from which the gaps are measured."""
@@ -132,7 +132,7 @@ def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
     other; and half-way between them where a place is left out."""
     main = _laid(surface.copy, steps, FIRST, 0.0)
     region.progress("placing passes", 0.8)
-    gaps = _gaps(surface, steps, main)
+    gaps = _gaps(surface, steps, main, lambda share: region.progress("placing passes", 0.8 + 0.2 * share))
     if not gaps.any():
         return main
     between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
@@ -240,30 +240,33 @@ def _laid(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
     return PassField(start[copy.component] + steps, np.sort(np.concatenate([levels[cuts], middle])), surface=copy)
 
 
-def _gaps(surface: Surface, steps: Floats, main: PassField) -> Bools:
+def _gaps(surface: Surface, steps: Floats, main: PassField, tell: Callable[[float], None] = lambda share: None) -> Bools:
     """Facets (f,) of the copy that hold a place left out, and those that have a vertex in common with one."""
     mesh = surface.copy.mesh
     contact = slice_field(mesh, main.value, main.levels)
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
+    tell(0.1)
     near, normal = _sampled(contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat)
+    tell(0.2)
     near, normal = _thinned(near, normal, THIN * surface.flat)
     if not len(near):
         return np.ones(len(mesh.face), np.bool_)
+    tell(0.4)
     facing = FACING * surface.flat
     samples = np.concatenate([near, facing * normal], axis=1)
-    return _touching(mesh.face, _left_out(mesh, samples, facing * mesh.normal, GAP * 0.5 * across))
+    left = _left_out(mesh, samples, facing * mesh.normal, GAP * 0.5 * across, lambda share: tell(0.5 + 0.5 * share))
+    return _touching(mesh.face, left)
 
 
-def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats) -> Bools:
+def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell: Callable[[float], None] | None = None) -> Bools:
     """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is, and where
     its facet is ``looking`` (f, 3)."""
     tree, most = cKDTree(samples), AMPLE * float(enough.max())
-    ends = np.linspace(0, len(mesh.face), ASKED + 1).astype(np.int64).tolist()
 
     def ask(some: slice) -> Bools:
         return _left_of(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
 
-    return np.concatenate(in_threads(ask, [slice(*pair) for pair in pairwise(ends)]))
+    return np.concatenate(in_threads(ask, portions(len(mesh.face), ASKED), tell))
 
 
 def _left_of(tree: cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:
@@ -296,7 +299,9 @@ def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats
     cell = np.floor(np.concatenate([point / step, normal / THIN], axis=1)).astype(np.int64)
     cell -= cell.min(axis=0)
     size = cell.max(axis=0) + 1
-    keys = cell[:, 0], cell[:, 1] * size[2] + cell[:, 2], (cell[:, 3] * size[4] + cell[:, 4]) * size[5] + cell[:, 5]
+    keys = [cell[:, 0], cell[:, 1] * size[2] + cell[:, 2], (cell[:, 3] * size[4] + cell[:, 4]) * size[5] + cell[:, 5]]
+    if math.prod(size[:3].tolist()) < 2**62:  # one key less to sort by, and the same order
+        keys[:2] = [keys[1] * size[0] + keys[0]]
     order = np.lexsort(keys)
     new = np.append(True, np.any([np.diff(key[order]) != 0 for key in keys], axis=0))
     first = order[new]
