@@ -7,6 +7,7 @@ import pickle
 
 import pytest
 from roofs import Inline, Swapping, write_roof
+from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import crew
@@ -45,7 +46,10 @@ def bytes_of(trial):
     return study.as_json(trial), study.as_html(trial), study.as_text(trial)
 
 
-@pytest.fixture(scope="module", params=STUDIES)
+DEAR = ("compare", "reach")
+
+
+@pytest.fixture(scope="module", params=[pytest.param(name, marks=[pytest.mark.thorough] * (name in DEAR)) for name in STUDIES])
 def expected(request, roof):
     """A study's name and what it tells without an executor."""
     return request.param, bytes_of(try_study(request.param, roof))
@@ -109,7 +113,7 @@ def words_of(name, roof):
     return [name, roof, *options, "--quiet"]
 
 
-@pytest.mark.parametrize("name", cli.SPREAD)
+@some_in_core("name", cli.SPREAD)
 def test_the_command_line_spreads_it(name, roof, tmp_path):
     report, other = tmp_path / "one.json", tmp_path / "two.json"
     assert cli.main([*words_of(name, roof), "--report", str(report)]) == cli.main(

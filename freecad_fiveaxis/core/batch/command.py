@@ -8,13 +8,14 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from freecad_fiveaxis.core.base.crew import Crew, read_workers
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, written
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import one_line, say
 
 if TYPE_CHECKING:
+    from freecad_fiveaxis.core.base.crew import Crew
+
     from .task import BatchJob, JobOutcome
 
 NAMED_HERE = ("output", "cl", "report", "blocks")
@@ -79,6 +80,8 @@ def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: 
 def _plan_batch(
     arguments: argparse.Namespace, options: Mapping[str, Any]
 ) -> tuple[list[BatchJob], tuple[int, int] | None, Crew | None]:
+    from freecad_fiveaxis.core.base.crew import read_workers
+
     from . import plan
     from .crews import find_crew
 

@@ -37,7 +37,7 @@ from freecad_fiveaxis.core.base.files import read_bytes, write_whole
 from freecad_fiveaxis.core.base.rapids import RAPIDS
 from freecad_fiveaxis.core.base.sentences import say
 
-from .bodies_file import read_bodies, write_bodies
+from .bodies import MachineBody
 from .keys import (
     JsonObject,
     as_number,
@@ -192,10 +192,16 @@ def _extra(data: JsonObject, unit: float) -> dict[str, Any]:
         "safe_start": lambda key: _safe_start(get_object(extra, where, key), f"{where}{key}.", unit),
         "rapids": lambda key: get_choice(extra, where, key, RAPIDS),
         "table": lambda key: unit * get_number(extra, where, key),
-        "bodies": lambda key: read_bodies(extra[key], where + key, unit),
+        "bodies": lambda key: _bodies(extra[key], where + key, unit),
         "no_motion": lambda key: get_names(extra, where, key),
     }
     return {key: read(key) for key, read in readers.items() if key in extra}
+
+
+def _bodies(given: Any, where: str, unit: float) -> tuple[MachineBody, ...]:
+    from .bodies_file import read_bodies  # here, for few machines have any, and lists are to come at once
+
+    return read_bodies(given, where, unit)
 
 
 def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
@@ -350,10 +356,16 @@ def _data(machine: Machine) -> dict[str, Any]:
             "safe_start": _safe_start_data(machine.safe_start),
             **({"rapids": machine.rapids} if machine.rapids else {}),
             **({} if machine.table is None else {"table": machine.table}),
-            **({"bodies": write_bodies(machine.bodies)} if machine.bodies else {}),
+            **({"bodies": _bodies_data(machine)} if machine.bodies else {}),
             **({"no_motion": list(machine.no_motion)} if machine.no_motion else {}),
         },
     }
+
+
+def _bodies_data(machine: Machine) -> list[dict[str, Any]]:
+    from .bodies_file import write_bodies
+
+    return write_bodies(machine.bodies)
 
 
 def _safe_start_data(start: SafeStart) -> dict[str, Any]:
