@@ -15,7 +15,6 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.machine.machine_file import SUFFIX
 
 from . import compared, convert, results
 from .plain_errors import hide_trace
@@ -107,9 +106,9 @@ def audit_options(options: Mapping[str, Any], part: Any = None) -> dict[str, Any
 
 
 def _has_bodies(machine: str) -> bool:
-    """Whether the file of a machine names bodies; what is wrong with the file, the core says."""
+    """Tell whether the file of a machine names bodies; what is wrong with the file, the core says."""
     try:
-        return machine.lower().endswith(SUFFIX) and bool(load_machine(machine).bodies)
+        return bool(load_machine(machine).bodies)
     except FiveAxisError:
         return False
 

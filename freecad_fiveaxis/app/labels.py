@@ -107,6 +107,10 @@ def _of_passes() -> dict[str, str]:
         "least_interval": translate("FiveAxis", "Smallest stepover"),
         "steep_shallow": translate("FiveAxis", "Steep from"),
         "max_axis_angle": translate("FiveAxis", "Steepest surface"),
+        "avoid": translate("FiveAxis", "Faces to leave alone"),
+        "boundary": translate("FiveAxis", "Boundary"),
+        "boundary_axis": translate("FiveAxis", "Axis of the boundary I, J, K"),
+        "boundary_by": translate("FiveAxis", "Boundary holds"),
     }
 
 
@@ -145,10 +149,6 @@ def _of_programs() -> dict[str, str]:
         "gouge": translate("FiveAxis", "Gouge protection"),
         "shank": translate("FiveAxis", "Shank, Ø x length"),
         "holder": translate("FiveAxis", "Holder, Ø x length"),
-        "avoid": translate("FiveAxis", "Faces to leave alone"),
-        "boundary": translate("FiveAxis", "Boundary"),
-        "boundary_axis": translate("FiveAxis", "Axis of the boundary I, J, K"),
-        "boundary_by": translate("FiveAxis", "Boundary holds"),
         "advise": translate("FiveAxis", "Advice"),
         "fixture": translate("FiveAxis", "Fixtures"),
         "fixtures": translate("FiveAxis", "Fixtures"),

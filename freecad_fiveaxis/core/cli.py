@@ -54,8 +54,6 @@ ABOUT = {
     "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }
 SHORT = {"output": ("-o", "--output"), "machine_file": ("-o", "--output")}
-SPREAD = ("setup", "compare", "reach")
-"""Tasks whose trials are spread over processes where so many are asked for."""
 SECOND = {"program": "PROGRAM.ngc"}
 """Options that are given as a second file, without a name."""
 
@@ -201,9 +199,11 @@ def _add_batch(commands: Any) -> None:
 
 
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
+    from freecad_fiveaxis.core.jobs.settings import TRIALS
+
     if what:
         parser.add_argument("source", metavar=what)
-    if task in SPREAD:
+    if task in TRIALS:
         parser.add_argument("--workers", metavar="N", help="so many processes work on it; the result is the same [1]")
     _add_options(parser, task)
     parser.set_defaults(act=_run_task, task=task)

@@ -12,7 +12,7 @@ from thorough import some_in_core
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import crew
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.jobs.settings import TRIALS, build_settings
 from freecad_fiveaxis.core.studies import study
 
 WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", "stepover": 9}
@@ -113,7 +113,7 @@ def words_of(name, roof):
     return [name, roof, *options, "--quiet"]
 
 
-@some_in_core("name", cli.SPREAD)
+@some_in_core("name", TRIALS)
 def test_the_command_line_spreads_it(name, roof, tmp_path):
     report, other = tmp_path / "one.json", tmp_path / "two.json"
     assert cli.main([*words_of(name, roof), "--report", str(report)]) == cli.main(
@@ -124,7 +124,7 @@ def test_the_command_line_spreads_it(name, roof, tmp_path):
     assert not [child for child in multiprocessing.active_children() if child.exitcode is not None]
 
 
-@pytest.mark.parametrize("name", cli.SPREAD)
+@pytest.mark.parametrize("name", TRIALS)
 @pytest.mark.parametrize("workers", ["0", "many", "-3"])
 def test_no_count_of_workers_is_one_line_and_no_work(name, workers, roof, capsys):
     assert cli.main([*words_of(name, roof), f"--workers={workers}"]) == cli.UNUSABLE

@@ -48,7 +48,7 @@ def chunks(count: int, most: int | None = None) -> list[slice]:
     return [slice(*pair) for pair in pairwise(ends)]
 
 
-def portions(count: int, rows: int) -> list[slice]:
+def batches(count: int, rows: int) -> list[slice]:
     """Slices of ``rows`` rows, the last one shorter, that make up ``count``: for work whose progress is to be told between them,
     and that may be stopped there."""
     return [slice(start, min(start + rows, count)) for start in range(0, count, rows)]

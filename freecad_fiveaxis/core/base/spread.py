@@ -47,7 +47,7 @@ def spread(
     ``progress`` gets ``stage`` and the share that is done, by ``weights`` (none: all alike). Raises what a task or progress
     raises, and SettingsError where the executor gives back anything but a task's own result or its workers die.
     """
-    told = _Told(progress, stage, weights or [1.0] * len(tasks))
+    told = _TaskProgress(progress, stage, weights or [1.0] * len(tasks))
     told(0.0)
     if executor is None:
         return [told.end(at, work(common, task, told.within(at))) for at, task in enumerate(tasks)]
@@ -73,7 +73,7 @@ def spread(
     return [results[at] for at in range(len(tasks))]
 
 
-class _Told:
+class _TaskProgress:
     """How much is done, told to progress."""
 
     def __init__(self, progress: Progress, stage: str, weights: Sequence[float]) -> None:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.base.chunks import in_threads, portions
+from freecad_fiveaxis.core.base.chunks import batches, in_threads
 from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
@@ -83,7 +83,7 @@ class AxisField:
             return unit((self.axis[node] * weight[:, :, None]).sum(axis=1))
 
         rows, tree = self._tree()
-        parts = portions(len(point), ASKED)
+        parts = batches(len(point), ASKED)
         found = in_threads(mean, parts, lambda share: progress("axis field", share))
         return np.concatenate(found) if parts else np.empty((0, 3))
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.base.chunks import in_threads, portions
+from freecad_fiveaxis.core.base.chunks import batches, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -266,7 +266,7 @@ def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell
     def ask(some: slice) -> Bools:
         return _left_of(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
 
-    return np.concatenate(in_threads(ask, portions(len(mesh.face), ASKED), tell))
+    return np.concatenate(in_threads(ask, batches(len(mesh.face), ASKED), tell))
 
 
 def _left_of(tree: cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:

@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.chunks import batches
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.spread import spread
@@ -91,14 +92,14 @@ def reach_map(
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)
     ground, normal, tilts = Ground(reacher, join_obstacles(mesh, fixtures)), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
-    portions = list(_portions(point, normal, BATCH if executor else len(point)))
-    tried = spread(_try_all, ground, portions, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in portions])
+    parts = list(_split_places(point, normal, BATCH if executor else len(point)))
+    tried = spread(_try_all, ground, parts, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in parts])
     obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
     held = np.flatnonzero(obstacle == Obstacle.HOLDER)
     rows = held[:: max(1, len(held) // TRIED)]
-    portions = list(_portions(point[rows], normal[rows], FEW if executor else len(rows)))
+    parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
     told = _scaled(progress, tilts, 1.0)
-    steps = spread(_try_longer, ground, portions, executor, told, "reach", [len(one) for one in portions])
+    steps = spread(_try_longer, ground, parts, executor, told, "reach", [len(one) for one in parts])
     longer = tuple(_reached(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
     return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
 
@@ -131,7 +132,7 @@ class Places:
         return len(self.point)
 
 
-def _portions(point: Floats, normal: Floats, least: int) -> Iterator[Places]:
+def _split_places(point: Floats, normal: Floats, least: int) -> Iterator[Places]:
     """These places in up to PORTIONS of at least so many; an empty one where there are none."""
     size = max(least, -(-len(point) // PORTIONS), 1)
     for first in range(0, max(len(point), 1), size):
@@ -145,7 +146,7 @@ Met = tuple[Ints, Floats, Floats]
 def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
     """What is in the way of each place."""
     reacher, tight = ground.reacher, np.zeros(len(places), np.bool_)
-    for part in batches(len(places)):
+    for part in batches(len(places), BATCH):
         progress("reach", 0.0)
         tight[part] = _too_tight(reacher, ground.tree, places.point[part], places.normal[part])
     met = _set_on(reacher, ground.tree, places, np.flatnonzero(~tight), progress)
@@ -171,16 +172,11 @@ def _set_on(reacher: Reacher, tree: FacetTree, places: Places, open_: Ints, prog
     obstacle, tilt = np.full(len(places), int(Obstacle.LIMITS)), np.full(len(places), np.nan)
     axis = np.full((len(places), 3), np.nan)
     for k, angle in enumerate(TILTS):
-        for part in batches(len(open_)):
+        for part in batches(len(open_), BATCH):
             progress("reach", (k + part.start / len(open_)) / len(TILTS))
             _try(reacher, tree, places.point, places.normal, angle, open_[part], obstacle, tilt, axis)
         open_ = open_[obstacle[open_] != Obstacle.NONE]
     return obstacle, tilt, axis
-
-
-def batches(count: int) -> list[slice]:
-    """So many places at a time that a stop is heard soon."""
-    return [slice(first, min(first + BATCH, count)) for first in range(0, count, BATCH)]
 
 
 def _spacing(mesh: Mesh, cutter: Cutter, facets: Bools | None) -> float:

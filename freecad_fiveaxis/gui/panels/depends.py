@@ -61,8 +61,8 @@ not count then."""
 def idle_options(fields: Mapping[str, Field]) -> set[str]:
     """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
     asked = [(choice, holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
-    asked = [(choice, true and choice not in _idle(asked), only, never) for choice, true, only, never in asked]
-    return _idle(asked)
+    idle = _idle(asked)  # a choice that is idle itself asks for nothing
+    return _idle([(choice, true and choice not in idle, only, never) for choice, true, only, never in asked])
 
 
 def _idle(asked: Sequence[tuple[str, bool, Sequence[str], Sequence[str]]]) -> set[str]:

@@ -73,7 +73,7 @@ class Readout:
         """Say where a single moment stands; ``whole`` s: the time of the program; ``colliding``: what collides in its block."""
         block, program = int(pose.block), self.figures.program
         line = int(program.line[block])
-        self.hit.setText("; ".join(_told(one.hit) for one in colliding if one.hit is not None))
+        self.hit.setText("; ".join(collision_text(one.hit) for one in colliding if one.hit is not None))
         self.hit.setToolTip("\n".join(wording.told(one.text) for one in colliding))
         self.line.setText(str(line))
         self.text.setText(self.lines[line])
@@ -127,7 +127,7 @@ class Readout:
         return label
 
 
-def _told(hit: Hit) -> str:
+def collision_text(hit: Hit) -> str:
     """What is in what, in a few words."""
     entered = hit.entered or wording.told(say("part"))
     return translate("FiveAxis", "Collision: {enters} in {entered}").format(enters=wording.told(hit.enters), entered=entered)

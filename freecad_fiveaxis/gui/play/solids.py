@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from typing import Any
 
@@ -11,14 +12,14 @@ from pivy import coin
 
 from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.report.standing_bodies import find_edges
+from freecad_fiveaxis.core.report.standing_bodies import SHARP, find_edges
 from freecad_fiveaxis.gui.scene import nodes
 
 GLOW = 0.3
 """How bright a body is where no light falls on it, as a share of its colour."""
 EDGE = (0.16, 0.18, 0.22)
 HIT: tuple[nodes.Colour, float] = ((0.88, 0.12, 0.08), 0.15)
-CREASE = 0.45
+CREASE = math.acos(SHARP)
 """rad: facets that meet at less are lit as one round face; those at more have their edge drawn."""
 BEFORE = 0.001
 """Share of the scene's depth by which a red fixture lies before the document's own picture of it."""

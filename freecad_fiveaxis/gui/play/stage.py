@@ -119,7 +119,7 @@ class Stage:
         root = nodes.separate(nodes.unpickable(), zero, nodes.separate(self.tool, tool_node(tool)))
         root.setName("FiveAxisPlay")
         self.legend = LegendBox()
-        self.legend.show(_told(self.machine))
+        self.legend.show(_legend_of(self.machine))
         self.sketch = nodes.switch(nodes.separate(self.machine.root, self.legend.root), False)
         root.addChild(self.sketch)
         root.addChild(nodes.separate(self.work, self.fixtures.root))
@@ -150,7 +150,7 @@ class Stage:
         ]
 
 
-def _told(machine: DrawnMachine) -> Legend:
+def _legend_of(machine: DrawnMachine) -> Legend:
     """What the legend says of the machine: how much of it is a sketch."""
     notes: tuple[str, ...] = (
         translate("FiveAxis", "The machine is a sketch from its axes: not to scale."),
