@@ -92,6 +92,7 @@ def test_the_moves_of_the_tool_chosen_are_taken_with_their_axes_and_feeds(tool: 
 def test_by_number_with_what_stands_before_the_number() -> None:
     both = read_apt(CATIA)
     assert ("several-tools", Severity.ERROR, 13) in _told(both) and "(3, 7)" in both.findings[-1].text
+    assert read_cl_file(CATIA).tools == (3, 7) and read_cl_file("GOTO/0,0,1\nGOTO/1,0,1\n").tools == ()
     file = read_cl_file(CATIA, ClReading(tool=7))
     assert [one.code for one in file.path.findings] == ["tool-chosen"]  # and no word of the other's tap
     assert np.allclose(file.path.tip[:, 0], [50.8, 76.2]) and file.head.diameter == pytest.approx(12.7)

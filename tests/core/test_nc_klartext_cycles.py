@@ -104,6 +104,14 @@ def test_cycle_1_goes_by_steps_from_where_the_tool_stands() -> None:
     assert program.feed[3] == 80 and program.feed[-1] == 100 and not errors(program)
     assert "1.5" in reason(klartext(text.replace("CYCL DEF 1.5 F80\n", "") + "L X+5 Y+6 FMAX M99\n"))
     assert "depth" in reason(klartext(text.replace("DEPTH -20", "DEPTH 20") + "L X+5 Y+6 FMAX M99\n"))
+    assert "infeed" in reason(klartext(text.replace("PECKG -15", "PECKG 0") + "L X+5 Y+6 FMAX M99\n"))
+
+
+def test_cycle_1_takes_clearance_and_infeed_without_a_sign_too_and_a_dwell_spelled_otherwise_moves_nothing() -> None:
+    head = "L X+5 Y+6 Z+2 FMAX\nCYCLE DEF 9.0 DWELL TIME\nCYCLE DEF 9.1 5\nCYCL DEF 1.0 PECKING\n"
+    text = "CYCL DEF 1.1 DIST{0}2.000\nCYCL DEF 1.2 DEPTH-20.000\nCYCL DEF 1.3 PLNGNG{0}15.0\nCYCL DEF 1.4 DWELL0\nCYCL DEF 1.5 F80\nL FMAX M99\n"
+    plain, signed = (klartext(head + text.format(sign)) for sign in ("", "-"))
+    assert path(plain) == path(signed) and "f 5 6 -20" in path(plain) and not errors(plain)
 
 
 def test_what_a_cycle_lacks_is_found_once_and_the_rest_is_run() -> None:

@@ -38,10 +38,12 @@ USUAL = ClReading()
 
 @dataclass(frozen=True, eq=False)
 class ClFile:
-    """A CL file: its path, and what it says of tool, spindle, coolant and cutter."""
+    """A CL file: its path, what it says of tool, spindle, coolant and cutter, and the numbers of its tools in the order of their
+    moves; none where it names none."""
 
     path: CLPath
     head: ClHead
+    tools: tuple[int, ...] = ()
 
 
 def read_apt(text: bytes | str, reading: ClReading = USUAL, progress: Progress = silent) -> CLPath:
@@ -69,7 +71,7 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     scale = held(statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin)))
     path = _path(source, statements, moves, scale, reading)
     told = units_findings(source, statements, reading.units) + tool_findings(tools, reading.tool)
-    return ClFile(replace(path, findings=path.findings + told), head_of(statements, scale[statements.statement]))
+    return ClFile(replace(path, findings=path.findings + told), head_of(statements, scale[statements.statement]), tuple(tools.names))
 
 
 def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, reading: ClReading) -> CLPath:

@@ -51,8 +51,9 @@ PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"),
 UNKNOWN_FEED = (codes.PER_TURN_KIND[0], "feed-by-parameter", say("feeds told by a parameter or the tool; F is not known there"))
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
-    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING", b"CYCLE DEF 9.",
 )  # fmt: skip
+"""How lines begin that move nothing; a post of old TNCs spells the dwell CYCLE DEF."""
 DELTA = re.compile(rb"(?<![A-Z0-9])D(?:L|R2?) *[-+]? *(?:Q[LRS]?[0-9]+|[0-9]*\.?[0-9]+\.?)")
 NO_DELTA = re.compile(rb"D(?:L|R2?) *[-+]? *[0.]+$")
 PRESET = re.compile(rb"CYCL DEF 247\b(?:.*?Q339 *= *([-+]?[0-9]+))?")

@@ -163,9 +163,10 @@ def _bore(words: dict[str, float], around: Around) -> list[str]:
 
 
 def _old_pecking(words: dict[str, float], around: Around) -> list[str]:
-    """Cycle 1: all by steps from where the tool stands."""
-    clear, depth, infeed = -words["1"], words["2"], -words["3"]
-    if clear < 0.0 or depth > 0.0:
+    """Cycle 1: all by steps from where the tool stands. Setup clearance and infeed with the sign of the depth, as old controls ask,
+    or without one, as later ones do (SET UP 2, DEPTH -20, PECKG 5); posts of both kinds were read."""
+    clear, depth, infeed = abs(words["1"]), words["2"], abs(words["3"])
+    if depth > 0.0:
         raise Unread(say("its depth is not below 0, or its infeed is not above it"))
     stop, down, at, rows = 0.6 if depth >= -30.0 else min(-depth / 50.0, 7.0), f"F{words['5']:.6f}", 0.0, list[str]()
     for one in _depths(depth, infeed, 0.0, 0.0):
