@@ -71,7 +71,9 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     scale = held(statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin)))
     path = _path(source, statements, moves, scale, reading)
     told = units_findings(source, statements, reading.units) + tool_findings(tools, reading.tool)
-    return ClFile(replace(path, findings=path.findings + told), head_of(statements, scale[statements.statement]), tuple(tools.names))
+    return ClFile(
+        replace(path, findings=path.findings + told), head_of(statements, scale[statements.statement]), tuple(tools.names)
+    )
 
 
 def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, reading: ClReading) -> CLPath:
