@@ -163,8 +163,8 @@ def _bore(words: dict[str, float], around: Around) -> list[str]:
 
 
 def _old_pecking(words: dict[str, float], around: Around) -> list[str]:
-    """Cycle 1: all by steps from where the tool stands. Setup clearance and infeed have the sign of the depth, as old controls ask,
-    or none, as later ones do (SET UP 2, DEPTH -20, PECKG 5); posts of both kinds were read."""
+    """Cycle 1: all by steps from where the tool stands. Clearance and infeed have the sign of the depth, as old controls ask, or
+    none, as later ones do (SET UP 2, DEPTH -20, PECKG 5); posts of both kinds were read."""
     clear, depth, infeed = abs(words["1"]), words["2"], abs(words["3"])
     if depth > 0.0:
         raise Unread(say("its depth is not below 0, or its infeed is not above it"))
