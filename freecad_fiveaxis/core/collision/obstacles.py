@@ -94,8 +94,8 @@ def obstacles(
 
 
 def part_heights(tree: FacetTree, normal: Floats) -> Floats:
-    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3): its support, by the corners of its hull, and the
-    largest allowance; infinite of a part that is flat, which has none."""
+    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3), its support by the corners of its hull, with
+    the largest allowance; infinite of a part that is flat, which has none."""
     corner = np.unique(tree.corner.reshape(3, 3, -1).transpose(0, 2, 1).reshape(-1, 3), axis=0)
     try:
         corner = corner[ConvexHull(corner).vertices]

@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.jobs.avoided import facets_off, keep_off_of, report_places
 from freecad_fiveaxis.core.jobs.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.jobs.job import chosen_faces, make
@@ -93,24 +94,26 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
 
 def try_reach(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None,
+    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None, avoided: Bools | None = None,
 ) -> ReachTrial:  # fmt: skip
-    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
+    """Where the tool gets on the part. ``mesh``, ``faces``, ``avoided``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
     rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
     machine, setup, _ = stood(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    faces, said = chosen_faces(settings, mesh, faces, progress)
-    boundary = boundary_of(settings)
+    faces, avoided, said = chosen_faces(settings, mesh, faces, progress, avoided)
+    boundary, keep_off = boundary_of(settings), keep_off_of(settings, mesh, avoided)
     inside, outside = facets_inside(settings, boundary, mesh, faces)
-    faces, said = faces if boundary is None else inside, said + outside
+    inside, near = facets_off(keep_off, mesh, inside)
+    faces, said = faces if boundary is None and keep_off is None else inside, said + outside + near
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
     reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
-    found = reach_map(mesh, reacher, faces, progress, fixtures, executor)
+    found = reach_map(mesh, reacher, faces, progress, fixtures, executor, keep_off)
+    said += report_places(keep_off, mesh, faces, found.spacing)
     return ReachTrial(settings, found, mesh.findings + said + below, reacher)
 
 

@@ -120,6 +120,10 @@ class FacesSettings:
         "an STL file of faces: the facets of the part that lie on them are not machined [none]",
         (*FROM_SOLID, REACH),
     )
+    avoid_allowance: float = option(
+        0.0, "length", "so far cutter, shank and holder keep off the faces to avoid, on feeds and rapids; 0: they may touch them",
+        (*FROM_SOLID, REACH), least=0.0, most=LONGEST,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
