@@ -27,15 +27,12 @@ from freecad_fiveaxis.core.corrections.order_with_axes import order_with_axes
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.passes.keep_off import KeepOff, facets_allowed, report_strip
+from freecad_fiveaxis.core.passes.keep_off import AVOIDED_NEAR, AVOIDED_UNPROVEN, KeepOff, facets_allowed, report_strip
 from freecad_fiveaxis.core.tool.body import grow_body
 
 from .context import MillContext
 from .options import rapids_of, tip_to_driven, tip_to_surface, tool_body
 from .settings import Settings
-
-NEARER, NEARER_UNPROVEN = "avoided-faces-near", "avoided-faces-unproven"
-"""The codes of the findings on the finished program."""
 
 SAMPLES, FINEST = 20_000, 0.02
 """Places on the facets that are cut at which the strip beside faces to avoid is measured, about; they lie no closer than that
@@ -45,7 +42,7 @@ share of the cutter's diameter."""
 def keep_off_of(settings: Settings, mesh: Mesh, avoided: Bools | None) -> KeepOff | None:
     """Find what the tool keeps off by the allowance of the settings, of the ``avoided`` facets (f,); None where no allowance is
     asked for. Raises SettingsError for an allowance without faces, or larger than the part."""
-    allowance, option = settings.faces.avoid_allowance, Option("avoid_allowance")
+    allowance, option = settings.gouge.avoid_allowance, Option("avoid_allowance")
     if allowance == 0.0:
         return None
     if avoided is None:
@@ -134,7 +131,7 @@ def check_keep_off(context: MillContext, program: Program) -> tuple[Finding, ...
             allowance=Length(keep_off.allowance),
         )  # fmt: skip
         found.append(
-            Finding(Severity.ERROR, NEARER, text, distance, keep_off.allowance, "mm", worst.row, worst.line, worst.place)
+            Finding(Severity.ERROR, AVOIDED_NEAR, text, distance, keep_off.allowance, "mm", worst.row, worst.line, worst.place)
         )
     if open_ is not None:
         text = say(
@@ -142,5 +139,5 @@ def check_keep_off(context: MillContext, program: Program) -> tuple[Finding, ...
             "independent axes, the first in NC line {line}. Drive one group of axes after the other.",
             count=open_.rapids, allowance=Length(keep_off.allowance), line=open_.line,
         )  # fmt: skip
-        found.append(Finding(Severity.WARNING, NEARER_UNPROVEN, text, open_.bound, tolerance, "mm", open_.row, open_.line))
+        found.append(Finding(Severity.WARNING, AVOIDED_UNPROVEN, text, open_.bound, tolerance, "mm", open_.row, open_.line))
     return tuple(found)

@@ -93,12 +93,11 @@ def run(settings: Settings, progress: Progress = silent) -> Result:
 
 def make(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: tuple[Fixture, ...] | None = None, avoided: Bools | None = None,
+    fixtures: tuple[Fixture, ...] | None = None,
 ) -> Made:  # fmt: skip
-    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
-    ``faces`` (f,): the facets of it that are to be cut, None: all; ``avoided`` (f,): those on faces to avoid, where they are at
-    hand; ``fixtures``: where they are at hand and the settings only name them. Raises FiveAxisError for input that cannot be
-    used."""
+    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name; facets of
+    it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where
+    they are at hand and the settings only name them. Raises FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
     check_bodies(settings, machine)
@@ -109,7 +108,7 @@ def make(
         find_strategy(settings.tool_axis.tool_axis)
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        faces, avoided, said = chosen_faces(settings, mesh, faces, progress, avoided)
+        mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
         settings = settle_rotary_axis(settings, kinematics, mesh)
         context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided)
         said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
@@ -136,24 +135,26 @@ def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple
 
 
 class ChosenFaces(NamedTuple):
-    """``faces`` (f,): the facets to cut, None: all; ``avoided`` (f,): those on faces to avoid, None: there are no such faces."""
+    """``mesh``: the part, whose facets have no allowance; ``faces`` (f,): the facets to cut, None: all; ``avoided`` (f,): those
+    on faces to avoid, None: there are no such faces."""
 
+    mesh: Mesh
     faces: Bools | None
     avoided: Bools | None
     findings: tuple[Finding, ...]
 
 
-def chosen_faces(
-    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress, avoided: Bools | None = None
-) -> ChosenFaces:
+def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> ChosenFaces:
     """Find the facets to cut: those chosen already, else those on the faces that the settings name; without those on faces to be
-    avoided, ``avoided`` (f,) where they are known already and not among the ``faces``. Raises FiveAxisError."""
+    avoided. Where these are known already they have an allowance, and are not among the ``faces``. Raises FiveAxisError."""
     chosen = settings.faces
+    avoided = None if mesh.allowance is None else mesh.allowance > 0.0
+    mesh = mesh if avoided is None else replace(mesh, allowance=None)
     said: tuple[Finding, ...] = ()
     if faces is None and chosen.faces is not None:
         faces, said = _facets_in(settings, mesh, chosen.faces, progress)
     if chosen.avoid is None:
-        return ChosenFaces(faces, avoided, said)
+        return ChosenFaces(mesh, faces, avoided, said)
     avoided, also = _facets_in(settings, mesh, chosen.avoid, progress, machined=False)
     left = ~avoided if faces is None else faces & ~avoided
     if not left.any():
@@ -161,7 +162,7 @@ def chosen_faces(
             "all that is to be machined lies on {name}; leave out {option}", name=Path(chosen.avoid).name, option=Option("avoid")
         )
         raise SettingsError(text, chosen.avoid)
-    return ChosenFaces(left, avoided, (*said, *also))
+    return ChosenFaces(mesh, left, avoided, (*said, *also))
 
 
 def _facets_in(

@@ -71,16 +71,14 @@ class Preview:
 
 
 def preview_passes(
-    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    avoided: Bools | None = None,
-) -> Preview:  # fmt: skip
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
+) -> Preview:
     """Lay the passes of the settings, and nothing more. ``mesh``: what to mill, where it is at hand and ``settings.source`` only
-    its name; ``faces`` (f,): the facets of it that are to be cut, None: all; ``avoided`` (f,): those on faces to avoid, where they
-    are at hand. Raises FiveAxisError for what cannot be used."""
+    its name; ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for what cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     find_pass_strategy(settings.passes.passes)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    faces, avoided, said = chosen_faces(settings, mesh, faces, progress, avoided)
+    mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
     contact, untouched, _ = laid(context)
     whole = context.boundary is None and context.keep_off is None
@@ -129,8 +127,8 @@ def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
 
 
 def _within_boundary(context: MillContext, contact: ContactPath) -> Columns:
-    """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is taken as over the surface's
-    normal."""
+    """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is taken as over the
+    surface's normal."""
     offset = kept_off_faces(context, bounded(context, closed(context, contact)))
     cutter = context.settings.cutter
     if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:

@@ -20,6 +20,9 @@ from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
 NEAR_AVOIDED, FACETS_NEAR_AVOIDED = "near-avoided-faces", "facets-near-avoided"
 """The codes of the findings: on facets that are cut, and of facets that are not cut at all."""
 
+AVOIDED_NEAR, AVOIDED_UNPROVEN = "avoided-faces-near", "avoided-faces-unproven"
+"""The codes of the findings on a finished program."""
+
 TOUCHING = 1e-6
 """mm; a ball that is so much too near keeps the allowance."""
 
@@ -35,8 +38,8 @@ ON_FACETS = Template(
 
 @dataclass(frozen=True, eq=False)
 class KeepOff:
-    """``faces``: the facets to avoid alone, a mesh of its own; ``some`` (f,): which of the part these are; ``allowance`` mm, above
-    0; ``corner`` mm: the cutter's corner radius."""
+    """``faces``: the facets to avoid alone, a mesh of its own; ``some`` (f,): which of the part these are; ``allowance`` mm,
+    above 0; ``corner`` mm: the cutter's corner radius."""
 
     faces: Mesh
     some: Bools

@@ -88,8 +88,8 @@ def reach_map(
     executor: Executor | None = None, keep_off: KeepOff | None = None,
 ) -> ReachMap:  # fmt: skip
     """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as the part is.
-    ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot touch for it are not among those of
-    the map. ``executor``: whose workers do a portion of the places each, with the same result to the last bit; None: all is done here,
+    ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot touch for it are not in the map.
+    ``executor``: whose workers do a portion of the places each, with the same result to the last bit; None: all is done here,
     which is quicker for a part of a few thousand places. Raises SettingsError for sizes that no tool has."""
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)

@@ -94,16 +94,16 @@ def run(settings: Settings, progress: Progress = silent, executor: Executor | No
 
 def try_reach(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None, avoided: Bools | None = None,
+    fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None,
 ) -> ReachTrial:  # fmt: skip
-    """Where the tool gets on the part. ``mesh``, ``faces``, ``avoided``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
+    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
     rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
     machine, setup, _ = stood(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    faces, avoided, said = chosen_faces(settings, mesh, faces, progress, avoided)
+    mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
     boundary, keep_off = boundary_of(settings), keep_off_of(settings, mesh, avoided)
     inside, outside = facets_inside(settings, boundary, mesh, faces)
     inside, near = facets_off(keep_off, mesh, inside)
