@@ -1591,6 +1591,10 @@
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
+        <source>About {count} passes, {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} is drawn</source>
+        <translation>Etwa {count} Bahnen, {length}, {time} Schnitt mit dem Vorschub, ohne Verbindungen; 1 von {one_in} ist gezeichnet</translation>
+    </message>
+    <message>
         <source>Add selected faces</source>
         <translation>Ausgewählte Flächen dazu</translation>
     </message>
