@@ -113,6 +113,8 @@ def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) 
 
 def _worked(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> dict[str, JobOutcome]:
     """The outcomes by the jobs' stems."""
+    from freecad_fiveaxis.core.base.crew import end_pool
+
     from .run import run_batch
 
     if crew is None or not jobs:
@@ -127,5 +129,5 @@ def _worked(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> 
         crew.stop()
         raise
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+        end_pool(pool, wait=False)
     return ended
