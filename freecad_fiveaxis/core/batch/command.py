@@ -80,6 +80,7 @@ def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: 
 def _plan_batch(
     arguments: argparse.Namespace, options: Mapping[str, Any]
 ) -> tuple[list[BatchJob], tuple[int, int] | None, Crew | None]:
+    from freecad_fiveaxis.core.base.chunks import PROCESSORS
     from freecad_fiveaxis.core.base.crew import read_workers
 
     from . import plan
@@ -89,7 +90,7 @@ def _plan_batch(
         raise SettingsError(say("no jobs given; name a folder of STL files or a table (JSON)"), None)
     if not os.path.isdir(arguments.source):
         check_readable(arguments.source)
-    crew = find_crew(arguments.executor, (os.cpu_count() or 1) if arguments.workers is None else read_workers(arguments.workers))
+    crew = find_crew(arguments.executor, PROCESSORS if arguments.workers is None else read_workers(arguments.workers))
     shard = plan.read_shard(arguments.shard) if arguments.shard else None
     jobs = plan.read_jobs(arguments.source, options, arguments.out, arguments.overwrite)
     return plan.of_shard(jobs, shard) if shard else jobs, shard, crew
