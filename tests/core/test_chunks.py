@@ -66,10 +66,9 @@ def test_with_one_processor_all_stays_on_the_calling_thread(monkeypatch):
 @pytest.mark.parametrize("processors", [3, 8])
 def test_as_many_threads_as_processors_are_at_work_at_once(monkeypatch, processors):
     """Each part waits until there are so many of them: fewer threads would wait for ever, and break the barrier."""
-    monkeypatch.setattr(chunks, "PROCESSORS", processors)
-    monkeypatch.setattr(chunks, "ALONE", False)
+    monkeypatch.setattr(chunks_module, "PROCESSORS", processors)
     together = threading.Barrier(processors)
-    assert sorted(chunks.in_threads(lambda part: together.wait(60.0), range(processors))) == list(range(processors))
+    assert sorted(in_threads(lambda part: together.wait(60.0), range(processors))) == list(range(processors))
 
 
 def test_within_work_another_on_all_keeps_to_its_thread_and_afterwards_there_are_two_again():
