@@ -121,6 +121,7 @@ install:
 bench:
 	@bash scripts/prepare bench
 	@bash scripts/prepare meshes
+	@bash scripts/prepare engines
 	$(PYTHON) benchmarks/run.py
 
 bench-window: # what a frame of the 3D view takes
