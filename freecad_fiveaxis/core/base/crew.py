@@ -95,7 +95,15 @@ def at_work(crew: Crew | None) -> Iterator[Executor | None]:
         crew.stop()
         raise
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        end_pool(pool, wait=True)
+
+
+def end_pool(pool: Executor, wait: bool) -> None:
+    """End an executor, and cancel what waits in it; ``wait`` for what its workers are at."""
+    try:
+        pool.shutdown(wait=wait, cancel_futures=True)
+    except TypeError:  # dask's and loky's know no such argument; who gave them work has cancelled it
+        pool.shutdown(wait=wait)
 
 
 def begin(stop: Stop) -> None:

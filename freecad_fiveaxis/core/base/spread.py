@@ -31,6 +31,8 @@ C = TypeVar("C")
 T = TypeVar("T")
 R = TypeVar("R")
 
+KILLED = ("KilledWorker",)
+"""Exceptions, of packages that we do not import, by which an executor says that its workers died: dask's."""
 TICK = 0.2
 """s between two calls of progress while no task ends."""
 
@@ -154,6 +156,10 @@ def _own_result(future: Future[Any], at: int) -> Any:
         given = future.result()
     except (BrokenExecutor, CancelledError) as error:
         raise _died() from error
+    except Exception as error:
+        if type(error).__name__ in KILLED:
+            raise _died() from error
+        raise
     if not isinstance(given, _Result) or given.at != at:
         what = f"{given.at + 1}" if isinstance(given, _Result) else type(given).__name__
         raise SettingsError(
