@@ -4,13 +4,14 @@
 import json
 import multiprocessing
 import pickle
+import sys
 
 import pytest
 from roofs import Inline, Swapping, write_roof
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.base import crew
+from freecad_fiveaxis.core.base import crew, workers
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.jobs.settings import TRIALS, build_settings
 from freecad_fiveaxis.core.studies import study
@@ -70,6 +71,12 @@ def test_processes_make_the_same_bytes(expected, roof, processes):
     told = []
     made = try_study(expected[0], roof, processes, lambda stage, fraction: told.append((stage, fraction)))
     assert bytes_of(made) == expected[1] and told[-1][1] == 1.0
+
+
+def test_plain_processes_make_the_same_bytes(expected, roof):
+    """Those of FreeCAD's window: some trials are done here, the others by a Python that was started beside this one."""
+    with workers.WorkerProcesses(lambda: workers.Command((sys.executable, "-c", workers.python_code("serve"))), 2, 0.0) as pool:
+        assert bytes_of(try_study(expected[0], roof, pool)) == expected[1] and pool.died == 0
 
 
 class Packing(Inline):

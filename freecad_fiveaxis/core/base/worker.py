@@ -26,8 +26,6 @@ FRACTION, RESULT, ERROR = range(3)
 """What an answer is: how far the task is, and last its result or what it raised."""
 OFTEN = 0.1
 """s between two words about how far the task is."""
-NICER = 5
-"""So much less than the window does a worker press for the processor."""
 
 
 def identity() -> str:
@@ -50,8 +48,6 @@ def show_identity() -> None:
 def serve() -> None:
     """Do one task after the other, for as long as stdin is open; never returns."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for whoever started us
-    if hasattr(os, "nice"):
-        os.nice(NICER)
     inward, outward = _take_pipes()
     tasks = SimpleQueue[bytes]()
     threading.Thread(target=_read_tasks, args=(inward, tasks), daemon=True).start()

@@ -72,9 +72,7 @@ def _package_file() -> str:
 
 def start(command: Command, code: str = "") -> subprocess.Popen[bytes]:
     """A process of that command, without a window, whose libraries keep to one thread. Raises OSError."""
-    flags = 0
-    if sys.platform == "win32":
-        flags = subprocess.CREATE_NO_WINDOW | subprocess.BELOW_NORMAL_PRIORITY_CLASS
+    flags = subprocess.CREATE_NO_WINDOW if sys.platform == "win32" else 0
     environment = {**dict.fromkeys(crew.ONE_THREAD, "1"), **os.environ, **command.environment}
     pipe, nothing = subprocess.PIPE, subprocess.DEVNULL
     words = [*command.words, *([code] if code else [])]
