@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.base import chunks, workers
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.studies import study
 
-REGION = {"region": (40, 40, 0), "grid": (4, 4, 1), "turns": 2}
+REGION = {"region": (40, 40, 0), "grid": (2, 2, 1), "turns": 2}
 
 
 pools = []
@@ -56,6 +56,17 @@ def in_this_process(monkeypatch, work):
         return work()
 
 
+known = []
+
+
+def map_of_this_process(path, monkeypatch):
+    """What the map of the path shows without processes; made once."""
+    if not known:
+        known.append(shown(in_this_process(monkeypatch, lambda: app.setup_map(path, **REGION))))
+        path.Document.removeObject("SetupMap")
+    return known[0]
+
+
 def shown(made):
     """What a map shows."""
     names = ("Verdict", "Places", "Deviations", "Recommended", "DeviationAfter", "TimeAfter", "Fingerprint")
@@ -69,8 +80,7 @@ def test_processes_give_the_same_map_and_none_is_left(path, started, monkeypatch
             pytest.skip("there is no FreeCAD without a window")
         monkeypatch.setattr(interpreters, "_proven", {})
         monkeypatch.setattr(interpreters, "candidates", lambda around: [])
-    expected = shown(in_this_process(monkeypatch, lambda: app.setup_map(path, **REGION)))
-    path.Document.SetupMap.Proxy.last = None
+    expected = map_of_this_process(path, monkeypatch)
     assert shown(app.setup_map(path, **REGION)) == expected
     assert len(started) == 2 and all(process.returncode is not None for process in started)
     assert [pool.died for pool in pools] == [0]
@@ -85,8 +95,7 @@ def test_processes_give_the_same_comparison(path, started, monkeypatch):
 
 
 def test_a_process_that_is_killed_changes_nothing(path, started, monkeypatch):
-    expected = shown(in_this_process(monkeypatch, lambda: app.setup_map(path, **REGION)))
-    path.Document.SetupMap.Proxy.last = None
+    expected = map_of_this_process(path, monkeypatch)
     do = workers._Worker.do
     monkeypatch.setattr(workers._Worker, "do", lambda self, *given: [self.kill(), do(self, *given)])
     assert shown(app.setup_map(path, **REGION)) == expected and pools[0].died == len(started) > 0

@@ -72,7 +72,9 @@ def _package_file() -> str:
 
 def start(command: Command, code: str = "") -> subprocess.Popen[bytes]:
     """A process of that command, without a window, whose libraries keep to one thread. Raises OSError."""
-    flags = subprocess.CREATE_NO_WINDOW if sys.platform == "win32" else 0
+    flags = 0
+    if sys.platform == "win32":
+        flags = subprocess.CREATE_NO_WINDOW
     environment = {**dict.fromkeys(crew.ONE_THREAD, "1"), **os.environ, **command.environment}
     pipe, nothing = subprocess.PIPE, subprocess.DEVNULL
     words = [*command.words, *([code] if code else [])]
@@ -161,10 +163,10 @@ def skip_greeting(pipe: IO[bytes]) -> None:
 
 class WorkerProcesses(Executor):
     """See the module. ``find`` gives the command of a worker, or None: it is asked once, in a thread, when the patience is over.
-    ``count``: the most processes at a time; ``patience`` s. ``died`` counts workers. No program waits for it when it ends."""
+    ``count``: the most processes at a time; ``patience`` s. ``ready`` and ``died`` count workers. No program waits to end."""
 
     def __init__(self, find: Callable[[], Command | None], count: int, patience: float = PATIENCE) -> None:
-        self.died = 0
+        self.ready = self.died = 0
         self._find, self._count, self._due = find, count, time.monotonic() + patience
         self._changed, self._stop = threading.Condition(), threading.Event()
         self._tasks, self._workers = deque[_Task[Any]](), set[_Worker]()
@@ -258,6 +260,7 @@ class WorkerProcesses(Executor):
         worker = self._started(command)
         with self._changed:
             self._manned = True
+            self.ready += worker is not None
             self._changed.notify_all()
         while (task := self._next()) is not None:
             with self._changed:
