@@ -199,6 +199,23 @@ def test_how_far_a_task_is_in_another_process_is_heard(pool, tmp_path):
     assert 0.5 in told and told == sorted(told) and told[-1] == 1.0
 
 
+@pytest.mark.skipif(os.name != "posix", reason="signals and pipes of POSIX")
+def test_a_worker_that_dies_takes_nobody_along_where_a_broken_pipe_is_a_signal(tmp_path):
+    """As in FreeCAD 1.1, whose Python leaves that signal deadly; here another Python is made so."""
+    code = """import operator, signal, test_workers
+signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+pool = test_workers.beside()
+test_workers.wait_for_worker(pool)
+for one in pool._workers:
+    one.kill()
+print(pool.submit(operator.add, 2, 3).result(60), pool.died)"""
+    path = os.pathsep.join((str(ROOT), str(Path(__file__).parent)))
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, timeout=LIMIT, env={**os.environ, "PYTHONPATH": path}
+    )
+    assert (done.returncode, done.stdout.split()) == (0, [b"5", b"1"]), done.stderr
+
+
 def test_a_package_in_a_zip_is_found(tmp_path):
     archive = tmp_path / "add-on.zip"
     with zipfile.ZipFile(archive, "w") as made:

@@ -18,6 +18,7 @@ from __future__ import annotations
 import contextlib
 import os
 import pickle
+import signal
 import subprocess
 import sys
 import threading
@@ -151,6 +152,14 @@ class _Worker:
                 pipe.close()
 
 
+def _without_sigpipe(act: Callable[..., None], *given: Any) -> None:
+    """Do something on a thread whose broken pipes are errors. FreeCAD 1.1 leaves this signal of POSIX as it is, so that one who
+    writes to a worker that has died would take FreeCAD along."""
+    if sys.platform != "win32":
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGPIPE})
+    act(*given)
+
+
 def skip_greeting(pipe: IO[bytes]) -> None:
     """Read up to MARK. Raises EOFError where that does not come."""
     seen = b""
@@ -208,7 +217,7 @@ class WorkerProcesses(Executor):
             worker.kill()
 
     def _begin(self, act: Callable[..., None], *given: Any) -> None:
-        thread = threading.Thread(target=act, args=given, name="FiveAxisTasks", daemon=True)
+        thread = threading.Thread(target=_without_sigpipe, args=(act, *given), name="FiveAxisTasks", daemon=True)
         self._threads.append(thread)
         thread.start()
 
