@@ -53,6 +53,8 @@ AREAS = {
     Obstacle.HOLDER: "HolderInTheWay", Obstacle.TABLE: "BelowTable", Obstacle.LIMITS: "BeyondMachine",
 }  # fmt: skip
 """The property that holds the area of each reason, in the order of the legend."""
+WORTH = 3
+"""Processes: to divide the places costs a tenth to a quarter more work, which two do not bring back."""
 OWN = ("fixtures", "largest_axis_angle", "work_zero", "faces", "avoid", "linear_deflection", "angular_deflection")
 """Settings that are no options of the core's task."""
 _DEFLECTIONS = {"linear_deflection": "linear", "angular_deflection": "angular"}
@@ -208,7 +210,7 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
         with listening(progress) as told:
             whole = replace(task, fixtures=tuple(one.meshed(told) for one in task.fixtures))
-            with processes() as executor:
+            with processes(WORTH) as executor:
                 obj.Proxy.last = run(lambda told: _found(whole, fingerprint, told, executor), told, obj.Document)
     return obj.Proxy.last
 

@@ -24,11 +24,11 @@ patience = PATIENCE
 
 
 @contextmanager
-def processes() -> Iterator[Executor | None]:
-    """Who does the trials, as many at a time as the user prefers; None: this process, as where one is preferred or no Python
-    can work beside this FreeCAD. Whatever happens in the block, no process is left after it."""
+def processes(least: int = 2) -> Iterator[Executor | None]:
+    """Who does the trials, as many at a time as the user prefers; None: this process, as where fewer than ``least`` are preferred
+    or no Python can work beside this FreeCAD. Whatever happens in the block, no process is left after it."""
     count, around = preferences.processes() or PROCESSORS, Around(FreeCAD.getHomePath(), meshing.command())
-    if count == 1 or has_no_worker(around):
+    if count < max(least, 2) or has_no_worker(around):
         yield None
         return
     with scratch() as folder:

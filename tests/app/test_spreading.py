@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import FreeCAD
 import pytest
-from conftest import FAST, UNCURED
+from conftest import FAST, UNCURED, half_ball
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import comparing, interpreters, meshing, preferences, spreading
+from freecad_fiveaxis.app import comparing, interpreters, meshing, preferences, setups, spreading
 from freecad_fiveaxis.core.base import chunks, workers
 from freecad_fiveaxis.core.base.errors import Cancelled
-from freecad_fiveaxis.core.studies import study
+from freecad_fiveaxis.core.studies import reach_map, study
 
 REGION = {"region": (40, 40, 0), "grid": (2, 2, 1), "turns": 2}
 
@@ -43,9 +43,23 @@ def started(monkeypatch):
     FreeCAD.ParamGet(preferences.GROUP).RemUnsigned("Processes")
 
 
+@pytest.fixture(scope="module")
+def coarse():
+    """A coarse path over a half ball: made once, for most of the time would go there."""
+    doc = FreeCAD.newDocument("Spreading")
+    ball = doc.addObject("Part::Feature", "Ball")
+    ball.Shape = half_ball()
+    doc.recompute()
+    yield app.create_toolpath(doc, ball, **{**FAST, "stepover": 12}, **UNCURED)
+    FreeCAD.closeDocument(doc.Name)
+
+
 @pytest.fixture
-def path(doc, ball):
-    return app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, **UNCURED)
+def path(coarse):
+    """It, without a map."""
+    for one in [setups.of(coarse)] if setups.of(coarse) else []:
+        coarse.Document.removeObject(one.Name)
+    return coarse
 
 
 def in_this_process(monkeypatch, work):
@@ -111,11 +125,26 @@ def test_a_stop_leaves_no_process(path, started):
     assert all(process.wait(60) is not None for process in started)
 
 
-def test_one_process_is_this_one(path, monkeypatch):
-    with monkeypatch.context() as patch:
-        patch.setattr(preferences, "processes", lambda: 1)
-        with spreading.processes() as executor:
-            assert executor is None
+def test_fewer_processes_than_pay_are_this_one(monkeypatch):
+    for count, least, here in ((1, 2, True), (2, 2, False), (2, 3, True), (3, 3, False)):
+        monkeypatch.setattr(preferences, "processes", lambda count=count: count)
+        with spreading.processes(least) as executor:
+            assert (executor is None) == here
+
+
+def test_processes_give_the_same_reach_map(path, started, monkeypatch):
+    """Of three processes; two would not be worth it."""
+    monkeypatch.setattr(reach_map, "PLACES", 80)
+    preferences.write("Processes", 3)
+    tool = {"machine": "trunnion_ac", "cutter": "ball:6:20", "holder": "40x30"}
+
+    def mapped():
+        made = app.reach_map(path.Mesh, **tool)
+        found = made.Proxy.last.trial
+        path.Document.removeObject(made.Name)
+        return study.as_json(found)
+
+    assert mapped() == in_this_process(monkeypatch, mapped) and started and pools[0].died == 0
 
 
 def test_where_no_python_is_found_the_study_is_done_here(path, started, monkeypatch):
