@@ -12,6 +12,13 @@ FIVEAXIS := $(PYTHON) -m freecad_fiveaxis
 unexport PYTHONDONTWRITEBYTECODE
 # where it is set, each process of each test compiles the whole package again, a tenth of what the core ring takes
 
+# glibc gives each column back to the system and asks for it anew; a test's process keeps it, as the command line does (core/base/memory.py)
+export MALLOC_ARENA_MAX := 1
+export MALLOC_MMAP_THRESHOLD_ := 1073741824
+export MALLOC_TRIM_THRESHOLD_ := 1073741824
+# OpenBLAS waits by spinning: a tenth of what the core ring takes, where two processes of tests share two cores
+export OPENBLAS_NUM_THREADS ?= 1
+
 TWO := -n 2 --dist worksteal
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
 

@@ -11,7 +11,7 @@ from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.advice import SHARE, Trial, report_advice, try_others
 from freecad_fiveaxis.core.report.figures import Figures
 
-from . import convert, results, wording
+from . import results, wording
 from .long_work import listening, run
 from .selection import SelectionError
 from .toolpath import Toolpath
@@ -26,7 +26,7 @@ def advise(path: Any) -> tuple[Trial, ...]:
         result, task = results.result_of(path, listener), path.Proxy.task(path)
 
         def work(told: Progress) -> tuple[Trial, ...]:
-            mesh, faces = convert.mesh_and_mask(task.data, task.runs, told)
+            mesh, faces = task.mesh_and_mask(told)
 
             def make(settings: Any) -> job.Result:
                 made = job.make(settings, told, mesh=mesh, faces=faces, fixtures=result.made.fixtures)

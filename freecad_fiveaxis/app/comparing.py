@@ -18,7 +18,6 @@ from freecad_fiveaxis.core.jobs.settings import COMPARE, CureSettings, Settings,
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.corrections import CURES
 
-from . import convert
 from .long_work import run
 from .selection import SelectionError
 from .setups import write_report
@@ -52,7 +51,7 @@ def compare(
     task = toolpath.Proxy.task(toolpath)
 
     def work(told: Progress) -> trials.Comparison:
-        mesh, faces = convert.mesh_and_mask(task.data, task.runs, told)
+        mesh, faces = task.mesh_and_mask(told)
         return trials.try_machines(settings, told, mesh, faces, executor)
 
     with processes() as executor:

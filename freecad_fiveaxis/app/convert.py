@@ -12,6 +12,7 @@ import math
 import os
 import tempfile
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import FreeCAD
@@ -188,12 +189,15 @@ def moved_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
     return FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(place) if zero.Length else place
 
 
-def mesh_and_mask(facets: Facets, runs: Sequence[int], progress: Progress = silent) -> tuple[Mesh, Bools | None]:
-    """The core's mesh of the facets, and which of its facets lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
-    progress("weld", 0.0)
-    stl = facets.stl()
+def mesh_and_mask(
+    stl: bytes, runs: Sequence[int], avoided: Sequence[int], allowance: float, progress: Progress = silent
+) -> tuple[Mesh, Bools | None]:
+    """The core's mesh of a binary STL, with an ``allowance`` mm on its facets in the runs ``avoided``, and which of its facets
+    lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
     mesh = mesh_of(stl, progress)
-    return mesh, facet_mask(stl, mesh, runs)
+    off = facet_mask(stl, mesh, avoided) if allowance > 0.0 else None
+    with_room = mesh if off is None else replace(mesh, allowance=np.where(off, allowance, 0.0))
+    return with_room, facet_mask(stl, mesh, runs)
 
 
 def mesh_of(stl: bytes, progress: Progress = silent) -> Mesh:

@@ -53,6 +53,9 @@ TEXTS = {
     ),
     "boundary_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K along which the boundary is seen"),
     "boundary_by": QT_TRANSLATE_NOOP("App::Property", "What stays inside the boundary: the contact, or the cutter's centre"),
+    "avoid_allowance": QT_TRANSLATE_NOOP(
+        "App::Property", "How far cutter, shank and holder keep off the faces that are left alone; 0: they may touch them"
+    ),
     "advise": QT_TRANSLATE_NOOP("App::Property", "Where something stays unfinished, try what would finish more, and name it"),
     "frames": QT_TRANSLATE_NOOP(
         "App::Property",

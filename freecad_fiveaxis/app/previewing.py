@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.jobs import preview
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 
-from . import convert, selection, tessellation, toolpath
+from . import convert, results, selection, tessellation, toolpath
 from .long_work import check_open, listening, run
 
 
@@ -57,31 +57,33 @@ def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[fl
     options = toolpath.with_strategies(convert.given_options(MILL, options))
     settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
     with listening() as listener:
-        facets, runs = _find_facets(part, work_zero, listener)
+        facets, runs, off = _find_facets(part, work_zero, listener)
         check_open(doc)
 
         def work(told: Progress) -> preview.Preview:
-            stl = facets()
-            mesh = convert.mesh_of(stl, told)
-            return preview.preview_passes(settings, told, mesh, convert.facet_mask(stl, mesh, runs))
+            mesh, faces = convert.mesh_and_mask(facets(), runs, off, settings.gouge.avoid_allowance, told)
+            return preview.preview_passes(settings, told, mesh, faces)
 
         return run(work, listener, doc)
 
 
-def _find_facets(part: Part, work_zero: Sequence[float], progress: Progress) -> tuple[Callable[[], bytes], Sequence[int]]:
-    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those that are milled."""
+def _find_facets(
+    part: Part, work_zero: Sequence[float], progress: Progress
+) -> tuple[Callable[[], bytes], Sequence[int], Sequence[int]]:
+    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those that are milled, and
+    of those to avoid."""
     if _is_meshed(part):
-        return convert.facets_of(part.mesh, work_zero).stl, tuple(part.mesh.FacetRuns)
+        return convert.facets_of(part.mesh, work_zero).stl, *results.runs_of(part.mesh)
     if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):
-        return convert.facets_of(part.base, work_zero).stl, tuple(getattr(part.base, "FacetRuns", ()))
+        return convert.facets_of(part.base, work_zero).stl, *results.runs_of(part.base)
     progress("tessellate", 0.0)
-    mesh, runs = tessellation.meshed(part.base, part.faces, part.linear, part.angular, progress, part.avoid)
+    mesh, runs, off = tessellation.meshed(part.base, part.faces, part.linear, part.angular, progress, part.avoid)
     mesh.Placement = convert.moved_to_zero(mesh.Placement, work_zero)
     with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream
         path = os.path.join(folder, "part.stl")
         mesh.write(path)
         stl = read_bytes(path, "part")
-    return lambda: stl, runs
+    return lambda: stl, runs, off
 
 
 def _is_meshed(part: Part) -> bool:

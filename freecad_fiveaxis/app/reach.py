@@ -105,7 +105,7 @@ class ReachMap(Proxy):
         settings = replace(settings, passes=replace(settings.passes, max_axis_angle=most))
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
         solids = [compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in check_fixtures(obj)]
-        return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())), fixtures=tuple(solids))
+        return results.Task(settings, facets, *results.runs_of(obj.Mesh), fixtures=tuple(solids))
 
     @hide_trace
     def execute(self, obj: Any) -> None:
@@ -216,7 +216,7 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
 
 
 def _found(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
-    mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
+    mesh, faces = task.mesh_and_mask(progress)
     fixtures = [Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)]
     most = task.settings.passes.max_axis_angle
     trial = study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi, executor)

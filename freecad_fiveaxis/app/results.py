@@ -16,7 +16,9 @@ from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
+from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.made import Milled
 from freecad_fiveaxis.core.jobs.new_speed import change_speed, without_speed
@@ -25,7 +27,7 @@ from freecad_fiveaxis.core.jobs.settings import Settings
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.report import Figures
 
-from . import wording
+from . import convert, wording
 from .compared import Part
 from .convert import clear_result, mark_users, mesh_of, put_result
 from .facets import Facets
@@ -37,13 +39,21 @@ from .selection import SelectionError
 @dataclass(frozen=True)
 class Task:
     """What an object asks of the core: the ``settings``, and the ``data`` (a mesh's facets, or the NC file) with the chosen
-    facets' ``runs``; ``part``: what an audit compares with, where that is in the document; ``fixtures``: what holds the part."""
+    facets' ``runs``, and those of the facets to avoid (``avoided``); ``part``: what an audit compares with, where that is in the
+    document; ``fixtures``: what holds the part."""
 
     settings: Settings
     data: Any
     runs: tuple[int, ...] = ()
+    avoided: tuple[int, ...] = ()
     part: Part | None = None
     fixtures: tuple[Part, ...] = ()
+
+    def mesh_and_mask(self, progress: Progress) -> tuple[Mesh, Bools | None]:
+        """The core's mesh of the facets, with the allowance on those to avoid, and which are milled. Raises MeshError."""
+        progress("weld", 0.0)
+        allowance = self.settings.gouge.avoid_allowance
+        return convert.mesh_and_mask(self.data.stl(), self.runs, self.avoided, allowance, progress)
 
     @property
     def fingerprint(self) -> str:
@@ -59,9 +69,15 @@ class Task:
         settings = replace(settings, source="")
         files = _contents(self.settings, ("against",) if self.part else ())
         said = repr((__version__, settings, _machine(self.settings), self.runs, *files)).encode()
+        said += repr(self.avoided).encode() if self.avoided and settings.gouge.avoid_allowance else b""
         data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
         data += b"".join(one.digest() for one in ((self.part,) if self.part else ()) + self.fixtures)
         return hashlib.sha256(data + said).hexdigest()
+
+
+def runs_of(mesh: Any) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """The runs of a mesh object's facets that are milled, none: all are, and of those to avoid."""
+    return tuple(getattr(mesh, "FacetRuns", ())), tuple(getattr(mesh, "AvoidedRuns", ()))
 
 
 def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ...]:

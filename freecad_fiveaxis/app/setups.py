@@ -164,7 +164,7 @@ class SetupMap(Proxy):
         x, y, z = convert.plain(obj.Centre)
         machine = replace(path.settings.machine, origin=(x, y, z))
         settings = replace(path.settings, task=SETUP, machine=machine, setup=own.setup, head=HeadSettings())
-        return Task(settings, path.data, path.runs)
+        return Task(settings, path.data, path.runs, path.avoided)
 
     def onChanged(self, obj: Any, name: str) -> None:
         """A change of the map's own settings asks for other setups."""
@@ -250,7 +250,7 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
 
 
 def _tried(task: Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
-    mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
+    mesh, faces = task.mesh_and_mask(progress)
     return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces, executor))
 
 

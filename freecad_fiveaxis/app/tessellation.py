@@ -52,6 +52,10 @@ PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are milled"), [], RESULT | HIDDEN | OUTPUT,
     ),
     Property(
+        "AvoidedRuns", "App::PropertyIntegerList", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are left alone"), [], RESULT | HIDDEN | OUTPUT,
+    ),
+    Property(
         "MadeOf", "App::PropertyString", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Checksum of the base and the deflections that the mesh is made of"), "",
         RESULT | HIDDEN | OUTPUT,
@@ -82,10 +86,11 @@ class Tessellation(Proxy):
             check_open(doc)
             _check_avoid(obj)
             deflections = obj.LinearDeflection.Value, obj.AngularDeflection.Value
-            mesh, runs = meshed(base, faces, *deflections, progress, avoided(obj))
+            mesh, runs, off = meshed(base, faces, *deflections, progress, avoided(obj))
             progress("tessellate", 1.0)
         check_open(doc)
         obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
+        obj.AvoidedRuns = off
         self.built = True
 
     def onChanged(self, obj: Any, name: str) -> None:
@@ -154,11 +159,11 @@ def leave_alone(obj: Any, names: Sequence[str]) -> bool:
 
 def meshed(
     base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress, avoid: Sequence[str] = ()
-) -> tuple[Any, list[int]]:
-    """The mesh of a base, and the runs of its facets that are milled: those on the faces, all where none is named, without those
-    on faces to ``avoid``; no runs where all are. ``linear`` mm, ``angular`` deg. Raises FiveAxisError."""
+) -> tuple[Any, list[int], list[int]]:
+    """The mesh of a base, the runs of its facets that are milled: those on the faces, all where none is named, without those on
+    faces to ``avoid``; no runs where all are; and the runs of those. ``linear`` mm, ``angular`` deg. Raises FiveAxisError."""
     if base is not None and selection.is_mesh(base):
-        return _copied(base, faces, avoid), []
+        return _copied(base, faces, avoid), [], []
     if linear <= 0.0 or angular <= 0.0:
         raise SettingsError(
             say(
@@ -167,6 +172,7 @@ def meshed(
             (linear, angular),
         )
     whole, rows = selection.solids(base, faces, avoid)
+    off = sorted(set(rows[len(faces) :]))
     rows = _milled(base.Label, rows, len(faces), avoid, len(whole.Faces))
     made = meshing.meshed(whole, linear, math.radians(angular), progress)
     if made is None:
@@ -177,7 +183,8 @@ def meshed(
             say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base
         )
     stop = list(accumulate(counts))
-    return mesh, [bound for row in rows for bound in (stop[row] - counts[row], stop[row])]
+    runs, off = ([bound for row in some for bound in (stop[row] - counts[row], stop[row])] for some in (rows, off))
+    return mesh, runs, off
 
 
 def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], count: int) -> list[int]:

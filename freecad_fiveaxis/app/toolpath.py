@@ -62,11 +62,11 @@ class Toolpath(Proxy):
         settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | picked | named)
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
         solids = tuple(compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in fixtures)
-        return results.Task(settings, facets, tuple(getattr(obj.Mesh, "FacetRuns", ())), fixtures=solids)
+        return results.Task(settings, facets, *results.runs_of(obj.Mesh), fixtures=solids)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""
-        mesh, faces = convert.mesh_and_mask(task.data, task.runs, progress)
+        mesh, faces = task.mesh_and_mask(progress)
         names = task.settings.gouge.fixture
         solids = [convert.mesh_of(one.stl, progress) for one in task.fixtures]
         fixtures = tuple(Fixture(name.removesuffix(".stl"), one) for name, one in zip(names, solids, strict=True))

@@ -52,6 +52,14 @@
         <translation>Aussparen</translation>
     </message>
     <message>
+        <source>Avoid Allowance</source>
+        <translation>Abstand zu ausgesparten Flächen</translation>
+    </message>
+    <message>
+        <source>Avoided Runs</source>
+        <translation>Ausgesparte Bereiche</translation>
+    </message>
+    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -462,6 +470,10 @@
     <message>
         <source>How deep the tool enters the part at each marker, mm; 0: not at all</source>
         <translation>Wie tief das Werkzeug an jeder Markierung ins Werkstück eindringt, mm; 0: gar nicht</translation>
+    </message>
+    <message>
+        <source>How far cutter, shank and holder keep off the faces that are left alone; 0: they may touch them</source>
+        <translation>Wie weit Fräser, Schaft und Halter von den ausgesparten Flächen wegbleiben; 0: sie dürfen sie berühren</translation>
     </message>
     <message>
         <source>How far the controller may round corners, where it can; 0: exact path</source>
@@ -1116,6 +1128,10 @@
         <translation>Spirale</translation>
     </message>
     <message>
+        <source>Start and stop of the facets that are left alone</source>
+        <translation>Anfang und Ende der Facetten, die ausgespart werden</translation>
+    </message>
+    <message>
         <source>Start and stop of the facets that are milled</source>
         <translation>Anfang und Ende der Facetten, die gefräst werden</translation>
     </message>
@@ -1585,6 +1601,10 @@
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Allowance on faces to avoid</source>
+        <translation>Abstand zu ausgesparten Flächen</translation>
     </message>
     <message>
         <source>Annotate</source>
@@ -4280,6 +4300,10 @@
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
     </message>
     <message>
+        <source>In {count} rapids it is not proven that the tool keeps {allowance} off the faces to avoid on every way of independent axes, the first in NC line {line}. Drive one group of axes after the other.</source>
+        <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen {allowance} von den ausgesparten Flächen wegbleibt, zuerst in NC-Zeile {line}. Fahren Sie eine Gruppe von Achsen nach der anderen.</translation>
+    </message>
+    <message>
         <source>In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of independent axes, the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the other.</source>
         <translation>In {count} Eilgängen ist nicht bewiesen, dass das Werkzeug auf jedem Weg unabhängiger Achsen aus dem Spannmittel {fixture} bleibt, zuerst in NC-Zeile {line}; es dringt höchstens {bound} ein. Fahren Sie eine Gruppe von Achsen nach der anderen.</translation>
     </message>
@@ -4852,6 +4876,10 @@
         <translation>Die {count} Wörter {letter} werden nicht ausgewertet.</translation>
     </message>
     <message>
+        <source>The {part} comes nearer than {distance} to the faces to avoid at {at}, nearest of {count} blocks; {allowance} are asked for. Let blocks be divided, or use a smaller cutter or holder.</source>
+        <translation>{part} kommt den ausgesparten Flächen bei {at} näher als {distance}, am nächsten von {count} Sätzen; verlangt sind {allowance}. Lassen Sie Sätze teilen, oder nehmen Sie einen kleineren Fräser oder Halter.</translation>
+    </message>
+    <message>
         <source>The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.</source>
         <translation>{part}: kommt {name} bei {at} näher als {distance}, der nächste von {count} Sätzen; verlangt sind {clearance}.</translation>
     </message>
@@ -5366,6 +5394,10 @@
     <message>
         <source>cutter, shank and holder stay</source>
         <translation>Fräser, Schaft und Halter bleiben</translation>
+    </message>
+    <message>
+        <source>cutter, shank and holder, as far as they are given, keep {distance} off the faces to avoid</source>
+        <translation>Fräser, Schaft und Halter, soweit angegeben, bleiben {distance} von den ausgesparten Flächen weg</translation>
     </message>
     <message>
         <source>cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}</source>
@@ -6056,6 +6088,14 @@
         <translation>nichts anderes</translation>
     </message>
     <message>
+        <source>nothing is left to cut: {why}; use a smaller allowance or tool</source>
+        <translation>nichts bleibt zu fräsen: {why}; nehmen Sie einen kleineren Abstand oder ein kleineres Werkzeug</translation>
+    </message>
+    <message>
+        <source>nothing of what is to be machined can be cut {allowance} off the faces to avoid; give a smaller allowance or cutter</source>
+        <translation>nichts von dem, was gefräst werden soll, lässt sich mit {allowance} Abstand zu den ausgesparten Flächen fräsen; geben Sie einen kleineren Abstand oder Fräser an</translation>
+    </message>
+    <message>
         <source>nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)</source>
         <translation>nichts sagt, wo {letters} stehen und welche welche trägt; beschreiben Sie die Maschine von Hand (docs/adding.md)</translation>
     </message>
@@ -6066,6 +6106,10 @@
     <message>
         <source>on every pass</source>
         <translation>auf jeder Zeile</translation>
+    </message>
+    <message>
+        <source>on its way out along its axis the tool would come nearer to the faces to avoid {where} than {allowance}, as at {place}</source>
+        <translation>das Werkzeug käme {where} auf seinem Weg entlang seiner Achse heraus den ausgesparten Flächen näher als {allowance}, etwa bei {place}</translation>
     </message>
     <message>
         <source>on rapids that holds for each rate at which the axes may run beside each other</source>
@@ -6624,6 +6668,10 @@
         <translation>das Werkzeug dreht sich um sich selbst</translation>
     </message>
     <message>
+        <source>the tool would come nearer to the faces to avoid {where} than {allowance}, as at {place}</source>
+        <translation>das Werkzeug käme {where} den ausgesparten Flächen näher als {allowance}, etwa bei {place}</translation>
+    </message>
+    <message>
         <source>the tool would enter the part {where}, deepest by {depth} at {place}</source>
         <translation>das Werkzeug {where} ins Werkstück eindringen würde, am tiefsten um {depth} bei {place}</translation>
     </message>
@@ -6932,8 +6980,16 @@
         <translation>{area} ({share} % des Teils) werden ausgelassen, denn dort ist keine Werkzeugachse frei: {remedy}.</translation>
     </message>
     <message>
+        <source>{area} ({share} % of the part) beside the faces to avoid are not cut, as at {place}: the cutter would come nearer to these than {allowance}. Cut them with a smaller cutter, or with a smaller allowance.</source>
+        <translation>{area} ({share} % des Werkstücks) neben den ausgesparten Flächen werden nicht gefräst, etwa bei {place}: der Fräser käme diesen näher als {allowance}. Fräsen Sie sie mit einem kleineren Fräser oder mit kleinerem Abstand.</translation>
+    </message>
+    <message>
         <source>{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets there. Turn the part over, or raise the largest axis angle.</source>
         <translation>{area} ({share} % des Teils) zeigen nach unten und werden ausgelassen: Keine Werkzeugachse bis {most} von Z kommt dorthin. Das Teil wenden oder den größten Achswinkel erhöhen.</translation>
+    </message>
+    <message>
+        <source>{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to avoid that they are left out: the cutter would come nearer to these than {allowance}.</source>
+        <translation>{area} ({share} % des Werkstücks) auf ganzen Facetten, etwa bei {place}, liegen so nahe an den ausgesparten Flächen, dass sie ausgelassen werden: der Fräser käme diesen näher als {allowance}.</translation>
     </message>
     <message>
         <source>{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.</source>
@@ -7836,6 +7892,14 @@
         <translation>{option} braucht das Werkstück (.stl), {source} ist keines; weglassen</translation>
     </message>
     <message>
+        <source>{option} {allowance} is an allowance on faces to avoid, and there are none: give them with {avoid}, or leave it out</source>
+        <translation>{option} {allowance} ist ein Abstand zu ausgesparten Flächen, und es gibt keine: geben Sie sie mit {avoid} an, oder lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>{option} {allowance} is larger than the part, which is {size} from corner to corner; give less</source>
+        <translation>{option} {allowance} ist größer als das Werkstück, das von Ecke zu Ecke {size} misst; geben Sie weniger an</translation>
+    </message>
+    <message>
         <source>{option} {given} has no direction; give I,J,K along the axis, as 0,0,1</source>
         <translation>{option} {given} hat keine Richtung; I,J,K entlang der Achse angeben, etwa 0,0,1</translation>
     </message>
@@ -8096,6 +8160,10 @@
         <translation>{value} sind zu steil für den größten Achswinkel und ausgelassen</translation>
     </message>
     <message>
+        <source>{value} beside the faces to avoid stay uncut for the allowance on these</source>
+        <translation>{value} neben den ausgesparten Flächen bleiben wegen des Abstands zu diesen ungefräst</translation>
+    </message>
+    <message>
         <source>{value} is no list of names; write ["M202", "CYCL DEF 392"]</source>
         <translation>{value} ist keine Liste von Namen; schreiben: ["M202", "CYCL DEF 392"]</translation>
     </message>
@@ -8130,6 +8198,10 @@
     <message>
         <source>{value} is not what is meant: give {wanted}</source>
         <translation>{value} ist nicht gemeint: {wanted} angeben</translation>
+    </message>
+    <message>
+        <source>{value} lie too near to the faces to avoid and are left out</source>
+        <translation>{value} liegen zu nahe an den ausgesparten Flächen und werden ausgelassen</translation>
     </message>
     <message>
         <source>{value} of the passes are left out</source>

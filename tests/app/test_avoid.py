@@ -69,6 +69,26 @@ def test_no_contact_lies_on_a_face_that_is_left_alone(doc, step):
     assert on(contacts(other), step, high) == 0 < on(contacts(other), step, low)
 
 
+def test_the_tool_keeps_the_allowance_off_a_face_that_is_left_alone(doc, step):
+    low, wall = face_at(step, z=5, x=15), face_at(step, x=10, z=7.5)
+
+    def nearest_on_floor(path):
+        there = contacts(path)
+        return there[np.abs(there[:, 2] - 5.0) < 0.05, 0].min()
+
+    plain = app.create_toolpath(doc, step, avoid=[wall], **GIVEN)
+    path = app.create_toolpath(doc, step, avoid=[wall], avoid_allowance=1, **GIVEN)
+    assert nearest_on_floor(plain) < 12.0 + 0.05
+    assert 13.0 - 0.02 <= nearest_on_floor(path) < 13.0 + 0.05, "the ball's radius and 1 mm beside the wall"
+    assert on(contacts(path), step, low) > 500
+    made = results.result_of(path).made
+    assert [one.value for one in made.findings if one.code == "near-avoided-faces"] and made.keep_off.some.any()
+    changes.change_toolpath(path, {**GIVEN, "avoid": [wall], "avoid_allowance": 2})
+    assert 14.0 - 0.02 <= nearest_on_floor(path) < 14.0 + 0.05
+    with pytest.raises(FiveAxisError, match="allowance on faces to avoid, and there are none"):
+        app.create_toolpath(doc, step, avoid_allowance=1, **GIVEN)
+
+
 def test_of_chosen_faces_those_left_alone_are_taken_away(doc, step):
     low, high, wall = face_at(step, z=5, x=15), face_at(step, z=10), face_at(step, x=0)
     both = app.tessellate(step, faces=[low, high, wall], avoid=[high])

@@ -166,6 +166,7 @@ def test_polylines_are_runs_of_segments_that_meet(strategy):
     assert (np.diff(contact.pass_) >= 0).all() and (np.diff(contact.polyline) >= 0).all()
 
 
+@pytest.mark.thorough
 def test_no_place_inside_the_region_is_higher_than_the_scallop(strategy):
     mesh = slope()
     point, _ = samples(mesh, np.arange(len(mesh.face)))
@@ -186,6 +187,7 @@ def test_wider_passes_would_be_noticed(strategy):
     assert left(mesh, wide, point[inside]).max() > 1.3 * SCALLOP
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["scallop", "zlevel"])
 def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
     mesh, strategy = ball(), PASS_STRATEGIES[name]
@@ -197,6 +199,7 @@ def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
     assert left(mesh, spiral, point).max() <= 1.1 * left(mesh, loops, point).max()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name, most", [("planes", 1.0), ("scallop", 3.5)])  # in corners where fronts meet
 @pytest.mark.parametrize("degrees", [43.0, 46.0])
 def test_divided_by_slope_no_place_is_higher_than_with_the_worse_of_both_alone(name, most, degrees):
@@ -214,6 +217,7 @@ def test_divided_by_slope_no_place_is_higher_than_with_the_worse_of_both_alone(n
     assert left(mesh, take_lines(both, np.flatnonzero(~level[both.polyline])), point).max() > 5.0 * SCALLOP
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("turn", [0.7, 2.5])
 def test_passes_turn_with_the_part(strategy, turn):
     here, there = (passes(strategy, slope(angle), options=PassOptions(angle, None, SCALLOP)) for angle in (0.0, turn))

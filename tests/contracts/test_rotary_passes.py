@@ -231,6 +231,7 @@ def feed_rows(program):
     return np.flatnonzero(np.isin(program.motion, (int(Motion.CUT), int(Motion.FILL))))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", SHAPES)
 def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
     result = made(name)
@@ -244,6 +245,7 @@ def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
     assert not [one for one in result.findings if one.severity.name == "ERROR" or one.code == "retract-below-part"]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("name", "by"), [("cylinder", "around"), ("cam", "around"), ("flat", "along"), ("cone", "along")])
 def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(name, by):
     built = made(name, by).made

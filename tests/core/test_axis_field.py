@@ -266,6 +266,7 @@ def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
     assert same.any() and (axis[1:][same] == axis[:-1][same]).all()
 
 
+@pytest.mark.thorough
 @some_in_core("nodes", [NODES, module.NODES])
 def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
     path, given, (axis, free, _), _, reacher = milled(hollows, nodes=nodes)
@@ -325,6 +326,7 @@ def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_man
         assert np.array_equal(found[k], max(allowed, key=lambda one: float(one @ axis[k]), default=axis[k]))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("shape", [block, stemmed, hollows, corner, plate])
 def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answers_are_the_same(shape, monkeypatch):
     mesh, random = shape(), np.random.default_rng(8)

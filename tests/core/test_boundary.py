@@ -372,6 +372,7 @@ def test_an_axis_other_than_z_and_faces_beside_it(tmp_path):
     assert length(offset) == pytest.approx(10 * 40)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("by", ["contact", "centre"])
 def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
     """The plate's two facets lie outside for the larger part; beside passes that end at the boundary no more stays than between."""
@@ -462,6 +463,7 @@ def test_where_facets_reach_in_but_no_pass_does_it_is_refused(tmp_path):
 # ------------------------------------------------------------------------------------------------ other tasks
 
 
+@pytest.mark.thorough
 def test_reach_setup_and_compare_keep_to_it_too(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(reach_map, "PLACES", 500)
     write_stl(from_triangles(field(10, lambda x, y: 0 * x, 4.0)), tmp_path / "part.stl")
@@ -482,6 +484,7 @@ def test_reach_setup_and_compare_keep_to_it_too(tmp_path, capsys, monkeypatch):
         assert "--boundary needs the part" in capsys.readouterr().err
 
 
+@pytest.mark.thorough
 def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
     """Guides and boundaries may be given as what their files would hold; the job file's folder then does not count."""
     stl = tmp_path / "plate.stl"

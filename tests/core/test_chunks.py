@@ -139,6 +139,7 @@ def test_meanwhile_gives_what_work_gives_and_raises_what_the_helper_raises():
         meanwhile(lambda: 1 // 0, lambda: 2)
 
 
+@pytest.mark.thorough
 @some_in_core("part, machine", [("blade", "trunnion_ac"), ("saddle", "nutating_table_b45")])
 def test_the_pipeline_gives_the_same_bits_with_one_thread_and_two(monkeypatch, parts, part, machine):
     monkeypatch.setattr(chunks_module, "PORTION", 97)

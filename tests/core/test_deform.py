@@ -60,6 +60,7 @@ def short_of_ten(offset, axis, led_axis, kinematics):
     return np.flatnonzero(near & ((10 * after[0] > before[0]) | (10 * after[1] > before[1])))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", BOTH_WAYS)
 @pytest.mark.parametrize(("stepover", "direction"), [(0.5, 0.0), (1.0, 0.35), (2.0, np.radians(20.0))])
 def test_on_the_dome_c_turns_ten_times_less_and_slower_on_every_pass_within_2_deg_of_the_pole(name, stepover, direction):

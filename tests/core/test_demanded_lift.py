@@ -55,6 +55,7 @@ def test_what_is_beside_or_below_or_grazes_demands_nothing():
         assert demanded(facets, CUTTERS["flat"], (0.0, 0.0, 0.0))[0] == 0.0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", CUTTERS)
 def test_random_facets_demand_what_dense_samples_of_them_demand(kind):
     """Never more; and for a flat end, whose rim is looked at, never less than the samples find."""
@@ -72,6 +73,7 @@ def test_random_facets_demand_what_dense_samples_of_them_demand(kind):
     assert (found >= (1.0 if kind == "flat" else 0.6) * sampled - 1e-6).all()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", CUTTERS)
 def test_the_highest_asked_first_demand_what_all_asked_at_once_demand(kind, monkeypatch):
     rng, cutter = np.random.default_rng(8), CUTTERS[kind]

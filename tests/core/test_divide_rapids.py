@@ -71,6 +71,7 @@ def codes(made):
     return {one.code for one in job.prove(made).findings}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("machine", "part", "options"), CASES)
 def test_no_rapid_of_our_own_is_clear_only_if_interpolated(machine, part, options):
     assert "independent-rapid" in codes(undivided(machine, part, **options)), "the stage has something to do"
@@ -113,6 +114,7 @@ def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(machine, part, opt
     assert plain.nc.count(b"\n") + len(rows) == made.nc.count(b"\n"), "a line a row"
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("machine", "part", "options"), CASES[:1])
 def test_dense_simulation_over_random_rates_finds_no_entry(machine, part, options):
     made, plain = milled(machine, part, **options), undivided(machine, part, **options)

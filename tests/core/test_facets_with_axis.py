@@ -65,6 +65,7 @@ def finished(made, points):
     return cKDTree(tip + 3.0 * axis).query(points)[0] <= 3.0 + 0.2
 
 
+@pytest.mark.thorough
 @some_in_core("nodes", [FEW, NODES])
 def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below(nodes):
     """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at most."""

@@ -2,6 +2,7 @@
 """Between two free contacts the tool turns: what it meets there, against dense samples of the turn, and what `auto` makes of it."""
 
 import numpy as np
+import pytest
 from gouge_examples import prism
 from mesh_shapes import box
 from one_field import keep_fields
@@ -77,6 +78,7 @@ def test_only_moves_at_pieces_with_a_way_out_are_asked():
     assert not lead_out(polyline[:0], free[:0]).any()
 
 
+@pytest.mark.thorough
 @some_in_core("nodes", [FEW, axis_field.NODES])
 def test_a_short_tool_does_not_turn_its_holder_through_the_part(nodes, monkeypatch):
     """And where its turns are not asked, it does."""

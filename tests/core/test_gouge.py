@@ -294,6 +294,7 @@ def test_blocks_of_no_length_are_poses():
     assert found.depth[2] == 0.0
 
 
+@pytest.mark.thorough
 def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
     mesh, rng = bowl(15.0, 24), np.random.default_rng(5)
     swept = course_through(*np.column_stack([rng.uniform(-6, 6, (30, 2)), rng.uniform(-12, -6, 30)]))

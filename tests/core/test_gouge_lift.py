@@ -306,6 +306,7 @@ def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, 
     assert off.nc == lift.nc == out.nc
 
 
+@pytest.mark.thorough
 @some_in_core("options", RINGS[:2], ids=["lead 8", "lead 0"])
 def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(parts, options):
     """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row is lifted."""
@@ -347,6 +348,7 @@ def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter,
     assert max(sampled_depth(cutter, points, swept, int(k), 5) for k in blocks) <= TOLERANCE
 
 
+@pytest.mark.thorough
 def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
     """The axis turns from facet to facet of a coarse bowl, and the tip swings between the ends of blocks."""
     for gouge, helps in (("report", "gouge lift, leave-out"), ("lift", "path itself is free of the part there")):

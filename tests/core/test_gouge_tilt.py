@@ -223,6 +223,7 @@ def everywhere(gouge):
     return made_of(mesh, floor, cutter="ball:6:4", holder="200x30", gouge=gouge, stepover=15, max_tilt=5)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("gouge", ["report", "lift", "tilt"])
 def test_a_holder_that_collides_everywhere_is_told(gouge):
     result = job.prove(everywhere(gouge))

@@ -121,6 +121,7 @@ def deepest(made):
     return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks).worst
 
 
+@pytest.mark.thorough
 @some_in_core("part, links", [*itertools.product(WALLED, ["near", "over"])], kept=(1, 2, 4, 5))
 def test_the_judge_finds_nothing_beside_walls(part, links):
     made = milled(WALLED[part](), lead_in=R, links=links, stepover=2.0)

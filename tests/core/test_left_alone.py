@@ -55,6 +55,7 @@ def touched(made, wide):
     return int(((tip[:, 0] > 10.05) & (tip[:, 0] < 9.95 + wide) & (tip[:, 2] < HEIGHT + 0.01)).sum())
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("wide", [0.5, 1.0, 3.0])
 def test_no_feed_block_touches_a_narrow_strip_that_is_left_alone(wide, monkeypatch):
     mesh, chosen = plate(wide)

@@ -84,6 +84,7 @@ def test_an_audit_measures_from_the_chord_and_the_document_says_so():
 # ------------------------------------------------------------------------------------------------ eqs. (9) and (10)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("family", profiles.FAMILIES)
 @pytest.mark.parametrize("method", profiles.METHODS)
 def test_the_estimate_is_within_6_percent_of_the_largest_deviation(family, method):

@@ -160,6 +160,7 @@ def test_linear_words_make_up_for_the_rounding_of_the_rotary_words():
 # ------------------------------------------------------------------------------------------------ every kind of chain
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("kind", KINDS)
 def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
     kinematics = kinematics_of(kind)
@@ -183,6 +184,7 @@ def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
     assert (first == start).all() and (last == end).all()  # the whole rotary change is kept
 
 
+@pytest.mark.thorough
 @some_in_core("kind", ["table_table", "nutating", "head_head"])
 def test_no_block_takes_more_pieces_than_the_longest_steps_one_after_the_other(kind):
     kinematics = kinematics_of(kind)

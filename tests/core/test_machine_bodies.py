@@ -101,6 +101,7 @@ def carriers(machine):
     return ["base", *(axis.letter for axis in machine.fitted if axis.side == "table")]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", MACHINES)
 def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
     """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed, and what is told is there."""

@@ -49,6 +49,7 @@ def test_the_side_is_the_angle_to_the_second_axis_and_the_other_branch_negates_i
     np.testing.assert_allclose(np.cos(globe.side(axis, other)), np.cos(side), atol=1e-9)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("change", [0.01, 0.035, 0.2])
 def test_the_room_is_all_words_whose_meridian_is_within_the_change(kinematics, change):
     globe, (angles, axis) = Globe.of(kinematics), poses(kinematics)
@@ -68,6 +69,7 @@ def test_the_room_is_all_words_whose_meridian_is_within_the_change(kinematics, c
         np.testing.assert_allclose(at[~met], change, atol=1e-6)
 
 
+@pytest.mark.thorough
 def test_the_nearest_axis_on_a_meridian_is_that_of_a_dense_walk_along_it(kinematics):
     globe, (angles, axis) = Globe.of(kinematics), poses(kinematics, 60)
     word = angles[:, 0] + 0.03

@@ -93,12 +93,14 @@ def test_on_the_half_cylinder_that_one_axis_turns_at_least_5_times_smaller(depth
     assert cases.ratio(cases.part("half_cylinder", "table_ab", depth, **cases.HALF)) > 5.0
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("depth", [None, 60.0, 150.0, 300.0])
 def test_on_a_hill_that_one_axis_cuts_at_least_5_times_smaller(depth):
     case = cases.profile("hill", 1, depth)
     assert case.largest(case.mean) > 5.0 * case.largest(case.found)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("family, depth", [("hill", 300.0), ("wavy", None), ("hollow", 150.0)])
 def test_within_10_percent_of_the_exact_dynamic_programme(family, depth):
     case = cases.profile(family, 0, depth)
@@ -140,6 +142,7 @@ MACHINES = [
 ]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("machine", MACHINES)
 def test_no_run_is_worse_and_those_not_better_are_the_same_to_the_last_bit(machine):
     offset, axis, kinematics, reach = given(machine)
@@ -294,6 +297,7 @@ def test_max_tilt_is_for_minimax_alone_and_its_default_is_5_deg():
 # ------------------------------------------------------------------------------------------------ its parts
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("angle", [0.0, 1e-12, 0.3, 2.0])
 def test_what_is_allowed_is_what_dense_sampling_of_the_range_says(angle):
     rng = np.random.default_rng(3)

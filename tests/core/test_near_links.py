@@ -47,6 +47,7 @@ def deepest(made):
     return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks).worst
 
 
+@pytest.mark.thorough
 @some_in_core("part", list(PARTS), kept=(0, 3))
 def test_the_same_is_cut_with_less_air_and_the_judge_finds_nothing(part):
     near, over = milled(part), milled(part, links="over")

@@ -88,6 +88,7 @@ def test_a_row_that_is_come_to_backwards_has_its_sides_and_its_fill_turned_round
     assert set(ROW_COLUMNS) >= {"fill", "before", "after", "step_before", "step_after"}
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("part", [lambda: knob_in_corner(cells=12), lambda: bowl_block(11.0, cells=12)], ids=["knob", "bowl"])
 def test_the_same_is_cut_with_less_between(part, monkeypatch):
     take_nodes(monkeypatch, NODES)
@@ -106,6 +107,7 @@ def test_the_same_is_cut_with_less_between(part, monkeypatch):
     assert numbers[0]["cut_length"] == pytest.approx(numbers[1]["cut_length"], rel=0.01)
 
 
+@pytest.mark.thorough
 def test_one_way_and_axes_that_lean_with_the_feed_keep_their_way_round(monkeypatch):
     def refuse(path, axis):
         raise AssertionError("asked for another order")

@@ -45,6 +45,7 @@ def test_posted_words_read_again_are_the_cl_path(machine, milled):
     assert miss[0] < allowed[0] and miss[1] < allowed[1]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("part", PARTS)
 @pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
 def test_every_part_comes_back_through_every_controller(part, controller, milled):

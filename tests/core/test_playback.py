@@ -187,6 +187,7 @@ def test_table_2_overshoots_the_end_of_its_chord():
     assert np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() == pytest.approx(5.46, abs=0.01)
 
 
+@pytest.mark.thorough
 def test_the_largest_distance_in_each_block_is_its_deviation(kinematics):
     start, end = random_blocks(kinematics, 20, 8)
     words = np.stack([start, end], axis=1).reshape(-1, 5)

@@ -93,6 +93,7 @@ def some_rapids(seed, count):
     return words
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("machine", MACHINES)
 def test_dense_simulation_over_random_rates_finds_nothing_that_the_bound_does_not(machine):
     body, there = body_of(Cutter(10.0), [(8.0, 20.0)], [(30.0, 20.0)]), space(machine)

@@ -90,6 +90,7 @@ def coarsest(monkeypatch):
     monkeypatch.setattr(module, "PLACES", 200)
 
 
+@pytest.mark.thorough
 def test_a_holder_wider_than_a_deep_slot_is_in_the_way_of_its_floor(coarsest):
     short, mesh = Reacher(Cutter(6.0, 20.0), holder=HOLDER), slot(14.0, 30.0, 160.0)
     found = reach_map(mesh, short)

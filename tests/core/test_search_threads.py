@@ -58,6 +58,7 @@ def columns(entries):
     return [entries.depth, entries.bound, entries.u, entries.place, entries.facet, entries.part]
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("count", [2, 5])
 def test_entries_are_the_same_to_the_last_bit_by_any_number_of_threads(monkeypatch, mesh, count):
     tree, swept = facet_tree(mesh), straight_motion(*poses(mesh))

@@ -111,6 +111,7 @@ PARTS = [
 ]  # fmt: skip
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name, strategy", PARTS)
 def test_the_loops_of_a_region_become_one_pass_as_close_as_they_were(name, strategy):
     mesh = part(name)

@@ -90,6 +90,7 @@ def test_axes_lean_as_far_as_the_machine_goes_only_over_a_table_that_is_known():
     assert lean(mesh, max_axis_angle=180, tool_axis="facet_mean") == pytest.approx(180.0)
 
 
+@pytest.mark.thorough
 def test_undersides_are_cut_where_nothing_is_asked_and_a_standing_face_where_it_is():
     hanging = made(mushroom)
     assert (hanging.axis[:, 2] < -0.05).any()

@@ -211,6 +211,7 @@ def spread(mesh, keep):
     return a + at[:, :1] * (b - a) + at[:, 1:] * (c - a), slope
 
 
+@pytest.mark.thorough
 def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
     """Without overlap both strategies end at the line, half an interval from it: the highest level plane is needed there. With it
     the other strategy's passes lie over that plane."""

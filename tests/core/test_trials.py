@@ -39,6 +39,7 @@ def run(*words):
     return cli.main([str(word) for word in words])
 
 
+@pytest.mark.thorough
 def test_setup_prints_the_origin_that_makes_mill_reach_the_deviation_of_the_map(part, tmp_path, capsys):
     words = ("--machine", "trunnion_ac", *QUICK)
     assert run("setup", part, *words, *SMALL, "--origin", "100,0,-40", "--report", tmp_path / "s.json") == cli.DONE

@@ -128,6 +128,7 @@ def rewinding(folder, links):
     return made
 
 
+@pytest.mark.thorough
 @some_in_core("links", ["over", "near"], kept=(1,))
 def test_rewinds_keep_the_whole_tool_off_too(tmp_path, links):
     made = rewinding(tmp_path, links)
@@ -148,6 +149,7 @@ def ball_only(low, high, radius, clearance, body, axis):
     return keep._replace(safe=np.full(len(axis), keep.safe))
 
 
+@pytest.mark.thorough
 @some_in_core(
     "part, name",
     [("tee", "trunnion_ac"), ("block", "fork_head_bc"), ("tee", "fork_head_bc"), ("mushroom", "fork_head_bc")],

@@ -81,6 +81,7 @@ def t_slot():
     return profile(np.array(outline, float), 60.0)
 
 
+@pytest.mark.thorough
 @some_in_core("nodes", [FEW, NODES])
 def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part(nodes, monkeypatch):
     """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out within 25 deg."""

@@ -30,7 +30,7 @@ LEAST = 1e-6
 
 
 @dataclass(frozen=True)
-class _Nodes:
+class Nodes:
     """``row`` (k,) of the path that each node is, or to which the move leads that it lies in, at ``share`` (k,) of that move;
     ``polyline`` (k,); ``arrives`` (k,) whether the move to it, from the node before, lies inside."""
 
@@ -39,8 +39,8 @@ class _Nodes:
     polyline: Ints
     arrives: Bools
 
-    def taken(self, at: Ints) -> _Nodes:
-        return _Nodes(self.row[at], self.share[at], self.polyline[at], self.arrives[at])
+    def taken(self, at: Ints) -> Nodes:
+        return Nodes(self.row[at], self.share[at], self.polyline[at], self.arrives[at])
 
 
 def cut_at_boundary(
@@ -54,37 +54,41 @@ def cut_at_boundary(
     """
     if not len(path.point):
         raise SettingsError(nothing_inside(boundary), boundary.name)
-    found = _find_nodes(path, boundary, by_centre)
+    cut, along = cut_at_nodes(path, _find_nodes(path, boundary, by_centre), by_centre, axis)
+    if cut is path:
+        return path, axis
+    if not len(cut.point):
+        raise SettingsError(nothing_inside(boundary), boundary.name)
+    return replace(cut, findings=(*path.findings, _report_cut(path, cut, boundary))), along
+
+
+def cut_at_nodes(path: OffsetPath, found: Nodes, by_centre: bool, axis: Floats | None) -> tuple[OffsetPath, Floats | None]:
+    """Give the pieces between the nodes ``found``, and their axes; the path itself where all of it is kept. May leave no rows."""
     nodes = _with_halves_joined(path, found)
-    if nodes is found and nodes.arrives[_goes_on(nodes.polyline)].all():
+    if nodes is found and nodes.arrives[goes_on(nodes.polyline)].all():
         return path, axis
     nodes = _over_seams(path, nodes)
-    goes_on = _goes_on(nodes.polyline)
-    arrives = nodes.arrives & goes_on
+    arrives = nodes.arrives & goes_on(nodes.polyline)
     kept = np.flatnonzero(arrives | np.append(arrives[1:], False))
     begins, taken = ~arrives[kept], nodes.taken(kept)
     columns, along = _columns(path, taken, by_centre, axis)
     kept = np.flatnonzero(_long(columns["centre" if by_centre else "point"], begins))
-    if not len(kept):
-        raise SettingsError(nothing_inside(boundary), boundary.name)
     begins = begins[kept]
     columns = {name: values[kept] for name, values in columns.items()}
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": columns["fill"] & ~begins}
     beside, wall = _still_beside(path, taken.taken(kept))
-    cut = OffsetPath(**columns, beside=beside, wall=wall)
-    cut = replace(cut, findings=(*path.findings, _report_cut(path, cut, boundary)))
-    return cut, None if along is None else along[kept]
+    return OffsetPath(**columns, beside=beside, wall=wall, findings=path.findings), None if along is None else along[kept]
 
 
-def _goes_on(polyline: Ints) -> Bools:
+def goes_on(polyline: Ints) -> Bools:
     """Whether each node (k,) goes on with the polyline of the one before."""
     return np.asarray(np.diff(polyline, prepend=-1) == 0)
 
 
-def _find_nodes(path: OffsetPath, boundary: Boundary, by_centre: bool) -> _Nodes:
+def _find_nodes(path: OffsetPath, boundary: Boundary, by_centre: bool) -> Nodes:
     """All rows and crossings in the order of the path. Moves that close a gap have no contact on their way."""
     place = boundary.seen(path.centre if by_centre else path.point)
-    end = np.flatnonzero(_goes_on(path.polyline))
+    end = np.flatnonzero(goes_on(path.polyline))
     solid = end if by_centre else end[~path.fill[end]]
     piece, share = boundary.curves.crossings(place[solid - 1], place[solid])
     row = np.concatenate([np.arange(len(place)), solid[piece]])
@@ -98,19 +102,19 @@ def _find_nodes(path: OffsetPath, boundary: Boundary, by_centre: bool) -> _Nodes
         inside = boundary.curves.inside(place)
         fills = np.flatnonzero(path.fill[row])
         arrives[fills] = inside[row[fills]] & inside[row[fills] - 1]
-    return _without_touches(_Nodes(row, share, path.polyline[row], arrives & _goes_on(path.polyline[row])))
+    return without_touches(Nodes(row, share, path.polyline[row], arrives & goes_on(path.polyline[row])))
 
 
-def _without_touches(nodes: _Nodes) -> _Nodes:
+def without_touches(nodes: Nodes) -> Nodes:
     """Without crossings that have the same on both sides: there the boundary is only touched."""
     same = nodes.arrives == np.append(nodes.arrives[1:], False)
     return nodes.taken(np.flatnonzero((nodes.share == 1.0) | ~same))
 
 
-def _with_halves_joined(path: OffsetPath, nodes: _Nodes) -> _Nodes:
+def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
     """Closed passes from which facets were left out are two polylines, one that begins at their seam and one that ends there:
     make them one."""
-    begin = np.flatnonzero(~_goes_on(nodes.polyline))
+    begin = np.flatnonzero(~goes_on(nodes.polyline))
     size = np.diff(begin, append=len(nodes.row))
     end = begin + size - 1
     pose = np.hstack([path.point, path.centre, path.pass_[:, None]])
@@ -130,10 +134,10 @@ def _with_halves_joined(path: OffsetPath, nodes: _Nodes) -> _Nodes:
     return joined.taken(order[~dropped[order]])
 
 
-def _over_seams(path: OffsetPath, nodes: _Nodes) -> _Nodes:
+def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
     """Closed polylines that are cut begin behind a move that lies outside, so that no piece ends at a seam; of the two rows of
     the seam the first goes."""
-    first = np.flatnonzero(~_goes_on(nodes.polyline))
+    first = np.flatnonzero(~goes_on(nodes.polyline))
     last = np.append(first[1:], len(nodes.row)) - 1
     one, two = nodes.row[first], nodes.row[last]
     joined = (last - first > 1) & (np.abs(path.centre[one] - path.centre[two]).max(axis=1) < COINCIDENT_MM)
@@ -150,7 +154,7 @@ def _over_seams(path: OffsetPath, nodes: _Nodes) -> _Nodes:
     return nodes.taken(order[~(turned & (at == first[line]))[order]])
 
 
-def _columns(path: OffsetPath, nodes: _Nodes, by_centre: bool, axis: Floats | None) -> tuple[dict[str, Any], Floats | None]:
+def _columns(path: OffsetPath, nodes: Nodes, by_centre: bool, axis: Floats | None) -> tuple[dict[str, Any], Floats | None]:
     """The columns of the nodes' rows, and their axes."""
     row, share = nodes.row, nodes.share
     columns = {name: np.array(getattr(path, name)[row]) for name in ROW_COLUMNS}
@@ -233,11 +237,11 @@ def _report_cut(path: OffsetPath, cut: OffsetPath, boundary: Boundary) -> Findin
 
 def _length(path: OffsetPath) -> float:
     """How far the contact moves on the surface, mm."""
-    end = np.flatnonzero(_goes_on(path.polyline) & ~path.fill)
+    end = np.flatnonzero(goes_on(path.polyline) & ~path.fill)
     return float(np.linalg.norm(path.point[end] - path.point[end - 1], axis=1).sum())
 
 
-def _still_beside(path: OffsetPath, nodes: _Nodes) -> tuple[Ints, Floats]:
+def _still_beside(path: OffsetPath, nodes: Nodes) -> tuple[Ints, Floats]:
     """Where the rows beside a wall are now, and the walls."""
     where = np.full(len(path.point), -1)
     rows = np.flatnonzero(nodes.share == 1.0)

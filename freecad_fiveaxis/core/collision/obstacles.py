@@ -94,15 +94,15 @@ def obstacles(
 
 
 def part_heights(tree: FacetTree, normal: Floats) -> Floats:
-    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3): its support, by the corners of its hull;
-    infinite of a part that is flat, which has none."""
+    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3), its support by the corners of its hull, with
+    the largest allowance; infinite of a part that is flat, which has none."""
     corner = np.unique(tree.corner.reshape(3, 3, -1).transpose(0, 2, 1).reshape(-1, 3), axis=0)
     try:
         corner = corner[ConvexHull(corner).vertices]
     except QhullError:
         return np.full(len(normal), np.inf)
     parts = [normal[first : first + ROWS] @ corner.T for first in range(0, len(normal), ROWS)]
-    return np.concatenate([part.max(axis=1) for part in parts]) if parts else np.empty(0)
+    return np.concatenate([part.max(axis=1) for part in parts]) + tree.most_allowance if parts else np.empty(0)
 
 
 def is_above(body: Body, tip: Floats, axis: Floats, normal: Floats, height: Floats, limit: float) -> Bools:

@@ -159,7 +159,7 @@ class _Search:
         """Fill in the entries of these blocks."""
         self._sample(boxes)
         for piece in sorted(self.body.pieces, key=lambda piece: -piece.most):
-            if piece.most <= self.limit:
+            if piece.most + self.tree.most_allowance <= self.limit:
                 continue
             none = np.zeros(len(boxes.block), np.int64)
             nodes, facets = _sliced(_Pairs(none, boxes, none)), list[_FacetPairs]()
@@ -176,7 +176,8 @@ class _Search:
         """Look at the middle and the corners of boxes that reach the part: most of those that enter it are known at once."""
         none = np.zeros(len(boxes.block), np.int64)
         pairs, hulls = _Pairs(none, boxes, none), self.space.hulls(boxes, self.body.reach)
-        rows = [self._open(piece, pairs, hulls) for piece in self.body.pieces if piece.most > self.limit]
+        enough = self.limit - self.tree.most_allowance
+        rows = [self._open(piece, pairs, hulls) for piece in self.body.pieces if piece.most > enough]
         near = boxes.take(np.unique(np.concatenate([none[:0], *rows])))
         owner, words = _samples(near)
         still = still_positions(*(part.T for part in self.space.poses(words)))
@@ -213,14 +214,18 @@ class _Search:
 
     def _open(self, piece: Piece, pairs: _Pairs, hulls: Hulls) -> Ints:
         """The rows (k,) whose bounds are all above what is known; from the cheapest bound to the dearest."""
-        core, off = pared(piece, self.limit)
-        rows = np.arange(len(pairs.node))
+        core, off = self._core(piece)
+        rows, floor = np.arange(len(pairs.node)), self.floors.take(pairs.boxes.block) - off - self.tree.most_of(pairs.node)
         most = np.full(len(rows), piece.most - off)
         for bound in (self._toward_node, self._along_box, self._along_normal):
-            some = np.flatnonzero(most > self.floors.take(pairs.boxes.block.take(rows)) - off)
+            some = np.flatnonzero(most > floor.take(rows))
             rows, hulls = rows.take(some), hulls.take(some)
             most = np.minimum(most.take(some), bound(core, hulls, pairs.node.take(rows)))
-        return rows.take(np.flatnonzero(most > self.floors.take(pairs.boxes.block.take(rows)) - off))
+        return rows.take(np.flatnonzero(most > floor.take(rows)))
+
+    def _core(self, piece: Piece) -> tuple[Piece, float]:
+        """What is left of the piece without the limit, and what was taken off; all of a piece that is no thicker than that."""
+        return pared(piece, self.limit if piece.most > self.limit else 0.0)
 
     def _toward_node(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
         g, begins = toward_box(piece, hulls.pose.tip, hulls.pose.axis, self.tree.boxes(node))
@@ -242,17 +247,19 @@ class _Search:
 
     def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_FacetPairs]:
         """Note how deep the facets are in the middle of the boxes; divide what may hold more than is known."""
-        rows = np.flatnonzero(~self._give_up(pairs) & (piece.most > self.floors.take(pairs.boxes.block)))
+        more = self.tree.most_of(self.tree.leaf + pairs.leaf)
+        rows = np.flatnonzero(~self._give_up(pairs) & (piece.most > self.floors.take(pairs.boxes.block) - more))
         pairs = pairs.take(rows)
         if not len(rows):
             return []
+        more = self.tree.most_of(self.tree.leaf + pairs.leaf)
         hulls = self.space.hulls(pairs.boxes, self.body.reach)
         deep = deepest(piece, hulls.pose, pairs.corner)
         part = np.full(len(pairs.leaf), piece.part)
-        self._note(pairs.boxes.block, part, pairs.boxes.middle, -deep.distance, deep.point.T)
+        self._note(pairs.boxes.block, part, pairs.boxes.middle, more - deep.distance, deep.point.T)
         arm = pairs.corner - hulls.pose.tip
         most, g = self._facet_bound(piece, hulls, arm, (deep.g, *self._directions(piece, hulls, pairs, deep.point, arm)))
-        most = np.minimum(most, piece.most)
+        most = np.minimum(most, piece.most) + more
         flat = support_at(piece, hulls.pose, g) - (g * hulls.pose.tip).sum(axis=0) - along(arm, g).min(axis=0) + deep.distance
         flat[_longest_side(pairs.corner) < hulls.size.sum(axis=1)] = 0.0  # a short facet is not what makes the bound loose
         open_ = most > self.floors.take(pairs.boxes.block)
@@ -264,7 +271,7 @@ class _Search:
 
     def _directions(self, piece: Piece, hulls: Hulls, pairs: _FacetPairs, point: Floats, arm: Floats) -> list[Floats]:
         normal = self.tree.plates(self.tree.leaf + pairs.leaf).normal
-        core, _ = pared(piece, self.limit)
+        core, _ = self._core(piece)
         found = [normal, -normal, toward_triangle(core, hulls.pose.axis, arm)[0]]
         return found if piece.round else [*found, *end_and_side(piece, hulls.pose, point)]
 

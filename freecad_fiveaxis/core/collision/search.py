@@ -6,6 +6,8 @@ pair      a cluster, or a stretch, with a node, or a facet. It is dropped when i
 
 Two trees are gone down together, so whole clusters are cleared of whole regions at once. What is left, stretches with facets, is
 divided in time or across the facet until bound and depth are as near as asked for.
+
+A facet with an allowance is that much deeper: depths in a convex piece and bounds of them grow by as much as the piece does.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree
-from freecad_fiveaxis.core.tool.body import Body, Piece
+from freecad_fiveaxis.core.tool.body import Body, Piece, grow_body
 
 from .bounds import box_bound, facet_bound, least_depth, pared, plate_bound
 from .deepest import deepest, end_and_side, least_mixed, shortened, support_at
@@ -194,7 +196,7 @@ class _Search:
         clusters = clusters_of(self.swept, parts, self.reach)
         try:
             for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
-                if piece.most > self.limit:
+                if piece.most + self.tree.most_allowance > self.limit:
                     left = self._traverse(piece, clusters, parts, ticks)
                     if lift is None:
                         self._refine(piece, left, ticks)
@@ -244,8 +246,9 @@ class _Search:
 
     def _stay(self, piece: Piece, clusters: Clusters, sweep: Ints, place: Ints, node: Ints) -> tuple[Ints, Bools]:
         """:meth:`_pruned` for so many that two threads do not wait for each other: which rows stay."""
-        core, off = pared(piece, self.limit)
-        floor, most = self.floors.take(place) - off, np.full(len(node), piece.most - off)
+        core, off = pared(piece, self.limit if piece.most > self.limit else 0.0)
+        floor = self.floors.take(place) - off - self.tree.most_of(node)
+        most = np.full(len(node), piece.most - off)
         for first in range(0, len(node), AT_BOXES):
             some = slice(first, first + AT_BOXES)
             most[some] = np.minimum(most[some], box_bound(core, clusters.ways(sweep[some]), self.tree, node[some]))
@@ -255,10 +258,10 @@ class _Search:
             most = np.minimum(most, bound(core, ways, self.tree, node))
             left = np.flatnonzero(most > floor)
             rows, ways, node, floor, most = rows.take(left), ways.take(left), node.take(left), floor.take(left), most.take(left)
-        least, place = least_depth(piece, ways, self.tree.points(node)), place.take(rows)
+        least, place = least_depth(piece, ways, self.tree.points(node)) + self.tree.least_of(node), place.take(rows)
         if self.learns:
             self._learn(place, least)
-        left = np.flatnonzero(most > self.floors.take(place) - off)
+        left = np.flatnonzero(most > self.floors.take(place) - off - self.tree.most_of(node))
         return rows.take(left), least.take(left) > self.limit
 
     def _learn(self, place: Ints, least: Floats) -> None:
@@ -270,6 +273,15 @@ class _Search:
             self._raise(block)
 
     def _demand(self, piece: Piece, body: Body, left: _Left, lift: Floats) -> None:
+        """Raise ``lift`` (m,) to what the pairs demand, of a body grown by the allowance of their facets."""
+        if self.tree.allowance is None:
+            return self._demand_alike(piece, body, left, lift)
+        more = self.tree.most_of(self.tree.leaf + left.leaf)
+        for by in np.unique(more).tolist():
+            self._demand_alike(piece._replace(round=piece.round + by), grow_body(body, by), left.picked(more == by), lift)
+        return None
+
+    def _demand_alike(self, piece: Piece, body: Body, left: _Left, lift: Floats) -> None:
         """Raise ``lift`` (m,) to what the pairs demand, those that may demand most first: many others then cannot demand more."""
         start, low = self.swept.pose(left.block, left.start), min(one.low - one.round for one in body.pieces)
         most = ((left.corner - start.tip) * start.axis).sum(axis=1).max(axis=0) - low
@@ -287,8 +299,13 @@ class _Search:
         parts = -(-len(left.block) // AT_ONCE)
         for k in range(parts):
             rows = np.arange(k, len(left.block), parts)
-            rows = rows[piece.most > self.floors.take(left.block.take(rows))]
-            self._refine_some(piece, left.picked(rows), ticks)
+            some = left.picked(rows)
+            rows = np.flatnonzero(piece.most > self.floors.take(some.block) - self._more(some))
+            self._refine_some(piece, some.picked(rows), ticks)
+
+    def _more(self, left: _Left) -> Floats | float:
+        """The allowance (n,) mm of the facets of pairs."""
+        return self.tree.most_of(self.tree.leaf + left.leaf)
 
     def _refine_some(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
         for _ in range(ROUNDS):
@@ -297,16 +314,16 @@ class _Search:
                 return
             middle = 0.5 * (left.start + left.end)
             pose = self.swept.pose(left.block, middle)
-            deep = deepest(piece, pose, left.corner)
-            self._note(piece, left, middle, -deep.distance, deep.point)
+            deep, more = deepest(piece, pose, left.corner), self._more(left)
+            self._note(piece, left, middle, more - deep.distance, deep.point)
             most, in_time, half_way = self._most(piece, left, pose, deep.point, deep.g)
-            rows = np.flatnonzero(np.minimum(most, piece.most) > self.floors.take(left.block))
+            rows = np.flatnonzero(np.minimum(most, piece.most) > self.floors.take(left.block) - more)
             left, most = left.picked(rows), most[rows]
             if len(rows) > MOST_PAIRS:
                 break
             across = (half_way + deep.distance)[rows]
             left, most = _halved(left, in_time[rows] >= across), np.tile(most, 2)
-        np.maximum.at(self.found.bound, left.block, most)
+        np.maximum.at(self.found.bound, left.block, most + self._more(left))
 
     def _most(self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats) -> tuple[Floats, Floats, Floats]:
         """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses, and what is left

@@ -244,7 +244,7 @@ def find_freedom(nodes: Nodes, reacher: Reacher, tree: FacetTree, direction: Flo
 
 def with_way_out(reacher: Reacher, tree: FacetTree) -> Reacher:
     """The tool as it would be if it were in all places at once on its way out of the part's box along its axis."""
-    return replace(reacher, far=2.0 * float(np.linalg.norm(tree.half[:, 0])))
+    return replace(reacher, far=2.0 * float(np.linalg.norm(tree.half[:, 0])) + tree.most_allowance)
 
 
 def _tried(

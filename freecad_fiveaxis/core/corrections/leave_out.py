@@ -41,9 +41,20 @@ def leave_out(
     return without.trapped(*without.entering(path, axis))
 
 
+def keep_away(
+    path: OffsetPath, axis: Floats, tree: FacetTree, grown: Body, tolerance: float, back: float, allowance: float,
+    progress: Progress = silent, above: float = 0.0,
+) -> tuple[OffsetPath, Floats]:  # fmt: skip
+    """The rows between which a body, ``grown`` by an ``allowance`` mm, keeps out of faces to avoid, and out of which it can rise
+    so, and their axes (n, 3); the rest as for :func:`leave_out`."""
+    without = _Without(tree, grown, tolerance, back, progress, above, allowance)
+    return without.trapped(*without.entering(path, axis))
+
+
 @dataclass(frozen=True, eq=False)
 class _Without:
-    """What leaves rows out; fields as the arguments of :func:`leave_out`."""
+    """What leaves rows out; fields as the arguments of :func:`leave_out`. ``allowance`` mm on faces to avoid, None: it is not
+    these that are looked at."""
 
     tree: FacetTree
     body: Body
@@ -51,6 +62,7 @@ class _Without:
     back: float
     progress: Progress
     above: float
+    allowance: float | None = None
 
     def entering(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """The path without the rows between which the body enters, and its axes."""
@@ -67,6 +79,11 @@ class _Without:
         depth = float(entries.depth[worst])
 
         def why(where: Sentence) -> Sentence:
+            if self.allowance is not None:
+                return say(
+                    "the tool would come nearer to the faces to avoid {where} than {allowance}, as at {place}",
+                    where=where, allowance=Length(self.allowance), place=Point((x, y, z)),
+                )  # fmt: skip
             return say(
                 "the tool would enter the part {where}, deepest by {depth} at {place}",
                 where=where,
@@ -74,7 +91,8 @@ class _Without:
                 place=Point((x, y, z)),
             )
 
-        return _left(path, axis, out, why, depth, (x, y, z), say("Use a smaller cutter or another tool axis there."))
+        remedy = say("Use a smaller cutter or another tool axis there.")
+        return _left(path, axis, out, why, depth, (x, y, z), remedy, self.allowance is None)
 
     def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
         """The path without the rows under an overhang up to the ends of polylines: a retract there would go through the part."""
@@ -89,13 +107,20 @@ class _Without:
         out = under_with(self.body, self.tree, self._tips(path, axis), axis, joined, ends, self.tolerance, self.progress)
 
         def why(where: Sentence) -> Sentence:
+            if self.allowance is not None:
+                return say(
+                    "on its way out along its axis the tool would come nearer to the faces to avoid {where} than {allowance}, as "
+                    "at {place}",
+                    where=where, allowance=Length(self.allowance), place=Point((x, y, z)),
+                )  # fmt: skip
             return say(
                 "the tool could not get out along its axis {where}, for the part is over it, as at {place}",
                 where=where,
                 place=Point((x, y, z)),
             )
 
-        return _left(path, axis, out, why, None, (x, y, z), say("Turn the part, or use another tool axis there."))
+        remedy = say("Turn the part, or use another tool axis there.")
+        return _left(path, axis, out, why, None, (x, y, z), remedy, self.allowance is None)
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
         swept = straight_motion(self._tips(path, axis), axis, self.above)
@@ -127,12 +152,16 @@ def _left(
     value: float | None,
     place: tuple[float, float, float],
     remedy: str,
+    part: bool,
 ) -> tuple[OffsetPath, Floats]:
     """The path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its passes;
-    ``remedy``: what helps."""
+    ``remedy``: what helps; ``part``: whether it is for the part, not for faces to avoid."""
     steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
     rows = lasting_rows(path, np.flatnonzero(~out))
+    if not len(rows) and not part:
+        text = say("nothing is left to cut: {why}; use a smaller allowance or tool", why=why(say("on every pass")))
+        raise SettingsError(text, value)
     if not len(rows):
         text = say(
             "{leave_out} leaves nothing to cut: {why}; use a smaller cutter or holder, a longer tool or "

@@ -212,7 +212,8 @@ class _Lifter:
             if not len(deep):
                 break
             left = left[deep]
-            by = way_out(self.cutter, tip[left], axis[left], entries.place[deep])
+            more = self.tree.allowance_of(entries.facet[deep])
+            by = way_out(self.cutter, tip[left], axis[left], entries.place[deep], more)
             tip[left] += np.maximum(by, 0.5 * self.aim)[:, None] * axis[left]
         rise = np.zeros(len(key))
         near = np.flatnonzero(beside) if beside is not None else left[:0]

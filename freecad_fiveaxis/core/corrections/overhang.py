@@ -38,7 +38,8 @@ def rise_above(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: fl
         if not len(deep):
             break
         left, gone = left[deep], entries.u[deep] * way[deep]
-        by = way_out(cutter, start[deep] + gone[:, None] * up[deep], up[deep], entries.place[deep])
+        more = tree.allowance_of(entries.facet[deep])
+        by = way_out(cutter, start[deep] + gone[:, None] * up[deep], up[deep], entries.place[deep], more)
         rise[left] += gone + np.maximum(by, 0.5 * aim)
     return rise
 
@@ -52,7 +53,7 @@ def is_under(cutter: Body, tree: FacetTree, tip: Floats, axis: Floats, aim: floa
 
 def _out_of_box(tree: FacetTree, tip: Floats, axis: Floats) -> Floats:
     """How far (n,) mm tips go along their axes until the whole of the part's box is below them."""
-    middle, half = tree.middle[:, 0], tree.half[:, 0]
+    middle, half = tree.middle[:, 0], tree.half[:, 0] + tree.most_allowance
     return np.asarray(np.maximum(((middle - tip) * axis).sum(axis=1) + (half * np.abs(axis)).sum(axis=1), 0.0))
 
 

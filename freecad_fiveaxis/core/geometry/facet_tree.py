@@ -7,6 +7,8 @@ box       around them, either as they lie - along their mean normal, along the w
           third direction - or along x, y, z: the one with the smaller surface. On a slope the first is far thinner, over walls
           and floors of a part that stands straight the second.
 level     all nodes with equally many facets; the nodes of all levels stand in one table, the root first.
+allowance of a facet: how far a tool keeps off it, mm. A facet is as deep in a tool as its points are, and that much deeper: it is
+          so deep in the tool grown by it all round.
 
 The tree is perfectly balanced: at each level the facets of every node are parted at the median of what spreads most, place or
 normal, all nodes at once. It is filled up with copies of the last facets.
@@ -54,7 +56,8 @@ class FacetTree:
     copies. Of all nodes: ``middle``, ``half`` (3, n) mm their extent along x, y, z, and ``size`` (n,) mm half its diagonal;
     ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a leaf; ``leaf`` the first node that is a facet.
     ``plate`` (5, n) and ``box`` (15, n), rows as in :class:`Plates` and :class:`Boxes`, and ``point`` (3, n) mm one of the part's
-    points."""
+    points. ``allowance`` (2, n) mm: the largest and the least of the facets of each node; ``facet_allowance`` (f,) mm: the mesh's
+    own; None where a tool may touch all."""
 
     facet: Ints
     corner: Floats
@@ -68,6 +71,25 @@ class FacetTree:
     plate: Floats
     box: Floats
     point: Floats
+    allowance: Floats | None = None
+    facet_allowance: Floats | None = None
+
+    @property
+    def most_allowance(self) -> float:
+        """The largest of all, mm."""
+        return 0.0 if self.allowance is None else float(self.allowance[0, 0])
+
+    def allowance_of(self, facet: Ints) -> Floats | float:
+        """The allowance (n,) mm of these facets (n,) of the mesh; 0 where no facet has one."""
+        return 0.0 if self.facet_allowance is None else self.facet_allowance[facet]
+
+    def most_of(self, node: Ints) -> Floats | float:
+        """The largest allowance (n,) mm of the facets of these nodes (n,); 0 where no facet has one."""
+        return 0.0 if self.allowance is None else self.allowance[0].take(node)
+
+    def least_of(self, node: Ints) -> Floats | float:
+        """The least allowance (n,) mm of the facets of these nodes (n,); 0 where no facet has one."""
+        return 0.0 if self.allowance is None else self.allowance[1].take(node)
 
     def plates(self, node: Ints) -> Plates:
         """Those of these nodes (n,)."""
@@ -123,7 +145,15 @@ def planted(mesh: Mesh) -> FacetTree:
     once = np.zeros(len(order), np.bool_)
     once[np.unique(order, return_index=True)[1]] = True
     children, arities, leaf = np.concatenate(child), np.concatenate(arity), start - counts[-1]
-    return FacetTree(order, corner, once, middle, half, size, children, arities, leaf, plate, box, point)
+    allowance = None if mesh.allowance is None else _allowances(mesh.allowance[order], counts)
+    boxes = (middle, half, size, children, arities, leaf, plate, box, point)
+    return FacetTree(order, corner, once, *boxes, allowance, mesh.allowance)
+
+
+def _allowances(of_leaf: Floats, counts: list[int]) -> Floats:
+    """The largest and the least allowance (2, n) mm of the nodes of all levels, from those of the leaves."""
+    most, least = ([find(of_leaf.reshape(count, -1), axis=1) for count in counts] for find in (np.max, np.min))
+    return np.stack([np.concatenate(most), np.concatenate(least)])
 
 
 def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:

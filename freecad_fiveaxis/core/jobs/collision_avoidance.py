@@ -47,6 +47,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import q_to_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.passes.keep_off import FACETS_NEAR_AVOIDED, NEAR_AVOIDED
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 
 from .bounded import counted_places, leads_outside
@@ -83,7 +84,9 @@ CURED = frozenset({"lifted", "left-out"})
 JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
-NOT_CUT = ("facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames")
+NOT_CUT = (
+    "facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames", FACETS_NEAR_AVOIDED,
+)  # fmt: skip
 """The codes of findings on facets that are not among those to be cut."""
 
 HALVINGS = 6
@@ -303,8 +306,9 @@ def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> flo
 
 
 def rest_area(findings: tuple[Finding, ...]) -> float:
-    """The area, mm2, that stays of the facets that are cut. Sides that no pass touches are uncut as well: the larger counts."""
-    return max(area_of(findings, "uncut"), area_of(findings, "side-not-machined"))
+    """The area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides that no pass touches are
+    uncut as well: the larger counts."""
+    return max(area_of(findings, "uncut"), area_of(findings, "side-not-machined")) + area_of(findings, NEAR_AVOIDED)
 
 
 def area_of(findings: tuple[Finding, ...], *codes: str) -> float:

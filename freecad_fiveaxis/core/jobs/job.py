@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
 from freecad_fiveaxis.core.audit.feed_words import large_feeds
@@ -43,6 +44,7 @@ from freecad_fiveaxis.core.report.contacts import Contacts, contacts_of
 from freecad_fiveaxis.core.report.near_part import stand_of
 
 from .advice import add_advice
+from .avoided import check_keep_off
 from .collision_avoidance import (
     allowed,
     cutting,
@@ -93,9 +95,9 @@ def make(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     fixtures: tuple[Fixture, ...] | None = None,
 ) -> Made:  # fmt: skip
-    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name;
-    ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where they are at hand and the settings only
-    name them. Raises FiveAxisError for input that cannot be used."""
+    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name; facets of
+    it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where
+    they are at hand and the settings only name them. Raises FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
     check_bodies(settings, machine)
@@ -106,9 +108,9 @@ def make(
         find_strategy(settings.tool_axis.tool_axis)
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        faces, said = chosen_faces(settings, mesh, faces, progress)
+        mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
         settings = settle_rotary_axis(settings, kinematics, mesh)
-        context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures)
+        context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided)
         said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
         milled = mill(context)
         return replace(milled, findings=said + milled.findings, fixtures=fixtures)
@@ -132,17 +134,27 @@ def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple
     return taken, () if taken is settings or cutter is None else named_cutter_note(cutter)
 
 
-def chosen_faces(
-    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress
-) -> tuple[Bools | None, tuple[Finding, ...]]:
+class ChosenFaces(NamedTuple):
+    """``mesh``: the part, whose facets have no allowance; ``faces`` (f,): the facets to cut, None: all; ``avoided`` (f,): those
+    on faces to avoid, None: there are no such faces."""
+
+    mesh: Mesh
+    faces: Bools | None
+    avoided: Bools | None
+    findings: tuple[Finding, ...]
+
+
+def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> ChosenFaces:
     """Find the facets to cut: those chosen already, else those on the faces that the settings name; without those on faces to be
-    avoided. Raises FiveAxisError."""
+    avoided. Where these are known already they have an allowance, and are not among the ``faces``. Raises FiveAxisError."""
     chosen = settings.faces
+    avoided = None if mesh.allowance is None else mesh.allowance > 0.0
+    mesh = mesh if avoided is None else replace(mesh, allowance=None)
     said: tuple[Finding, ...] = ()
     if faces is None and chosen.faces is not None:
         faces, said = _facets_in(settings, mesh, chosen.faces, progress)
     if chosen.avoid is None:
-        return faces, said
+        return ChosenFaces(mesh, faces, avoided, said)
     avoided, also = _facets_in(settings, mesh, chosen.avoid, progress, machined=False)
     left = ~avoided if faces is None else faces & ~avoided
     if not left.any():
@@ -150,7 +162,7 @@ def chosen_faces(
             "all that is to be machined lies on {name}; leave out {option}", name=Path(chosen.avoid).name, option=Option("avoid")
         )
         raise SettingsError(text, chosen.avoid)
-    return left, (*said, *also)
+    return ChosenFaces(mesh, left, avoided, (*said, *also))
 
 
 def _facets_in(
@@ -204,6 +216,7 @@ def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> 
     surface = surface_deviation(made, driven_to_surface(made.settings), progress)
     judged = judge(made.kinematics, made.program, surface or deviation, singularity, proof.tolerance, surface is not None)
     gouge, left, entries = _against_part(made, progress)
+    entries += check_keep_off(made.context(progress), made.program) if isinstance(made, Milled) else ()
     hit = _in_fixtures(made, progress) + look_in_machine(made, against, progress)
     found = still_true(made.findings, gouge) + deviation.findings + entries + hit + judged
     if made.settings.task != AUDIT:

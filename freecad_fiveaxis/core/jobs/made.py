@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.cl.coedge import OffsetPath
 from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
-from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, join_obstacles
+from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
@@ -23,8 +23,9 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.singularity import Singularity
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.passes.boundary import Boundary
+from freecad_fiveaxis.core.passes.keep_off import KeepOff
 
-from .context import MillContext
+from .context import MillContext, obstacles_of
 from .settings import Settings
 
 
@@ -54,7 +55,8 @@ class Posted(Made):
 @dataclass(frozen=True, eq=False)
 class Milled(Posted):
     """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``;
-    ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is one."""
+    ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is one; ``keep_off``: faces to avoid on
+    which there is an allowance."""
 
     mesh: Mesh
     contact: ContactPath
@@ -62,10 +64,11 @@ class Milled(Posted):
     axis: Floats
     keep: Bools
     boundary: Boundary | None = field(default=None, kw_only=True)
+    keep_off: KeepOff | None = field(default=None, kw_only=True)
 
     def context(self, progress: Progress) -> MillContext:
         """What the stages took that made it, with another progress to tell."""
-        box, joined = box_with(self.mesh.box, self.fixtures), join_obstacles(self.mesh, self.fixtures)
+        joined, box = obstacles_of(self.mesh, self.fixtures, self.keep_off)
         return MillContext(
             self.settings,
             self.machine,
@@ -78,6 +81,7 @@ class Milled(Posted):
             None,
             joined,
             boundary=self.boundary,
+            keep_off=self.keep_off,
         )
 
 

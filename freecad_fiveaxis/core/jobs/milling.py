@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.cl.cl_path import CLPath, LinkOptions, link_passes
 from freecad_fiveaxis.core.cl.coedge import OffsetPath, break_polylines, close_gaps, lasting_rows, take_path_rows
 from freecad_fiveaxis.core.cl.feasible import feasible_rows
 from freecad_fiveaxis.core.cl.tool_axis import tool_axes
-from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, join_obstacles
+from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.corrections.auto_axis import (
     auto_axes,
@@ -54,6 +54,7 @@ from freecad_fiveaxis.core.passes import (
 from freecad_fiveaxis.core.passes.frames import Frames
 from freecad_fiveaxis.core.passes.radial_passes import unit_axis
 
+from .avoided import facets_off, far_enough_rows, keep_off_of, kept_off_faces
 from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
 from .collision_avoidance import (
     drive_free,
@@ -65,7 +66,7 @@ from .collision_avoidance import (
     tilted,
     uncut_by_cure,
 )
-from .context import MillContext
+from .context import MillContext, obstacles_of
 from .driving import posted
 from .fewer_axes import keeps_its_axis
 from .made import Milled
@@ -87,14 +88,19 @@ _NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axi
 
 def mill_context(
     settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
-    faces: Bools | None = None, fixtures: tuple[Fixture, ...] = (),
+    faces: Bools | None = None, fixtures: tuple[Fixture, ...] = (), avoided: Bools | None = None,
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
     """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all.
-    ``fixtures``: what is kept clear of as the rest of the part is."""
-    joined, box = join_obstacles(mesh, fixtures), box_with(mesh.box, fixtures)
+    ``fixtures``: what is kept clear of as the rest of the part is; ``avoided`` (f,): the facets on faces to avoid, None: no such
+    faces."""
+    keep_off = keep_off_of(settings, mesh, avoided)
+    joined, box = obstacles_of(mesh, fixtures, keep_off)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
     inside, said = facets_inside(settings, boundary, mesh, faces)
     chosen = faces if boundary is None else inside
+    if keep_off is not None:
+        inside, near = facets_off(keep_off, mesh, inside)
+        said, chosen = said + near, inside
     if settings.tool_axis.tool_axis == AUTO:
         standing = find_standing(settings, mesh, faces)
         faces = (~standing if faces is None else faces) & inside
@@ -105,23 +111,22 @@ def mill_context(
         if settings.passes.passes == FRAMES:
             frames, keep, left_out = find_frames(joined, to_cut, reacher, most, int(settings.passes.frames), progress)
             context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep[: len(faces)], None, joined)
-            return replace(context, chosen=chosen, boundary=boundary, frames=frames), (*about, *left_out)
+            return replace(context, chosen=chosen, boundary=boundary, frames=frames, keep_off=keep_off), (*about, *left_out)
         field = find_axis_field(joined, to_cut, reacher, progress)
         keep, left_out = select_facets(field, joined, to_cut, most)
         keep = keep[: len(faces)]
         context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary)
-        return context, (*about, *left_out)
+        return replace(context, keep_off=keep_off), (*about, *left_out)
     if settings.tool_axis.tool_axis == FROM_AXIS:
         stand = axis_options(settings)
         keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
         context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
-        return context, (*said, *left_out)
+        return replace(context, keep_off=keep_off), (*said, *left_out)
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     left_out = (*said, *left_out)
-    return MillContext(
-        settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary
-    ), left_out
+    context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
+    return replace(context, keep_off=keep_off), left_out
 
 
 def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
@@ -140,7 +145,7 @@ def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
 def mill(context: MillContext) -> Milled:
     """From a mesh to a program: passes, CL offset, tool axes, links, the tool kept out of the part, joints, NC blocks."""
     contact, untouched, frame = laid(context)
-    offset, axis, held = oriented(context, bounded(context, closed(context, contact)), frame)
+    offset, axis, held = oriented(context, kept_off_faces(context, bounded(context, closed(context, contact))), frame)
     led, said = rerouted(context, offset, axis)
     turned, led = tilted(context, offset, led)
     path, entering = lifted(context, linked(context, turned, led))
@@ -151,7 +156,7 @@ def mill(context: MillContext) -> Milled:
     program = posted(context, path, joints, found)
     return Milled(
         **vars(program), mesh=context.mesh, contact=contact, offset=offset, axis=axis, keep=context.keep,
-        boundary=context.boundary,
+        boundary=context.boundary, keep_off=context.keep_off,
     )  # fmt: skip
 
 
@@ -272,7 +277,7 @@ def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     )  # fmt: skip
     sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     sat, axis = bounded_by_hub(context, sat, axis)
-    sat, axis = left_out_rows(context, sat, axis)
+    sat, axis = far_enough_rows(context, *left_out_rows(context, sat, axis))
     path = link_passes(sat, axis, cutter, *context.box, options, context.progress, kept_off(settings))
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
         path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))

@@ -17,14 +17,15 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.cl.cl_offset import cl_offset_path
-from freecad_fiveaxis.core.collision.fixtures import box_with
 from freecad_fiveaxis.core.corrections.find_frames import find_frames
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy
+from freecad_fiveaxis.core.passes.keep_off import KeepOff
 
+from .avoided import facets_off, keep_off_of, kept_off_faces
 from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
-from .context import MillContext
+from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import chosen_faces
 from .milling import closed, find_standing, laid
@@ -77,34 +78,40 @@ def preview_passes(
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     find_pass_strategy(settings.passes.passes)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    faces, said = chosen_faces(settings, mesh, faces, progress)
-    context, left_out = _context(settings, mesh, faces, progress)
+    mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
+    context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
     contact, untouched, _ = laid(context)
-    columns = _cut_rows(contact, context.keep) if context.boundary is None else _within_boundary(context, contact)
+    whole = context.boundary is None and context.keep_off is None
+    columns = _cut_rows(contact, context.keep) if whole else _within_boundary(context, contact)
     found = (*said, *left_out, *untouched, *contact.findings)
     return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found)
 
 
-def _context(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> tuple[MillContext, tuple[Finding, ...]]:
+def _context(
+    settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress, keep_off: KeepOff | None
+) -> tuple[MillContext, tuple[Finding, ...]]:
     """As :func:`.milling.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
     machine, kinematics, dialect = machine_of(settings)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
     inside, said = facets_inside(settings, boundary, mesh, faces)
     chosen, frames = faces if boundary is None else inside, None
+    joined, box = obstacles_of(mesh, (), keep_off)
+    if keep_off is not None:
+        inside, near = facets_off(keep_off, mesh, inside)
+        said, chosen = said + near, inside
     if settings.tool_axis.tool_axis == AUTO:
         asked = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
         keep, left_out = asked & facets_under_axes(mesh, most), tuple[Finding, ...]()
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
             reacher = reacher_of(settings, machine, kinematics, mesh)
-            frames, keep, left_out = find_frames(mesh, asked, reacher, most, int(settings.passes.frames), progress)
+            frames, keep, left_out = find_frames(joined, asked, reacher, most, int(settings.passes.frames), progress)
     else:
         followed = None if keeps_its_axis(settings, machine) else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     if not keep.any():
         raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
-    box = box_with(mesh.box, ())
     made = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary)
-    return replace(made, frames=frames), (*said, *left_out)
+    return replace(made, frames=frames, keep_off=keep_off), (*said, *left_out)
 
 
 Columns = tuple[Floats, Ints, Ints]
@@ -120,10 +127,11 @@ def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
 
 
 def _within_boundary(context: MillContext, contact: ContactPath) -> Columns:
-    """The rows within the boundary; the centre of a cutter that is no ball is taken as over the surface's normal."""
-    offset = bounded(context, closed(context, contact))
+    """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is taken as over the
+    surface's normal."""
+    offset = kept_off_faces(context, bounded(context, closed(context, contact)))
     cutter = context.settings.cutter
-    if context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:
+    if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:
         sat, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
         offset, _ = bounded_by_hub(context, sat, axis)
     return offset.point, offset.polyline, offset.pass_

@@ -17,6 +17,7 @@ from freecad_fiveaxis.core.collision.machine_check import MACHINE_COLLISION, MAC
 from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
 from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
 from freecad_fiveaxis.core.machine.bodies import SPINDLE
+from freecad_fiveaxis.core.passes.keep_off import AVOIDED_NEAR, AVOIDED_UNPROVEN
 
 from .figures import Figures
 from .verdict import ENTERS, is_checked
@@ -66,6 +67,11 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         near = figures.inputs.get("fixture_clearance")
         if isinstance(near, float) and near > figures.tolerance and FIXTURE_NEAR not in codes:
             yield say("they keep {clearance} away from fixtures", clearance=Length(near))
+    kept = figures.inputs.get("avoid_allowance")
+    if isinstance(kept, float) and kept > figures.tolerance and not codes & {AVOIDED_NEAR, AVOIDED_UNPROVEN}:
+        yield say(
+            "cutter, shank and holder, as far as they are given, keep {distance} off the faces to avoid", distance=Length(kept)
+        )
 
 
 def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:

@@ -200,6 +200,8 @@ WARNED = {
     "lifted": Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
     "left-out": Template("{value} of the passes are left out"),
     "uncut": Template("more than scallops stays uncut on {value}"),
+    "near-avoided-faces": Template("{value} beside the faces to avoid stay uncut for the allowance on these"),
+    "facets-near-avoided": Template("{value} lie too near to the faces to avoid and are left out"),
     "facets-beyond-axis-angle": Template("{value} are too steep for the largest axis angle and left out"),
     "facets-beyond-machine": Template("{value} are beyond the machine's limits and left out"),
 }

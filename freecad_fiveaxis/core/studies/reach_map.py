@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, enters,
 from freecad_fiveaxis.core.collision.rest_material import surface_samples
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, round_piece
 
@@ -84,14 +85,19 @@ class ReachMap:
 
 def reach_map(
     mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent, fixtures: Sequence[Fixture] = (),
-    executor: Executor | None = None,
+    executor: Executor | None = None, keep_off: KeepOff | None = None,
 ) -> ReachMap:  # fmt: skip
     """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as the part is.
+    ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot touch for it are not in the map.
     ``executor``: whose workers do a portion of the places each, with the same result to the last bit; None: all is done here,
     which is quicker for a part of a few thousand places. Raises SettingsError for sizes that no tool has."""
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)
-    ground, normal, tilts = Ground(reacher, join_obstacles(mesh, fixtures)), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
+    joined = join_obstacles(mesh, fixtures)
+    if keep_off is not None:
+        some, joined = keep_off.allows(mesh, point, facet), keep_off.obstacle(joined)
+        point, facet, area = point[some], facet[some], area[some]
+    ground, normal, tilts = Ground(reacher, joined), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
     parts = list(_split_places(point, normal, BATCH if executor else len(point)))
     tried = spread(_try_all, ground, parts, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in parts])
     obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))

@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.jobs.avoided import facets_off, keep_off_of, report_places
 from freecad_fiveaxis.core.jobs.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.jobs.job import chosen_faces, make
@@ -102,15 +103,17 @@ def try_reach(
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    faces, said = chosen_faces(settings, mesh, faces, progress)
-    boundary = boundary_of(settings)
+    mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
+    boundary, keep_off = boundary_of(settings), keep_off_of(settings, mesh, avoided)
     inside, outside = facets_inside(settings, boundary, mesh, faces)
-    faces, said = faces if boundary is None else inside, said + outside
+    inside, near = facets_off(keep_off, mesh, inside)
+    faces, said = faces if boundary is None and keep_off is None else inside, said + outside + near
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
     reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
-    found = reach_map(mesh, reacher, faces, progress, fixtures, executor)
+    found = reach_map(mesh, reacher, faces, progress, fixtures, executor, keep_off)
+    said += report_places(keep_off, mesh, faces, found.spacing)
     return ReachTrial(settings, found, mesh.findings + said + below, reacher)
 
 

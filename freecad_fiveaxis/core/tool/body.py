@@ -273,19 +273,20 @@ def depth_of(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
     return np.asarray(np.max(depths, axis=0))
 
 
-def way_out(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
+def way_out(body: Body, tip: Floats, axis: Floats, point: Floats, more: Floats | float = 0.0) -> Floats:
     """How far (n,) mm bodies at tips and axes (n, 3) must go along their axes until points (n, 3) are below them: what a drop
-    cutter calls the contact with a point. 0 where a point is below already, or beside the body all the way up."""
+    cutter calls the contact with a point. 0 where a point is below already, or beside the body all the way up. ``more`` (n,) mm:
+    by which the body is grown all round."""
     arm = point - tip
     height = (arm * axis).sum(axis=-1)
     radius = np.linalg.norm(arm - height[..., None] * axis, axis=-1)
-    floor = np.min([_underside(piece, radius) for piece in body.pieces], axis=0)
+    floor = np.min([_underside(piece, radius, more) for piece in body.pieces], axis=0)
     return np.asarray(np.maximum(height - floor, 0.0))
 
 
-def _underside(piece: Piece, radius: Floats) -> Floats:
-    """The lowest height (n,) of a piece so far from the axis, mm; infinite beside it."""
-    r0, r1, c = piece.low_radius, piece.high_radius, piece.round
+def _underside(piece: Piece, radius: Floats, more: Floats | float) -> Floats:
+    """The lowest height (n,) of a piece grown by so much so far from the axis, mm; infinite beside it."""
+    r0, r1, c = piece.low_radius, piece.high_radius, piece.round + more
     over = np.maximum(radius - r0, 0.0)
     lowest = piece.low - np.sqrt(np.maximum(c * c - over * over, 0.0))
     under = np.where(over <= c, lowest, np.inf)

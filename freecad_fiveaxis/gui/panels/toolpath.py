@@ -292,7 +292,7 @@ DIVIDED = ("direction", "steep_shallow")
 HELD = ("fixtures", "fixture_clearance")
 ORDERING = ("order", "spiral", "links", "lead_in", "boundary", "boundary_axis", "boundary_by")
 SECTIONS = {
-    "Part": ("avoid", "work_zero", "linear_deflection", "angular_deflection"),
+    "Part": ("avoid", "avoid_allowance", "work_zero", "linear_deflection", "angular_deflection"),
     "Machine": ("setup", "machine", "controller", "tool_length"),
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
     "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", *OF_FRAMES, SPACING, *DIVIDED, *ORDERING),

@@ -48,6 +48,7 @@ class Mesh:
     the second -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet: column k joins vertices k and k + 1.
 
     The first facet of a co-edge runs along it from ``coedge_vertex[:, 0]`` to ``[:, 1]``, the second one back.
+    ``allowance`` (f,) mm: so far a tool keeps off each facet; None: it may touch all of them.
     """
 
     vertex: Floats
@@ -58,11 +59,14 @@ class Mesh:
     coedge_face: Ints
     face_coedge: Ints
     findings: tuple[Finding, ...] = ()
+    allowance: Floats | None = None
 
     def __post_init__(self) -> None:
         freeze(self, None, vertex="f3")
         freeze(self, None, face="i3", normal="f3", area="f", face_coedge="i3")
         freeze(self, None, coedge_vertex="i2", coedge_face="i2")
+        if self.allowance is not None:
+            freeze(self, len(self.face), allowance="f")
 
     @property
     def box(self) -> tuple[Floats, Floats]:

@@ -315,6 +315,10 @@ class GougeSettings:
         0.0, "length", "how near cutter, shank, holder and spindle may come to fixtures and bodies of the machine before that is "
         "told", ONE_PROGRAM, least=0.0, most=LONGEST,
     )  # fmt: skip
+    avoid_allowance: float = option(
+        0.0, "length", "so far cutter, shank and holder keep off the faces to avoid, on feeds and rapids; 0: they may touch them",
+        (*FROM_SOLID, REACH), least=0.0, most=LONGEST,
+    )  # fmt: skip
     left: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
         choices=("on", "off"), bare="on",

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Faces to avoid of which the tool keeps an allowance: which places of the surface the cutter cannot touch for that.
+
+corner ball   the ball of the cutter's corner radius that touches the surface at a contact: of a ball end the whole end, of other
+              cutters a part of it whatever the axis. Where it comes nearer than the allowance, no axis helps.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Point, Template
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles
+from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
+
+NEAR_AVOIDED, FACETS_NEAR_AVOIDED = "near-avoided-faces", "facets-near-avoided"
+"""The codes of the findings: on facets that are cut, and of facets that are not cut at all."""
+
+AVOIDED_NEAR, AVOIDED_UNPROVEN = "avoided-faces-near", "avoided-faces-unproven"
+"""The codes of the findings on a finished program."""
+
+TOUCHING = 1e-6
+"""mm; a ball that is so much too near keeps the allowance."""
+
+ON_STRIP = Template(
+    "{area} ({share} % of the part) beside the faces to avoid are not cut, as at {place}: the cutter would come nearer to these "
+    "than {allowance}. Cut them with a smaller cutter, or with a smaller allowance."
+)
+ON_FACETS = Template(
+    "{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to avoid that they are left "
+    "out: the cutter would come nearer to these than {allowance}."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class KeepOff:
+    """``faces``: the facets to avoid alone, a mesh of its own; ``some`` (f,): which of the part these are; ``allowance`` mm,
+    above 0; ``corner`` mm: the cutter's corner radius."""
+
+    faces: Mesh
+    some: Bools
+    allowance: float
+    corner: float
+
+    def __post_init__(self) -> None:
+        corner = np.ascontiguousarray(self.faces.vertex[self.faces.face].transpose(1, 0, 2))
+        facets = Facets(corner, self.faces.normal)
+        object.__setattr__(self, "_facets", facets)
+        object.__setattr__(self, "_pieces", facets.pieces())
+
+    @classmethod
+    def of(cls, mesh: Mesh, some: Bools, allowance: float, corner: float) -> KeepOff:
+        """Keep off these facets (f,) of the part's mesh."""
+        return cls(from_triangles(mesh.vertex[mesh.face[some]]), some, allowance, corner)
+
+    @property
+    def least(self) -> float:
+        """So near, mm, the middle of the corner ball may come."""
+        return self.corner + self.allowance
+
+    def room(self, centre: Floats) -> Floats:
+        """How much farther (n,) mm than they must the corner balls about ``centre`` (n, 3) mm are from the faces; below 0: they
+        are too near."""
+        pieces, facets = self._pieces, self._facets  # type: ignore[attr-defined]
+        room: Floats = pieces.clear_by(centre) - self.least
+        near = np.flatnonzero(room < self.least)
+        if len(near):
+            room[near] = search(centre[near], pieces, facets.squared, nearest, 2)[:, 0] - self.least
+        return room
+
+    def allows(self, mesh: Mesh, point: Floats, facet: Ints) -> Bools:
+        """Which places (k, 3) mm on facets (k,) of the part the corner ball can touch."""
+        return np.asarray(self.room(point + self.corner * mesh.normal[facet]) >= -TOUCHING)
+
+    def obstacle(self, joined: Mesh) -> Mesh:
+        """What the tool keeps out of, the part's facets first, with the allowance on those to avoid."""
+        allowance = np.zeros(len(joined.face))
+        allowance[: len(self.some)] = np.where(self.some, self.allowance, 0.0)
+        return replace(joined, allowance=allowance)
+
+    def box_with(self, box: tuple[Floats, Floats]) -> tuple[Floats, Floats]:
+        """Find the box, low and high corner (3,) mm, about a box and all that is too near to the faces."""
+        low, high = self.faces.box
+        return np.minimum(box[0], low - self.allowance), np.maximum(box[1], high + self.allowance)
+
+
+def facets_allowed(keep_off: KeepOff, mesh: Mesh, facets: Bools) -> tuple[Bools, tuple[Finding, ...]]:
+    """Find those of ``facets`` (f,) that the corner ball can touch, if only in part, and say what the others are. A facet is
+    left out only where that is certain: the room changes no faster than the place does."""
+    rows = np.flatnonzero(facets)
+    corner = mesh.vertex[mesh.face[rows]]
+    middle = corner.mean(axis=1)
+    far = np.linalg.norm(corner - middle[:, None], axis=2).max(axis=1)
+    out = np.zeros(len(facets), np.bool_)
+    out[rows] = keep_off.room(middle + keep_off.corner * mesh.normal[rows]) + far < -TOUCHING
+    area = np.where(out, mesh.area, 0.0)
+    found = _report(
+        FACETS_NEAR_AVOIDED, ON_FACETS, keep_off, mesh, float(area.sum()), mesh.vertex[mesh.face[int(area.argmax())]].mean(axis=0)
+    )
+    return facets & ~out, found
+
+
+def report_strip(keep_off: KeepOff, mesh: Mesh, point: Floats, facet: Ints, area: Floats) -> tuple[Finding, ...]:
+    """Say how much area the corner ball cannot touch, of places (k, 3) mm of facets (k,) that stand for ``area`` (k,) mm2."""
+    out = np.where(keep_off.allows(mesh, point, facet), 0.0, area)
+    return _report(NEAR_AVOIDED, ON_STRIP, keep_off, mesh, float(out.sum()), point[int(out.argmax())])
+
+
+def _report(code: str, words: Template, keep_off: KeepOff, mesh: Mesh, area: float, place: Floats) -> tuple[Finding, ...]:
+    if area == 0.0:
+        return ()
+    x, y, z = place.tolist()
+    text = words.say(
+        area=Area(area, ".4g"), share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), place=Point((x, y, z), ".6g"),
+        allowance=Length(keep_off.allowance),
+    )  # fmt: skip
+    return (Finding(Severity.WARNING, code, text, area, 0.0, "mm2", place=(x, y, z)),)

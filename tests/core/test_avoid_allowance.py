@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The allowance on faces to avoid: by dense samples of the way that the machine goes the tool keeps off, and cuts all else as
+before."""
+
+import numpy as np
+import pytest
+from gouge_examples import step
+from mesh_shapes import box
+from plain import build_settings
+
+from freecad_fiveaxis.core.base.progress import silent
+from freecad_fiveaxis.core.cli import main
+from freecad_fiveaxis.core.collision import find_rest_material, program_motion
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs.avoided import check_keep_off
+from freecad_fiveaxis.core.jobs.collision_avoidance import cutting
+from freecad_fiveaxis.core.jobs.options import tip_to_driven
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.passes.keep_off import KeepOff
+from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.report.scope import scope
+from freecad_fiveaxis.core.report.verdict import verdict
+from freecad_fiveaxis.core.studies.study import try_reach
+from freecad_fiveaxis.core.tool.body import body_of
+
+TOLERANCE = 0.01
+OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.1, "linearize": "on"}
+PLATE = box((-10.0, -8.0, 0.0), (10.0, 8.0, 12.0))
+
+
+def wall_of(mesh):
+    """The facets of the step's wall, or of the floor beside it."""
+    return (mesh.normal[:, 1] < -0.9) & (np.abs(mesh.vertex[mesh.face][..., 1]).max(axis=1) == 0.0)
+
+
+def floor_of(mesh):
+    return (mesh.normal[:, 2] > 0.9) & (np.abs(mesh.vertex[mesh.face][..., 2]).max(axis=1) == 0.0)
+
+
+def side_of(mesh):
+    """The plate's side at x = 10 mm."""
+    return mesh.normal[:, 0] > 0.9
+
+
+PARTS = {"wall": (step(), wall_of), "floor": (step(), floor_of), "plate": (from_triangles(PLATE), side_of)}
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """The proven program of a part some of whose faces are avoided."""
+    folder = tmp_path_factory.mktemp("avoided")
+    known = {}
+    for name, (mesh, find) in PARTS.items():
+        write_stl(mesh, folder / f"{name}.stl")
+        write_stl(from_triangles(mesh.vertex[mesh.face[find(mesh)]]), folder / f"{name}_faces.stl")
+
+    def run(name, allowance, **options):
+        key = name, allowance, *sorted(options.items())
+        if key not in known:
+            given = {**OPTIONS, "avoid": str(folder / f"{name}_faces.stl"), "avoid_allowance": allowance, **options}
+            known[key] = job.run(build_settings("mill", str(folder / f"{name}.stl"), given))
+        return known[key]
+
+    run.folder = folder
+    return run
+
+
+def nearest_way(result, name, many=60):
+    """How near, mm, the middle of the ball comes to the avoided rectangle, by dense samples of the real way with all rapids."""
+    mesh, find = PARTS[name]
+    corner = mesh.vertex[mesh.face[find(mesh)]].reshape(-1, 3)
+    program = result.made.program
+    q, u = words_to_q(program.words), np.linspace(0.0, 1.0, many)[:, None, None]
+    tip, axis = forward(result.made.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+    centre = tip + 3.0 * axis
+    out = np.maximum(np.maximum(corner.min(axis=0) - centre, centre - corner.max(axis=0)), 0.0)
+    return float(np.linalg.norm(out, axis=1).min())
+
+
+def codes(result):
+    return [one.code for one in result.findings]
+
+
+@pytest.mark.parametrize("axis", ["auto", "facet_mean"])
+@pytest.mark.parametrize("name", PARTS)
+def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_nearer(made, name, axis):
+    result = made(name, 1.0, tool_axis=axis)
+    near = nearest_way(result, name)
+    assert 4.0 - TOLERANCE <= near < 4.0 + 0.05, "and no farther off than it must"
+    assert "avoided-faces-near" not in codes(result)
+    assert nearest_way(made(name, 0.0, tool_axis=axis), name) < 3.0 + 0.05
+
+
+@pytest.mark.parametrize("options", [
+    {"passes": "planes", "stepover": 1.5}, {"passes": "zlevel", "stepover": 1.5}, {"passes": "frames", "tool_axis": "auto"}, {"spiral": "on", "passes": "scallop"},
+    {"links": "over"}, {"lead_in": 1.0}, {"gouge": "tilt", "tool_axis": "facet_mean"}, {"gouge": "leave-out"}, {"rapids": "independent"},
+    {"steep_shallow": np.radians(45.0)},
+], ids=lambda given: "-".join(map(str, given.values())))  # fmt: skip
+def test_whatever_lays_the_passes_and_links_them_the_allowance_is_kept(made, options):
+    if "stepover" in options:
+        options = {**options, "scallop": None}
+    result = made("wall", 1.0, **options)
+    assert 4.0 - TOLERANCE <= nearest_way(result, "wall", 20) < 4.2
+    assert not {"avoided-faces-near", "avoided-faces-unproven", "overcut", "rapid-collision"} & set(codes(result))
+
+
+def heights(result, mesh, some):
+    """What is left, mm, at places far enough from the faces, and where."""
+    program, settings = result.made.program, result.made.settings
+    swept = program_motion(result.made.kinematics, program, tip_to_driven(settings))
+    body = body_of(settings.cutter.cutter)
+    keep_off = KeepOff.of(mesh, some, 1.0, 3.0)
+
+    def counts(point, facet):
+        return keep_off.allows(mesh, point, facet)
+
+    return find_rest_material(mesh, body, swept, cutting(program.motion), 0.7, result.made.keep & ~some, counts=counts).height
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_everywhere_else_it_cuts_as_before(made, name):
+    mesh, find = PARTS[name]
+    with_room, without = (heights(made(name, room, tool_axis="auto", passes="scallop"), mesh, find(mesh)) for room in (1.0, 0.0))
+    finished = [float(np.mean(one <= 0.2 + TOLERANCE)) for one in (with_room, without)]
+    assert finished[0] > 0.985 and finished[0] > finished[1] - 0.01
+
+
+def test_the_strip_is_told_with_its_area_and_the_verdict_names_it(made):
+    """4 mm of the floor 40 mm long, and of shelf and ends where the ball over them is no more than 4 mm from the wall."""
+    result = made("wall", 1.0, tool_axis="facet_mean")
+    (strip,) = [one for one in result.findings if one.code == "near-avoided-faces"]
+    aside = np.sqrt(4.0**2 - 3.0**2)
+    end = 6.0 * aside + 0.5 * np.pi * aside**2
+    assert strip.value == pytest.approx(40.0 * (4.0 + aside) + 2.0 * end, rel=0.03)
+    figures = job.figures(result)
+    assert "beside the faces to avoid" in " ".join(map(str, verdict(figures, summary(figures)).reasons))
+    assert any("keep 1 mm off the faces to avoid" in str(one) for one in scope(figures, summary(figures)).proven)
+    assert "near-avoided-faces" not in codes(made("wall", 0.0, tool_axis="auto"))
+
+
+def test_shank_and_holder_keep_off_too(made):
+    """A holder as wide as it is near: upright over the floor it stands beside the wall's top."""
+    options = {"cutter": "ball:6:4", "holder": ((24.0, 20.0),), "tool_axis": "facet_mean", "max_axis_angle": np.radians(30.0)}
+    result = made("wall", 1.0, **options)
+    made_ = result.made
+    assert not {"avoided-faces-near"} & set(codes(result))
+    q, u = words_to_q(made_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
+    tip, axis = forward(made_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+    beside = (np.abs(axis[:, 2] - 1.0) < 1e-9) & (tip[:, 2] + 4.0 < 6.0)
+    assert beside.any() and tip[beside, 1].max() <= -13.0 + TOLERANCE
+    assert made("wall", 0.0, **options).made.program.words[:, 1].max() is not None
+
+
+def test_the_proof_finds_a_program_that_comes_nearer(made):
+    """The program without an allowance, looked at with one."""
+    result = made("wall", 0.0, tool_axis="auto")
+    context = result.made.context(silent)
+    mesh, find = PARTS["wall"]
+    object.__setattr__(context, "keep_off", KeepOff.of(mesh, find(mesh), 1.0, 3.0))
+    (found,) = check_keep_off(context, result.made.program)
+    assert found.code == "avoided-faces-near" and found.severity.name == "ERROR"
+    assert found.value == pytest.approx(nearest_way(result, "wall") - 3.0, abs=0.05)
+    assert "1 mm are asked for" in str(found.text)
+
+
+def test_an_allowance_of_nothing_gives_the_same_bytes(made, tmp_path):
+    part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
+    given = ["mill", part, "--machine", "trunnion_ac", "--cutter", "ball:6", "--scallop", "0.2", "--avoid", faces, "--quiet"]
+    for name, more in (("one", []), ("two", ["--avoid-allowance", "0"])):
+        assert main([*given, *more, "-o", str(tmp_path / f"{name}.ngc")]) in (0, 1)
+    assert (tmp_path / "one.ngc").read_bytes() == (tmp_path / "two.ngc").read_bytes()
+
+
+@pytest.mark.parametrize(("allowance", "avoid", "said"), [
+    ("-1", True, "avoid-allowance"), ("500", True, "larger than the part"), ("1", False, "there are none: give them with --avoid"),
+    ("nan", True, "avoid-allowance"), ("59", True, "nothing of what is to be machined can be cut"),
+])  # fmt: skip
+@pytest.mark.parametrize("task", ["mill", "reach"])
+def test_bad_allowances_are_refused_in_one_line_and_leave_no_file(made, tmp_path, capsys, allowance, avoid, said, task):
+    part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
+    given = [task, part, "--machine", "trunnion_ac", "--cutter", "ball:6", f"--avoid-allowance={allowance}"]
+    given += ["--avoid", faces] if avoid else []
+    out = tmp_path / "out.ngc"
+    assert main([*given, *(["-o", str(out)] if task == "mill" else [])]) == 2
+    err = capsys.readouterr().err
+    assert said in err and len(err.strip().splitlines()) <= 3 and not out.exists()
+
+
+def test_cutters_with_a_ring_keep_off_with_the_whole_of_it(made):
+    result = made("wall", 1.0, cutter="bull:8:1", tool_axis="facet_mean", max_axis_angle=np.radians(30.0))
+    made_ = result.made
+    q, u = words_to_q(made_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
+    tip, axis = forward(made_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+    upright = (np.abs(axis[:, 2] - 1.0) < 1e-9) & (tip[:, 2] < 5.0)
+    assert upright.any() and -9.0 < tip[upright, 1].max() <= -5.0 + TOLERANCE
+    assert "avoided-faces-near" not in codes(result)
+
+
+def test_reach_leaves_out_what_the_cutter_cannot_touch_for_the_allowance(made):
+    part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
+    given = {"machine": "trunnion_ac", "cutter": "ball:6", "avoid": faces}
+    plain, trial = (try_reach(build_settings("reach", part, {**given, "avoid_allowance": room})) for room in (0.0, 1.0))
+    assert [one.code for one in trial.findings if "avoided" in one.code] == ["faces-avoided", "near-avoided-faces"]
+    point = trial.found.point
+    on_floor = (point[:, 2] == 0.0) & (point[:, 1] < 0.0)
+    assert point[on_floor, 1].max() <= -4.0 and plain.found.point[plain.found.point[:, 2] == 0.0, 1].max() > -1.0
