@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import pytest
 from roofs import Inline
 
-from freecad_fiveaxis.core.base import crew
+from freecad_fiveaxis.core.base import crew, workers
 
 SPAWN = "from mpi4py.futures import MPIPoolExecutor as P; p = P(1); print(p.submit(abs, -3).result()); p.shutdown()"
 """What MPI has to be able to do: begin a process beside one that was begun without it."""
@@ -35,6 +35,15 @@ class Engine:
 def processes():
     with crew.at_work(crew.process_crew(2)) as pool:
         yield pool
+
+
+@contextmanager
+def plain_processes():
+    """Those of FreeCAD's window, and some of the work in this process."""
+    serving = workers.Command((sys.executable, "-c", workers.python_code("serve")))
+    with workers.WorkerProcesses(lambda: serving, 2, 0.0) as pool:
+        yield pool
+        assert pool.died == 0
 
 
 @contextmanager
@@ -89,12 +98,13 @@ OPEN = {
     "threads": lambda: crew.at_work(crew.thread_crew(2)),
     "foreign threads": lambda: concurrent.futures.ThreadPoolExecutor(2),
     "processes": processes,
+    "plain processes": plain_processes,
     "loky": loky,
     "dask": dask,
     "mpi": mpi,
 }
 APART = ("processes", "loky", "dask", "mpi")
-ONCE_MORE = ("serial", "inline", "foreign threads")
+ONCE_MORE = ("serial", "inline", "foreign threads", "plain processes")
 """Those that show the same as others."""
 OF_OTHERS = ("loky", "dask", "mpi")
 """Of packages that this one does not need: the slow ring installs them."""

@@ -106,9 +106,15 @@ def end_pool(pool: Executor, wait: bool) -> None:
         pool.shutdown(wait=wait)
 
 
-def begin(stop: Stop) -> None:
-    """What a worker of a crew does first: it remembers where to look."""
-    _here.stop = stop
+def begin(stop: Stop, tell: Callable[[float], None] | None = None, alone: bool = False) -> None:
+    """What a worker does first: it remembers where to look, whom to ``tell`` how far its task is, and whether it works ``alone``,
+    so that it may use all threads."""
+    _here.stop, _here.tell, _here.alone = stop, tell, alone
+
+
+def works_alone() -> bool:
+    """Whether no other worker has the other processors."""
+    return getattr(_here, "alone", False)
 
 
 def begin_process(stop: Stop) -> None:
@@ -121,10 +127,12 @@ def begin_process(stop: Stop) -> None:
 
 
 def look_for_stop(stage: str, fraction: float) -> None:
-    """The progress of a worker: nobody is told, but it raises Cancelled where the crew is told to stop."""
-    stop = getattr(_here, "stop", None)
+    """The progress of a worker: it raises Cancelled where the crew is told to stop, and tells whoever wants to hear it."""
+    stop, tell = getattr(_here, "stop", None), getattr(_here, "tell", None)
     if stop is not None and stop.is_set():
         raise Cancelled(say("stopped"))
+    if tell is not None:
+        tell(fraction)
 
 
 def _end_with_parent() -> None:
