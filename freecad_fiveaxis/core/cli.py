@@ -291,7 +291,7 @@ def _batch(arguments: argparse.Namespace) -> int:
     with bars(arguments.quiet) as progress:
         said, made, rows = command.act(arguments, _options_given(arguments), progress)
     if not arguments.quiet:
-        _show_report([*map(command.line_of, rows), said, *_wrote(made)], made)
+        _show_report([*map(command.line_of, rows), *map(one_line, said), *_wrote(made)], made)
     return DONE_WITH_ERRORS if any(row["error"] or row["errors"] for row in rows) else DONE
 
 

@@ -4,14 +4,19 @@
 import csv
 import json
 import os
+import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from roofs import WAY, write_roof
 
 from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base import chunks
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.batch import plan, sheet
+from freecad_fiveaxis.core.batch import crews, plan, sheet
+
+ROOT = Path(__file__).parents[2]
 
 WORDS = [word for name, value in WAY.items() for word in (f"--{name.replace('_', '-')}", str(value))]
 
@@ -97,8 +102,6 @@ def test_a_table_is_parts_times_options_under_readable_names(parts, tmp_path):
 
 
 def plan_machine():
-    from pathlib import Path
-
     from freecad_fiveaxis.core.machine import machine_path
 
     return Path(machine_path("trunnion_bc"))
@@ -214,6 +217,32 @@ def test_a_shard_says_which_jobs():
     for bad in ("", "0/3", "4/3", "a/b", "1/2/3"):
         with pytest.raises(SettingsError):
             plan.read_shard(bad)
+
+
+@pytest.mark.parametrize("words, workers", [([], 3), (["--workers", "2"], 2)])
+def test_a_batch_begins_as_many_workers_as_there_are_processors_unless_told(
+    words, workers, parts, tmp_path, monkeypatch, without_work
+):
+    """Those that this process may use, which ``chunks`` counts once."""
+    asked = []
+    monkeypatch.setattr(chunks, "PROCESSORS", 3)
+    monkeypatch.setattr(crews, "find_crew", lambda name, count: asked.append((name, count)))
+    assert run("batch", parts, "--out", tmp_path / "out", "--quiet", *words, *WORDS) == cli.DONE
+    assert asked == [("processes", workers)] and without_work == ["a", "b"]
+
+
+COUNT = "import os; os.sched_getaffinity = lambda pid: {1, 5, 7}; os.cpu_count = lambda: 64\n"
+"""A computer of which this process may use three processors."""
+
+
+def test_the_processors_are_those_that_this_process_may_use():
+    code = "from freecad_fiveaxis.core.base.chunks import PROCESSORS\nprint(PROCESSORS)"
+    elsewhere = COUNT + "del os.sched_getaffinity\n"
+    counted = [
+        subprocess.run([sys.executable, "-c", before + code], capture_output=True, text=True, timeout=60, cwd=ROOT).stdout.strip()
+        for before in (COUNT, elsewhere)
+    ]
+    assert counted == ["3", "64"]
 
 
 @pytest.mark.parametrize("crew", [pytest.param("threads", marks=pytest.mark.thorough), "processes"])

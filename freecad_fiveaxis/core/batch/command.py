@@ -37,8 +37,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--merge", metavar="FOLDER", nargs="+", help="no jobs: one report over folders that batches wrote")
 
 
-Ended = tuple[str, list[str], Sequence[Mapping[str, Any]]]
-"""One sentence, the report's files and its rows."""
+Ended = tuple[list[str], list[str], Sequence[Mapping[str, Any]]]
+"""Some sentences, the report's files and its rows."""
 
 
 def act(arguments: argparse.Namespace, options: Mapping[str, Any], progress: Progress) -> Ended:
@@ -52,18 +52,18 @@ def line_of(row: Mapping[str, Any]) -> str:
 
 
 def _merge(arguments: argparse.Namespace) -> Ended:
-    from . import sheet
+    from . import rank, sheet
 
     if arguments.source is not None:
         raise SettingsError(say("{merge} takes no jobs; leave {source} out", merge="--merge", source=arguments.source), "")
-    rows = sheet.merged(arguments.merge, arguments.out)
+    rows = rank.ranked(sheet.merged(arguments.merge, arguments.out))
     files = _report_files(arguments, None)
     sheet.write_report(files, rows)
-    return sheet.counted(rows), list(files), rows
+    return [sheet.counted(rows), *rank.best_lines(rows)], list(files), rows
 
 
 def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: Progress) -> Ended:
-    from . import sheet, work
+    from . import rank, sheet, work
 
     jobs, shard, crew = _plan_batch(arguments, options)
     for job in jobs:
@@ -72,9 +72,9 @@ def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: 
     ended = {job.stem: outcome for job in jobs if (outcome := work.read_finished(job)) is not None}
     kept = len(ended)
     ended |= _worked([job for job in jobs if job.stem not in ended], crew, progress)
-    rows = [ended[job.stem].row for job in jobs]
+    rows = rank.ranked([ended[job.stem].row for job in jobs])
     sheet.write_report(files, rows)
-    return sheet.counted(rows, kept), list(files), rows
+    return [sheet.counted(rows, kept), *rank.best_lines(rows)], list(files), rows
 
 
 def _plan_batch(

@@ -42,8 +42,9 @@ def read_jobs(source: str, options: Mapping[str, Any], out: str, overwrite: bool
     parts, ways = (_of_folder(source), [(options, "")]) if os.path.isdir(source) else _of_table(source, options)
     chosen = [(part, *way) for part in parts for way in ways]
     names = _unique_names([name + more for name in _part_names(parts) for _, more in ways])
+    labels = _labels(parts)
     return [
-        BatchJob(part, given, os.path.join(out, name), _suffix(part, given), overwrite)
+        BatchJob(part, given, os.path.join(out, name), _suffix(part, given), overwrite, label=labels[part])
         for (part, given, _), name in zip(chosen, names, strict=True)
     ]
 
@@ -122,6 +123,21 @@ def _part_names(parts: Sequence[str]) -> list[str]:
         stem if count[stem.casefold()] == 1 else f"{Path(part).resolve().parent.name}-{stem}"
         for part, stem in zip(parts, stems, strict=True)
     ]
+
+
+def _labels(parts: Sequence[str]) -> dict[str, str]:
+    """What the report calls each part: nothing where its file's name tells it from the others, else its path from the folder
+    that those of this name share."""
+    paths = {part: Path(part).resolve() for part in parts}
+    same = {name: {path for path in paths.values() if path.name == name} for name in {path.name for path in paths.values()}}
+    return {part: "" if len(same[path.name]) == 1 else _apart(path, same[path.name]) for part, path in paths.items()}
+
+
+def _apart(path: Path, others: Iterable[Path]) -> str:
+    try:
+        return path.relative_to(os.path.commonpath(others)).as_posix()
+    except ValueError:  # on several drives of Windows
+        return path.as_posix()
 
 
 def _unique_names(names: Iterable[str]) -> list[str]:

@@ -45,7 +45,8 @@ def check_report(files: tuple[str, str, str], overwrite: bool) -> None:
 
 
 def write_report(files: tuple[str, str, str], rows: Sequence[Row]) -> None:
-    """Write the three files, all or none; ``rows`` by COLUMNS, and ``folder`` where they are merged. Raises FileError."""
+    """Write the three files, all or none; ``rows`` by COLUMNS, ranked, and with ``folder`` where they are merged. Raises
+    FileError."""
     record = {"version": VERSION, "kind": KIND, "rows": rows}
     texts = dict(zip(files, (as_csv(rows), as_html(rows), json_text(record)), strict=True))
     write_all({path: text.encode("utf-8", "backslashreplace") for path, text in texts.items()})
@@ -89,22 +90,23 @@ def as_csv(rows: Sequence[Row]) -> str:
 
 
 def as_html(rows: Sequence[Row]) -> str:
-    """The page: a row a job, with a link to its own."""
-    head = "".join(f'<th scope="col">{escape(name.replace("_", " "))}</th>' for name in COLUMNS[:-1])
-    lines = "".join(f"<tr>{''.join(_html_cells(row))}</tr>\n" for row in rows)
+    """The page: a row a job, with a link to its own; ranks only where there are any."""
+    columns = [name for name in COLUMNS[:-1] if name != "rank" or any(row["rank"] for row in rows)]
+    head = "".join(f'<th scope="col">{escape(name.replace("_", " "))}</th>' for name in columns)
+    lines = "".join(f"<tr>{''.join(_html_cells(row, columns))}</tr>\n" for row in rows)
     table = f'<div class="scroll"><table class="numbers"><thead><tr>{head}</tr></thead>\n<tbody>{lines}</tbody></table></div>'
     lights = Counter(LOOK[row["verdict"]] for row in rows)
     mood = next((one for one in ("bad", "open") if lights[one]), "good")
     return page("Batch", "every job by itself", counted(rows), mood, [section("The jobs", table)])
 
 
-def _html_cells(row: Row) -> list[str]:
-    cells = [escape(_cell(row.get(name), 4)) for name in COLUMNS[:-1]]
-    says = COLUMNS.index("says")
+def _html_cells(row: Row, columns: Sequence[str]) -> list[str]:
+    cells = [escape(_cell(row.get(name), 4)) for name in columns]
+    says = columns.index("says")
     cells[says] = escape(str(row["error"] or row["says"] or ""))
     if row["verdict"] != FAILED:
         cells[0] = f'<a href="{escape(_link(row))}">{cells[0]}</a>'
-    looks = {COLUMNS.index("verdict"): f' class="{LOOK[row["verdict"]]}"', says: ' style="white-space:normal;min-width:20rem"'}
+    looks = {columns.index("verdict"): f' class="{LOOK[row["verdict"]]}"', says: ' style="white-space:normal;min-width:20rem"'}
     return [f"<td{looks.get(at, '')}>{cell}</td>" for at, cell in enumerate(cells)]
 
 

@@ -18,15 +18,17 @@ OUT, OVERWRITE, SHARD = "--out", "--overwrite", "--shard"
 
 COLUMNS = (
     "name", "part", "machine", "verdict", "deviation_mm", "bound_mm", "cut_mm", "links_mm", "rapids_mm", "minutes",
-    "unfinished_percent", "errors", "says", "error",
+    "unfinished_percent", "rank", "errors", "says", "error",
 )  # fmt: skip
-"""Of the report's rows, in their order. ``minutes`` are those of the program; ``errors`` counts the findings of that severity."""
+"""Of the report's rows, in their order. ``minutes`` are those of the program; ``rank``: among the jobs of the same
+part, see :mod:`.rank`; ``errors`` counts the findings of that severity."""
 
 
 @dataclass(frozen=True)
 class BatchJob:
     """One job. ``part``: its STL; ``options``: as a job file has them; ``stem``: folder and name of its files, without an ending;
-    ``suffix``: the NC file's ending; ``overwrite``: files there that no batch wrote may be replaced."""
+    ``suffix``: the NC file's ending; ``overwrite``: files there that no batch wrote may be replaced; ``label``: what the report
+    calls the part, where its file's name would not tell it from others."""
 
     part: str
     options: Mapping[str, Any] = field(hash=False)
@@ -34,6 +36,7 @@ class BatchJob:
     suffix: str = ".ngc"
     overwrite: bool = False
     task: str = "mill"
+    label: str = ""
 
     @property
     def nc(self) -> str:

@@ -127,7 +127,7 @@ def _files(job: BatchJob, result: Result, figures: Figures, progress: Progress) 
 def _named(job: BatchJob) -> dict[str, Any]:
     machine = str(job.options.get("machine") or "")
     named = Path(machine).stem if machine.lower().endswith(".fcm") else machine
-    return {"name": os.path.basename(job.stem), "part": os.path.basename(job.part), "machine": named}
+    return {"name": os.path.basename(job.stem), "part": job.label or os.path.basename(job.part), "machine": named}
 
 
 def _numbers(figures: Figures) -> dict[str, Any]:

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which of the ways that were tried on a part leaves least, and is done soonest.
+
+rank      1 for the best of the jobs of a part. Those that leave and take the same share a rank, and the next ones are left out.
+          A job that failed, or whose program is NOT SAFE, has none; nor has the only job of a part.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from itertools import groupby
+from typing import Any
+
+from freecad_fiveaxis.core.base.sentences import Number, Sentence, say
+from freecad_fiveaxis.core.report.verdict import Light
+
+from .task import FAILED
+
+SHARE_DIGITS = 1
+"""Decimals of a percentage that stays unfinished: less than that is no reason to mill longer."""
+
+Row = Mapping[str, Any]
+
+
+def ranked(rows: Sequence[Row]) -> list[Row]:
+    """The rows of the report with their ``rank``; those of one part together, the best first, without a rank last, otherwise in
+    their order."""
+    return [row for own in _by_part(rows) for row in _ranked_part(own)]
+
+
+def best_lines(rows: Sequence[Row]) -> list[Sentence]:
+    """One sentence for each part that was milled in several ways; ``rows`` as ranked gives them."""
+    return [_best_line(own) for own in _by_part(rows) if len(own) > 1]
+
+
+def _by_part(rows: Sequence[Row]) -> list[list[Row]]:
+    parts = dict[str, list[Row]]()
+    for row in rows:
+        parts.setdefault(str(row["part"]), []).append(row)
+    return list(parts.values())
+
+
+def _ranked_part(rows: Sequence[Row]) -> list[Row]:
+    if len(rows) < 2:
+        return [{**row, "rank": None} for row in rows]
+    found, place = list[Row](), 1
+    for merit, group in groupby(sorted(rows, key=_merit), _merit):
+        same = list(group)
+        rank = place if _is_usable(merit) else None
+        found += [{**row, "rank": rank} for row in same]
+        place += len(same)
+    return found
+
+
+def _merit(row: Row) -> tuple[int, float, float]:
+    """What is smaller is better: 0 for a program that may be used, 1 for one that is NOT SAFE, 2 for none; the percentage that
+    stays unfinished; minutes. A number that is not known is worse than any other."""
+    grave = {FAILED: 2, Light.RED.value: 1}.get(str(row["verdict"]), 0)
+    return grave, round(_known(row, "unfinished_percent"), SHARE_DIGITS), _known(row, "minutes")
+
+
+def _is_usable(merit: tuple[int, float, float]) -> bool:
+    return merit[0] == 0
+
+
+def _known(row: Row, name: str) -> float:
+    value = row.get(name)
+    return math.inf if value is None else float(value)
+
+
+def _best_line(rows: Sequence[Row]) -> Sentence:
+    best = [row for row in rows if row["rank"] == 1]
+    if not best:
+        return say("{part}: none of {count} ways makes a program that is safe", part=rows[0]["part"], count=len(rows))
+    names = ", ".join(map(_place, best))
+    return say(
+        "{part}: best of {count}: {names}, {share} % unfinished, {minutes} min",
+        part=rows[0]["part"], count=len(rows), names=names,
+        share=_number(best[0], "unfinished_percent", f".{SHARE_DIGITS}f"), minutes=_number(best[0], "minutes", ".4g"),
+    )  # fmt: skip
+
+
+def _place(row: Row) -> str:
+    """The name of a job; where reports are merged, with the folder of its files."""
+    return str(row["name"]) if row.get("folder", ".") == "." else f"{row['folder']}/{row['name']}"
+
+
+def _number(row: Row, name: str, form: str) -> Number | str:
+    return "?" if row.get(name) is None else Number(float(row[name]), form)
