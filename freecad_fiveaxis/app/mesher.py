@@ -2,23 +2,29 @@
 """The mesh of a solid, by MeshPart; also a program of its own, for a FreeCAD without a window.
 
 As a program it takes the folder FIVEAXIS_MESHER with ``task.json`` (the deflections) and ``shape.bin``, and leaves there
-``mesh.bms`` and then ``made.json``: the number of facets of each face, or null where the shape is invalid. It imports nothing of
-this add-on, which that FreeCAD need not know.
+``mesh.bms`` and then ``made.json``: the number of facets of each face, or null where the shape is invalid. Of a task with a
+``file`` (STEP, IGES, BREP, FCStd) it meshes the solid ``named``, or the only one, to ``mesh.stl``; ``made.json`` is then
+``{"facets": count}`` or ``{"error": why not}``. It imports nothing of this add-on, which that FreeCAD need not know.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import os
 import sys
 import traceback
 from typing import Any
 
+import FreeCAD
 import MeshPart
 import Part
 
 FOLDER = "FIVEAXIS_MESHER"
-TASK, SHAPE, MESH, MADE = "task.json", "shape.bin", "mesh.bms", "made.json"
+TASK, SHAPE, MESH, MADE, STL = "task.json", "shape.bin", "mesh.bms", "made.json", "mesh.stl"
+DOCUMENT = ".fcstd"
+SEVERAL = 8
+"""So many solids of a document are named."""
 
 
 def solid_mesh(shape: Any, linear: float, angular: float) -> tuple[Any, list[int]] | None:
@@ -40,13 +46,79 @@ def main(folder: str) -> None:
     """Do the task of a folder."""
     with open(os.path.join(folder, TASK), encoding="ascii") as file:
         task = json.load(file)
+    made = _mesh_file(task, folder) if "file" in task else _mesh_shape(task, folder)
+    with open(os.path.join(folder, MADE), "w", encoding="ascii") as file:
+        json.dump(made, file)
+
+
+def _mesh_shape(task: dict[str, Any], folder: str) -> list[int] | None:
     shape = Part.Shape()
     shape.importBinary(os.path.join(folder, SHAPE))
     made = solid_mesh(shape, task["linear"], task["angular"])
     if made is not None:
         made[0].write(os.path.join(folder, MESH))
-    with open(os.path.join(folder, MADE), "w", encoding="ascii") as file:
-        json.dump(made and made[1], file)
+    return made and made[1]
+
+
+def _mesh_file(task: dict[str, Any], folder: str) -> dict[str, Any]:
+    try:
+        shape = _read_shape(task["file"], task["named"])
+        made = solid_mesh(shape, task["linear"], math.radians(task["angular"]))
+    except Exception as error:
+        return {"error": " ".join(str(error).split()) or type(error).__name__}
+    if made is None:
+        return {"error": "its solid is invalid; repair it (Part, Check geometry)"}
+    made[0].write(os.path.join(folder, STL))
+    return {"facets": made[0].CountFacets}
+
+
+def _read_shape(path: str, named: str) -> Any:
+    """The solids of a file, in mm. Raises ValueError where there is none, or not one that is meant."""
+    if path.lower().endswith(DOCUMENT):
+        doc = FreeCAD.openDocument(path, True)
+        try:
+            return _solid_of(doc, named)
+        finally:
+            FreeCAD.closeDocument(doc.Name)
+    shape = Part.Shape()
+    shape.read(path)
+    if not shape.Solids:
+        raise ValueError("it holds no solid; export one, or give the part as STL")
+    return shape
+
+
+def _solid_of(doc: Any, named: str) -> Any:
+    """The shape of the object ``named``, by its label or else its name; without a name that of the only one, or the only visible
+    one, which no other solid is made of."""
+    solids = [obj for obj in doc.Objects if _is_solid(obj)]
+    if named:
+        chosen = [obj for obj in solids if obj.Label == named] or [obj for obj in solids if obj.Name == named]
+    else:
+        last = [obj for obj in solids if not any(map(_is_solid, obj.InListRecursive))]
+        chosen = [obj for obj in last if obj.Visibility] or last
+    if len(chosen) != 1:
+        raise ValueError(_not_one(chosen or solids, named))
+    shape = chosen[0].Shape.copy()
+    shape.Placement = chosen[0].getGlobalPlacement()
+    return shape
+
+
+def _is_solid(obj: Any) -> bool:
+    if obj.TypeId == "App::Part":  # FreeCAD gives what it holds as its shape
+        return False
+    shape = getattr(obj, "Shape", None)
+    return shape is not None and not shape.isNull() and bool(shape.Solids)
+
+
+def _not_one(found: list[Any], named: str) -> str:
+    if not found:
+        return "it holds no solid"
+    labels = ", ".join(obj.Label for obj in found[:SEVERAL]) + (" ..." if len(found) > SEVERAL else "")
+    return (
+        f"{named} is none of its solids, or not the only one of that label" * bool(named)
+        + "; " * bool(named)
+        + (f"it holds {labels}: name one behind the file, as part.FCStd:{found[0].Label}")
+    )
 
 
 if __name__ == "mesher":  # what FreeCAD calls a program: by the stem of its file

@@ -5060,6 +5060,10 @@
         <translation>eine Zahl mit Exponent; ausschreiben</translation>
     </message>
     <message>
+        <source>a part that is no STL needs FreeCAD, and {given} is no program here; install FreeCAD, name its freecadcmd in {variable}, or give the part as STL</source>
+        <translation>ein Teil, das keine STL-Datei ist, braucht FreeCAD, und {given} ist hier kein Programm; installieren Sie FreeCAD, nennen Sie sein freecadcmd in {variable}, oder geben Sie das Teil als STL an</translation>
+    </message>
+    <message>
         <source>a piece of the tool from height {low} to {high} has no volume</source>
         <translation>ein Stück des Werkzeugs von Höhe {low} bis {high} hat kein Volumen</translation>
     </message>
@@ -5944,10 +5948,6 @@
         <translation>keine NC-Datei genannt; eine mit -o OUT.ngc angeben</translation>
     </message>
     <message>
-        <source>no STL file is in the folder {folder}; name another</source>
-        <translation>im Ordner {folder} ist keine STL-Datei; einen anderen nennen</translation>
-    </message>
-    <message>
         <source>no batch.json of a batch is in {folder}; name a folder that one wrote</source>
         <translation>in {folder} ist keine batch.json einer Serie; einen Ordner nennen, den eine geschrieben hat</translation>
     </message>
@@ -6004,8 +6004,8 @@
         <translation>keine Höhe bis {raises} hält eine Maschine mit falschen Vorzeichen frei; {angle} verringern</translation>
     </message>
     <message>
-        <source>no jobs given; name a folder of STL files or a table (JSON)</source>
-        <translation>keine Aufträge angegeben; einen Ordner mit STL-Dateien oder eine Tabelle (JSON) nennen</translation>
+        <source>no jobs given; name a folder of parts or a table (JSON)</source>
+        <translation>keine Aufträge angegeben; nennen Sie einen Ordner mit Teilen oder eine Tabelle (JSON)</translation>
     </message>
     <message>
         <source>no machine file named; give one with -o OUT.fcm</source>
@@ -6022,6 +6022,10 @@
     <message>
         <source>no machines given; name them with {machines} ({list} shows them)</source>
         <translation>keine Maschinen gegeben; mit {machines} nennen ({list} zeigt sie)</translation>
+    </message>
+    <message>
+        <source>no part (STL, STEP, FCStd) is in the folder {folder}; name another</source>
+        <translation>im Ordner {folder} ist kein Teil (STL, STEP, FCStd); nennen Sie einen anderen</translation>
     </message>
     <message>
         <source>no part of the surface that is to be machined lies inside boundary {name}, which reaches from {low} to {high}; its points are in mm, in the frame of the part</source>
@@ -6150,6 +6154,14 @@
     <message>
         <source>part</source>
         <translation>Werkstück</translation>
+    </message>
+    <message>
+        <source>part {file} cannot be meshed: {reason}</source>
+        <translation>das Teil {file} kann nicht vernetzt werden: {reason}</translation>
+    </message>
+    <message>
+        <source>part {file} cannot be read: {strerror}</source>
+        <translation>das Teil {file} kann nicht gelesen werden: {strerror}</translation>
     </message>
     <message>
         <source>passes along X, in direction {angle}</source>
@@ -7940,6 +7952,14 @@
         <translation>{part}, womit {label} verglichen wird, wurde gelöscht: Machen Sie das rückgängig, wählen Sie ein anderes Teil in der Eigenschaft Part, oder keines im Fenster der Aufgabe.</translation>
     </message>
     <message>
+        <source>{part}: best of {count}: {names}, {share} % unfinished, {minutes} min</source>
+        <translation>{part}: bestes von {count}: {names}, {share} % unfertig, {minutes} min</translation>
+    </message>
+    <message>
+        <source>{part}: none of {count} ways makes a program that is safe</source>
+        <translation>{part}: keine von {count} Möglichkeiten ergibt ein sicheres Programm</translation>
+    </message>
+    <message>
         <source>{past} needs the part's passes: use it with {mill}; a CL file keeps its axes</source>
         <translation>{past} braucht die Zeilen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
     </message>
@@ -8004,8 +8024,8 @@
         <translation>{path} ist schon da und nicht von dieser Serie; einen anderen Ordner wählen ({out}) oder {overwrite} angeben</translation>
     </message>
     <message>
-        <source>{path} needs "parts", a list of STL files, and may have "options", and nothing else</source>
-        <translation>{path} braucht "parts", eine Liste von STL-Dateien, und darf "options" haben, sonst nichts</translation>
+        <source>{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else</source>
+        <translation>{path} braucht "parts", eine Liste von Dateien (STL, STEP, FCStd), darf "options" haben, und sonst nichts</translation>
     </message>
     <message>
         <source>{path}: [JOINT_{joint}], {error}</source>

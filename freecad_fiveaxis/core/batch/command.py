@@ -20,12 +20,17 @@ if TYPE_CHECKING:
 
 NAMED_HERE = ("output", "cl", "report", "blocks")
 """Options of ``mill`` that name files of one job; a batch names its files itself."""
-TEXT = "mill many parts, or parts in many ways, side by side: a folder of STL files, or a table (JSON)"
+TEXT = "mill many parts, or parts in many ways, side by side: a folder of STL, STEP or FreeCAD files, or a table (JSON)"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the batch itself; those of its jobs are those of ``mill``."""
-    parser.add_argument("source", metavar="JOBS.json|FOLDER", nargs="?", help="a table of jobs, or a folder of STL files")
+    parser.add_argument(
+        "source",
+        metavar="JOBS.json|FOLDER",
+        nargs="?",
+        help="a table of jobs, or a folder of parts (STL, STEP, IGES, BREP, FCStd)",
+    )
     parser.add_argument("--out", metavar="FOLDER", required=True, help="the folder to write to; made where it is missing")
     parser.add_argument("--workers", metavar="N", help="so many jobs at a time [the processors]")
     parser.add_argument(
@@ -87,7 +92,7 @@ def _plan_batch(
     from .crews import find_crew
 
     if arguments.source is None:
-        raise SettingsError(say("no jobs given; name a folder of STL files or a table (JSON)"), None)
+        raise SettingsError(say("no jobs given; name a folder of parts or a table (JSON)"), None)
     if not os.path.isdir(arguments.source):
         check_readable(arguments.source)
     crew = find_crew(arguments.executor, PROCESSORS if arguments.workers is None else read_workers(arguments.workers))

@@ -23,6 +23,7 @@ from freecad_fiveaxis.core.jobs.options import machine_of
 from freecad_fiveaxis.core.jobs.outputs import WRITTEN
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings, option_fields
 
+from .solids import ENDINGS, find_freecad, read_part
 from .task import SHARD, BatchJob
 
 TRIPLES = ("point", "lengths", "vector", "place")
@@ -37,9 +38,11 @@ Ways = Sequence[tuple[Mapping[str, Any], str]]
 
 
 def read_jobs(source: str, options: Mapping[str, Any], out: str, overwrite: bool = False) -> list[BatchJob]:
-    """All jobs of a folder of STL files or of a table, in a stable order. ``options``: of every job, in place of the table's;
+    """All jobs of a folder of parts or of a table, in a stable order. ``options``: of every job, in place of the table's;
     ``out``: the folder to write to. Raises FiveAxisError, before any work, for what cannot be used."""
     parts, ways = (_of_folder(source), [(options, "")]) if os.path.isdir(source) else _of_table(source, options)
+    if any(read_part(part).is_meshed_first for part in parts):
+        find_freecad()
     chosen = [(part, *way) for part in parts for way in ways]
     names = _unique_names([name + more for name in _part_names(parts) for _, more in ways])
     labels = _labels(parts)
@@ -65,9 +68,9 @@ def read_shard(text: str) -> tuple[int, int]:
 
 
 def _of_folder(folder: str) -> list[str]:
-    names = sorted(name for name in os.listdir(folder) if name.lower().endswith(".stl"))
+    names = sorted(name for name in os.listdir(folder) if name.lower().endswith((".stl", *ENDINGS)))
     if not names:
-        raise SettingsError(say("no STL file is in the folder {folder}; name another", folder=folder), folder)
+        raise SettingsError(say("no part (STL, STEP, FCStd) is in the folder {folder}; name another", folder=folder), folder)
     return [os.path.join(folder, name) for name in names]
 
 
@@ -76,7 +79,7 @@ def _of_table(path: str, more: Mapping[str, Any]) -> tuple[list[str], Ways]:
     table = given if isinstance(given, dict) else {}
     parts, options = table.get("parts"), table.get("options", {})
     if not _are_texts(parts) or not isinstance(options, dict) or set(table) - {"parts", "options"}:
-        text = say('{path} needs "parts", a list of STL files, and may have "options", and nothing else', path=path)
+        text = say('{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else', path=path)
         raise SettingsError(text, path)
     tried = {name.replace("-", "_"): value for name, value in options.items()} | dict(more)
     beside = [os.path.join(os.path.dirname(path), part) for part in parts]
@@ -117,12 +120,17 @@ def _readable(value: Any) -> str:
 
 def _part_names(parts: Sequence[str]) -> list[str]:
     """The parts' names; where they are those of others too, with their folder."""
-    stems = [Path(part).stem for part in parts]
+    stems = [_stem(part) for part in parts]
     count = Counter(map(str.casefold, stems))
     return [
-        stem if count[stem.casefold()] == 1 else f"{Path(part).resolve().parent.name}-{stem}"
+        stem if count[stem.casefold()] == 1 else f"{Path(read_part(part).file).resolve().parent.name}-{stem}"
         for part, stem in zip(parts, stems, strict=True)
     ]
+
+
+def _stem(part: str) -> str:
+    solid = read_part(part)
+    return Path(solid.file).stem + f"-{_readable(solid.named)}" * bool(solid.named)
 
 
 def _labels(parts: Sequence[str]) -> dict[str, str]:

@@ -30,6 +30,7 @@ from freecad_fiveaxis.core.report import Figures, as_html, as_json, summary
 from freecad_fiveaxis.core.report.verdict import judged_largest, verdict
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text
 
+from .solids import mesh_solid, read_part
 from .task import COLUMNS, FAILED, BatchJob, JobOutcome, not_of_batch
 
 MARK = "batch"
@@ -95,7 +96,8 @@ def check_own(job: BatchJob) -> None:
 def key_of(job: BatchJob, settings: Settings) -> str:
     """The hash of all that the job is made of. Raises FileError where a file cannot be read."""
     told = flat_options(settings) | {"version": __version__, "ending": job.suffix}
-    hashes = [hashlib.sha256(read_bytes(path, "file")).hexdigest() for path in files_read(settings)]
+    files = [read_part(path).file if path == settings.source else path for path in files_read(settings)]
+    hashes = [hashlib.sha256(read_bytes(path, "file")).hexdigest() for path in files]
     return hashlib.sha256(json.dumps([told, hashes], sort_keys=True).encode()).hexdigest()
 
 
@@ -107,7 +109,8 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
     settings = _settings(job)
     check_own(job)
     key = key_of(job, settings)
-    result = pipeline.run(settings, progress)
+    part = read_part(job.part)
+    result = pipeline.run(settings, progress, mesh_solid(part, progress) if part.is_meshed_first else None)
     figures = pipeline.figures(result)
     row = _named(job) | _numbers(figures)
     files = _files(job, result, figures, progress)

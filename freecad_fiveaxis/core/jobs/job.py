@@ -82,9 +82,10 @@ from .safe_start import started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 
 
-def run(settings: Settings, progress: Progress = silent) -> Result:
-    """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
-    result = prove(make(settings, progress), progress)
+def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None) -> Result:
+    """Do the task that the settings name. ``mesh``: the part, where it is at hand and ``settings.source`` only its name. Raises
+    FiveAxisError for input that cannot be used; writes nothing."""
+    result = prove(make(settings, progress, mesh), progress)
     made = result.made
     if settings.output.advise == "off" or not isinstance(made, Milled):
         return result
