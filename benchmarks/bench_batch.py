@@ -111,7 +111,9 @@ def show(turns: np.ndarray, count: int) -> float:
     more = (turns[:, 1] - turns[:, 0]) / TURN * 1e3
     print(f"  two processes are {ratio:.2f} times as fast as one ({np.min(each):.2f} to {np.max(each):.2f} in its turns)")
     print(
-        f"  a job in one process takes {np.median(more[:, 0]):+.0f} ms more than here, {np.median(more[:, 1]):+.0f} ms of processors (medians)"
+        "  a job in one process takes {:+.0f} ms more than here, {:+.0f} ms of processors (medians)".format(
+            *np.median(more, axis=0)
+        )
     )
     print(f"  way of a task to a process and back: {1e3 * overhead():.2f} ms")
     enough = (os.cpu_count() or 1) >= 2
