@@ -109,6 +109,7 @@ def test_the_tool_keeps_off_by_what_its_field_says(
     """The wall between the floors: the field is there with the first face to avoid, and the way ends so far beside it."""
     panel.options.show_options({"avoid": [face_at(step, x=10, z=7.5)]})
     type_into(field("avoid_allowance"), "1 mm")
+    screenshot("avoid_allowance_field")
     assert panel.stale and panel.calculate()
     until(lambda: not panel.stale, 60000, "a result")
     pump(600)
