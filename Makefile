@@ -61,6 +61,7 @@ oldest: # the core's tests, but for the slow ones, on the oldest numpy and scipy
 slow: # what takes long to prove, and more kinds of what the core ring shows: dense samples, dynamic programmes, real meshes
 	@bash scripts/prepare test
 	@bash scripts/prepare meshes
+	@bash scripts/prepare engines
 	$(PYTHON) -m pytest $(TWO) -m "(slow or thorough) and not large and not rs274"
 
 large: # more samples of what the slow ring proves by one of each kind
@@ -127,6 +128,7 @@ install:
 bench:
 	@bash scripts/prepare bench
 	@bash scripts/prepare meshes
+	@bash scripts/prepare engines
 	$(PYTHON) benchmarks/run.py
 
 bench-window: # what a frame of the 3D view takes

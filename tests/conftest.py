@@ -41,7 +41,7 @@ def kept(monkeypatch):
 
     for module, name, of in (
         (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, task.settings.source)),
-        (setups, "_tried", lambda task, fingerprint, progress: (fingerprint, task.settings.source)),
+        (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, task.settings.source)),
         (left, "_found", lambda figures, known, progress: (known.fingerprint, known.result.made.settings.source)),
     ):
         monkeypatch.setattr(module, name, _keeping(getattr(module, name), of))

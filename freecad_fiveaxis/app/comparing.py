@@ -21,6 +21,7 @@ from freecad_fiveaxis.core.studies.corrections import CURES
 from .long_work import run
 from .selection import SelectionError
 from .setups import write_report
+from .spreading import processes
 from .toolpath import Toolpath
 
 
@@ -51,9 +52,10 @@ def compare(
 
     def work(told: Progress) -> trials.Comparison:
         mesh, faces = task.mesh_and_mask(told)
-        return trials.try_machines(settings, told, mesh, faces)
+        return trials.try_machines(settings, told, mesh, faces, executor)
 
-    return run(work, progress, toolpath.Document)
+    with processes() as executor:
+        return run(work, progress, toolpath.Document)
 
 
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:

@@ -3,6 +3,7 @@
 
 key    the name of a parameter in the group GROUP; DEFAULTS lists every key with its default, in FreeCAD's own units.
 unit   FreeCAD keeps a parameter's length in mm, an angle in degrees and a feed in mm/s; the getters below give mm/min.
+count  FreeCAD keeps it as a whole number without a sign, as it does a colour.
 colour red, green and blue, each from 0 to 1; FreeCAD keeps it as the number 0xRRGGBBAA, whose alpha is not used.
 """
 
@@ -38,6 +39,7 @@ DEFAULTS: dict[str, str | float | int] = {
     "Scallop": 0.01,
     "Tolerance": 0.01,
     "Feed": 1000.0 / 60,
+    "Processes": 0,
     "ColourGood": GREEN,
     "ColourBad": ORANGE,
     "ColourSingular": PURPLE,
@@ -137,6 +139,11 @@ def tolerance() -> float:
 def feed() -> float:
     """Feed of a new path's tip over the part, mm/min."""
     return round(60 * read("Feed"), 9)  # 1000 mm/min is no whole number of mm/s: what was typed comes back
+
+
+def processes() -> int:
+    """How many processes may work on one study; 0: as many as there are processors."""
+    return int(read("Processes"))
 
 
 def colour_good() -> Colour:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -42,6 +43,7 @@ from .properties import Property, setting_properties, shown_options
 from .reach_properties import ANY_ANGLE, PROPERTIES
 from .schema import Proxy
 from .selection import SelectionError
+from .spreading import processes
 from .toolpath import Toolpath, check_fixtures, mesh_is_gone
 
 ENOUGH = 0.9
@@ -51,6 +53,8 @@ AREAS = {
     Obstacle.HOLDER: "HolderInTheWay", Obstacle.TABLE: "BelowTable", Obstacle.LIMITS: "BeyondMachine",
 }  # fmt: skip
 """The property that holds the area of each reason, in the order of the legend."""
+WORTH = 3
+"""Processes: to divide the places costs a tenth to a quarter more work, which two do not bring back."""
 OWN = ("fixtures", "largest_axis_angle", "work_zero", "faces", "avoid", "linear_deflection", "angular_deflection")
 """Settings that are no options of the core's task."""
 _DEFLECTIONS = {"linear_deflection": "linear", "angular_deflection": "angular"}
@@ -206,15 +210,16 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
         with listening(progress) as told:
             whole = replace(task, fixtures=tuple(one.meshed(told) for one in task.fixtures))
-            obj.Proxy.last = run(lambda told: _found(whole, fingerprint, told), told, obj.Document)
+            with processes(WORTH) as executor:
+                obj.Proxy.last = run(lambda told: _found(whole, fingerprint, told, executor), told, obj.Document)
     return obj.Proxy.last
 
 
-def _found(task: results.Task, fingerprint: str, progress: Progress) -> Last:
+def _found(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
     fixtures = [Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)]
     most = task.settings.passes.max_axis_angle
-    trial = study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi)
+    trial = study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi, executor)
     smaller = smaller_ball(mesh, trial.reacher, trial.found, ENOUGH, fixtures, progress)
     return Last(fingerprint, mesh, trial, smaller)
 

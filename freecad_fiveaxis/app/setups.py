@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -47,6 +48,7 @@ from .properties import (
 from .results import Task
 from .schema import Proxy
 from .selection import SelectionError
+from .spreading import processes
 from .toolpath import Toolpath
 
 LEAVES = tuple(leaf for cls, leaf in option_fields(SETUP) if cls is SetupSettings)
@@ -242,13 +244,14 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
     task = obj.Proxy.task(obj)
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
-        obj.Proxy.last = run(lambda told: _tried(task, fingerprint, told), progress, obj.Document)
+        with processes() as executor:
+            obj.Proxy.last = run(lambda told: _tried(task, fingerprint, told, executor), progress, obj.Document)
     return obj.Proxy.last.trial
 
 
-def _tried(task: Task, fingerprint: str, progress: Progress) -> Last:
+def _tried(task: Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
-    return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces))
+    return Last(fingerprint, trials.try_setups(task.settings, progress, mesh, faces, executor))
 
 
 def is_up_to_date(obj: Any) -> bool:

@@ -20,6 +20,7 @@ GROUP = "FiveAxis"
 
 VALUES = {
     "QLineEdit": "text",
+    "QSpinBox": "value",
     "Gui::PrefUnitSpinBox": "rawValue",
     "Gui::PrefFileChooser": "fileName",
     "Gui::PrefColorButton": "color",
@@ -78,7 +79,8 @@ class Page:
         elif key == "Feed":
             self._widget(key).setValue(value * self.feed_factor)
         else:
-            shown = QtGui.QColor(value >> 24 & 255, value >> 16 & 255, value >> 8 & 255) if isinstance(value, int) else value
+            packed = self._property(key) == "color"
+            shown = QtGui.QColor(value >> 24 & 255, value >> 16 & 255, value >> 8 & 255) if packed else value
             self._widget(key).setProperty(self._property(key), shown)
 
     def shown(self, key: str) -> Any:

@@ -1591,6 +1591,10 @@
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
+        <source>About {count} passes, {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} is drawn</source>
+        <translation>Etwa {count} Bahnen, {length}, {time} Schnitt mit dem Vorschub, ohne Verbindungen; 1 von {one_in} ist gezeichnet</translation>
+    </message>
+    <message>
         <source>Add selected faces</source>
         <translation>Ausgewählte Flächen dazu</translation>
     </message>
@@ -8447,12 +8451,20 @@
         <translation>Halter</translation>
     </message>
     <message>
+        <source>How many processes work on Compare machines, Where to clamp and Reach map, where these last longer than a few seconds. 1: FreeCAD's own alone. The result is always the same.</source>
+        <translation>Wie viele Prozesse an „Maschinen vergleichen“, „Wohin spannen“ und „Erreichbarkeit“ rechnen, wo das länger als ein paar Sekunden dauert. 1: nur der von FreeCAD selbst. Das Ergebnis ist immer dasselbe.</translation>
+    </message>
+    <message>
         <source>Largest deviation of the tip from the commanded segment; blocks beyond it are marked</source>
         <translation>Größte Abweichung der Werkzeugspitze von der Sollstrecke; NC-Sätze darüber werden markiert</translation>
     </message>
     <message>
         <source>Largest ridge left between passes</source>
         <translation>Größte Kuppe, die zwischen den Zeilen stehen bleibt (Restrauhigkeit)</translation>
+    </message>
+    <message>
+        <source>Long work</source>
+        <translation>Lange Rechnungen</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -8473,6 +8485,10 @@
     <message>
         <source>Over tolerance</source>
         <translation>Über der Toleranz</translation>
+    </message>
+    <message>
+        <source>Processes</source>
+        <translation>Prozesse</translation>
     </message>
     <message>
         <source>Scallop height</source>
@@ -8501,6 +8517,10 @@
     <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>one for each processor</source>
+        <translation>einer je Prozessor</translation>
     </message>
 </context>
 <context>

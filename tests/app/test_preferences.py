@@ -45,7 +45,7 @@ def test_what_is_written_is_read_in_the_units_of_the_core(tmp_path):
     given = {
         "Machine": "mikron_ucp710", "Controller": "fanuc", "MachineFolder": str(tmp_path), "OutputFolder": "~/nc",
         "CutterKind": "taperbull", "CutterDiameter": 6.0, "CutterCorner": 1.5, "CutterTaper": 3.0, "Shank": "6x20", "Holder": " 40x25 ",
-        "Scallop": 0.02, "Tolerance": 0.005, "Feed": 20.0, "ColourGood": 0x3366CC00,
+        "Scallop": 0.02, "Tolerance": 0.005, "Feed": 20.0, "ColourGood": 0x3366CC00, "Processes": 3,
     }  # fmt: skip
     for key, value in given.items():
         preferences.write(key, value)
@@ -56,6 +56,7 @@ def test_what_is_written_is_read_in_the_units_of_the_core(tmp_path):
     assert parse_cutter(preferences.cutter()) == parse_cutter("taperbull:6:1.5:3deg")
     assert (preferences.shank(), preferences.holder()) == ("6x20", "40x25")
     assert preferences.feed() == 1200.0  # FreeCAD keeps mm/s
+    assert preferences.processes() == 3
     assert preferences.colour_good() == pytest.approx((0.2, 0.4, 0.8))
 
 
@@ -77,7 +78,7 @@ def test_a_kind_of_cutter_that_is_not_known_is_the_default():
 
 def test_reset_forgets_everything():
     for key, default in preferences.DEFAULTS.items():
-        preferences.write(key, default + "x" if isinstance(default, str) else default // 2)
+        preferences.write(key, default + "x" if isinstance(default, str) else default + 1)
         assert preferences.read(key) != default
     preferences.reset()
     assert {key: preferences.read(key) for key in preferences.DEFAULTS} == preferences.DEFAULTS
@@ -99,6 +100,8 @@ def test_the_form_has_a_widget_for_every_key_with_the_same_default():
         if isinstance(default, float):
             a_minute = 60 if key == "Feed" else 1
             assert float(told["value"].findtext("double")) == pytest.approx(default * a_minute, rel=1e-12)
+        elif key == "Processes":
+            assert int(told["value"].findtext("number")) == default
         elif isinstance(default, int):
             rgb = [int(told["color"].find("color").findtext(part)) for part in ("red", "green", "blue")]
             assert rgb == [default >> 24, default >> 16 & 255, default >> 8 & 255]

@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import engines
 import pytest
 from plain import build_settings
 from uncured import UNCURED
@@ -36,3 +37,21 @@ def milled(parts):
         return made[key]
 
     return mill
+
+
+@pytest.fixture(scope="session")
+def processes():
+    """A pool of two processes, for all whose tasks leave them alive."""
+    with engines.processes() as pool:
+        yield pool
+
+
+@pytest.fixture(scope="module", params=engines.ENGINES)
+def engine(request):
+    """Each engine that may be given work."""
+    name = request.param
+    if name == "processes":
+        yield engines.Engine(name, request.getfixturevalue("processes"), True)
+        return
+    with engines.OPEN[name]() as made:
+        yield engines.Engine(name, made, name in engines.APART)

@@ -3,8 +3,8 @@
 
 import os
 import signal
-from concurrent.futures import Executor, Future
-from dataclasses import replace
+from concurrent.futures import BrokenExecutor, Executor, Future
+from unittest.mock import patch
 
 import numpy as np
 
@@ -33,9 +33,10 @@ def write_roof(path, peak=16.0):
     write_stl(from_triangles(v[np.array(faces)]), path)
 
 
-def leave_pages_blank(patch=setattr):
-    """A page with its plots is nearly all that such a small job takes; who does the jobs does not depend on it."""
-    patch(work, "as_html", lambda figures, progress: "<html></html>")
+def blank_pages():
+    """A context in which pages are blank: a page with its plots is nearly all that such a small job takes, and who does the jobs
+    does not depend on it."""
+    return patch.object(work, "as_html", lambda figures, progress: "<html></html>")
 
 
 class Inline(Executor):
@@ -87,24 +88,62 @@ class Dropping(Inline):
 
 def work_with_blank_pages(job):
     """What a worker does whose pages nobody reads."""
-    leave_pages_blank()
-    return work_in_crew(job)
+    with blank_pages():
+        return work_in_crew(job)
+
+
+def die():
+    os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
+
+
+def die_first(mark, work, *given):
+    """What a worker does that is killed in the first task of this kind: it leaves ``mark`` behind."""
+    if not mark:
+        die()
+    if not os.path.exists(mark):
+        with open(mark, "w", encoding="utf-8"):
+            pass
+        die()
+    return work(*given)
 
 
 def die_once(job, mark):
-    """What a worker does that is killed in its first job named so: it leaves ``mark`` behind."""
-    if os.path.basename(job.stem) == "b" and not os.path.exists(mark):
-        with open(mark, "w", encoding="utf-8"):
-            pass
-        os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
-    return work_with_blank_pages(job)
+    """What a worker does that is killed in its first job named b."""
+    return die_first(mark, work_with_blank_pages, job) if os.path.basename(job.stem) == "b" else work_with_blank_pages(job)
 
 
 def die_always(job):
     """A job that no process survives."""
     if os.path.basename(job.stem) == "b":
-        os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
+        die()
     return work_with_blank_pages(job)
+
+
+class Dying(Inline):
+    """A pool that the job named b breaks."""
+
+    broken = False
+
+    def submit(self, work, /, job):
+        self.broken = self.broken or os.path.basename(job.stem) == "b"
+        if not self.broken:
+            return super().submit(work, job)
+        future = Future()
+        future.set_exception(BrokenExecutor("dead"))
+        return future
+
+
+class Killing(Executor):
+    """A pool with a worker that is killed in the second task, the first time that it is given; without a ``mark``, each time."""
+
+    def __init__(self, pool, mark=""):
+        self.pool, self.mark, self.count = pool, mark, 0
+
+    def submit(self, work, /, *given):
+        self.count += 1
+        if self.count != 2:
+            return self.pool.submit(work, *given)
+        return self.pool.submit(die_first, self.mark, work, *given)
 
 
 class Instead(Executor):
@@ -116,10 +155,5 @@ class Instead(Executor):
     def submit(self, work, /, job):
         return self.pool.submit(self.instead, job, *self.more)
 
-    def shutdown(self, wait=True, *, cancel_futures=False):
-        self.pool.shutdown(wait, cancel_futures=cancel_futures)
-
-
-def renamed(job, stem):
-    """The same job under another name."""
-    return replace(job, stem=stem)
+    def shutdown(self, wait=True, **more):
+        self.pool.shutdown(wait, **more)

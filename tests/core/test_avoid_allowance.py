@@ -7,6 +7,7 @@ import pytest
 from gouge_examples import step
 from mesh_shapes import box
 from plain import build_settings
+from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.cli import main
@@ -83,7 +84,7 @@ def codes(result):
 
 
 @pytest.mark.parametrize("axis", ["auto", "facet_mean"])
-@pytest.mark.parametrize("name", PARTS)
+@some_in_core("name", list(PARTS), kept=(2,))
 def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_nearer(made, name, axis):
     result = made(name, 1.0, tool_axis=axis)
     near = nearest_way(result, name)
@@ -92,7 +93,7 @@ def test_on_its_real_way_the_ball_keeps_the_allowance_and_without_one_it_comes_n
     assert nearest_way(made(name, 0.0, tool_axis=axis), name) < 3.0 + 0.05
 
 
-@pytest.mark.parametrize("options", [
+@some_in_core("options", [
     {"passes": "planes", "stepover": 1.5}, {"passes": "zlevel", "stepover": 1.5}, {"passes": "frames", "tool_axis": "auto"}, {"spiral": "on", "passes": "scallop"},
     {"links": "over"}, {"lead_in": 1.0}, {"gouge": "tilt", "tool_axis": "facet_mean"}, {"gouge": "leave-out"}, {"rapids": "independent"},
     {"steep_shallow": np.radians(45.0)},
@@ -118,6 +119,7 @@ def heights(result, mesh, some):
     return find_rest_material(mesh, body, swept, cutting(program.motion), 0.7, result.made.keep & ~some, counts=counts).height
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", PARTS)
 def test_everywhere_else_it_cuts_as_before(made, name):
     mesh, find = PARTS[name]
@@ -139,6 +141,7 @@ def test_the_strip_is_told_with_its_area_and_the_verdict_names_it(made):
     assert "near-avoided-faces" not in codes(made("wall", 0.0, tool_axis="auto"))
 
 
+@pytest.mark.thorough
 def test_shank_and_holder_keep_off_too(made):
     """A holder as wide as it is near: upright over the floor it stands beside the wall's top."""
     options = {"cutter": "ball:6:4", "holder": ((24.0, 20.0),), "tool_axis": "facet_mean", "max_axis_angle": np.radians(30.0)}
@@ -164,6 +167,7 @@ def test_the_proof_finds_a_program_that_comes_nearer(made):
     assert "1 mm are asked for" in str(found.text)
 
 
+@pytest.mark.thorough
 def test_an_allowance_of_nothing_gives_the_same_bytes(made, tmp_path):
     part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
     given = ["mill", part, "--machine", "trunnion_ac", "--cutter", "ball:6", "--scallop", "0.2", "--avoid", faces, "--quiet"]

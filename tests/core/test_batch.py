@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A batch: the same bytes from every executor, none lost and none twice, and what is finished is not done again."""
+"""A batch: no job lost and none twice, and what is finished is not done again."""
 
 import concurrent.futures
 import json
 import os
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+import roofs
 from roofs import (
     WAY,
     Dropping,
+    Dying,
     Forgetting,
     Inline,
     Instead,
     Swapping,
     die_always,
     die_once,
-    leave_pages_blank,
     work_with_blank_pages,
     write_roof,
 )
@@ -50,85 +50,21 @@ def contents(folder):
 
 @pytest.fixture(scope="module")
 def expected(parts, tmp_path_factory):
-    """What one job after the other gives: outcomes by name, and the files."""
-    out = tmp_path_factory.mktemp("expected")
-    outcomes = {outcome.row["name"]: outcome for outcome in run_batch(jobs_of(parts, out))}
-    assert list(outcomes) == ["a", "b", "c"] and sorted(contents(out)) == [
-        "a.html",
-        "a.json",
-        "a.ngc",
-        "b.html",
-        "b.json",
-        "b.ngc",
-    ]
-    assert (
-        outcomes["a"].row["deviation_mm"] > 0 and outcomes["c"].row["verdict"] == FAILED and "c.stl" in outcomes["c"].row["part"]
-    )
-    return {name: outcome.row for name, outcome in outcomes.items()}, contents(out)
-
-
-@pytest.fixture(scope="module")
-def expected_blank(parts, tmp_path_factory):
-    """The same with blank pages."""
+    """What one job after the other gives, with blank pages: rows by name, and the files."""
     out = tmp_path_factory.mktemp("blank")
-    with pytest.MonkeyPatch.context() as patch:
-        leave_pages_blank(patch.setattr)
-        return {outcome.row["name"]: outcome.row for outcome in run_batch(jobs_of(parts, out))}, contents(out)
+    with roofs.blank_pages():
+        rows = {outcome.row["name"]: outcome.row for outcome in run_batch(jobs_of(parts, out))}
+    assert list(rows) == ["a", "b", "c"] and sorted(contents(out)) == [
+        f"{name}.{kind}" for name in "ab" for kind in ("html", "json", "ngc")
+    ]
+    assert rows["a"]["deviation_mm"] > 0 and rows["c"]["verdict"] == FAILED and "c.stl" in rows["c"]["part"]
+    return rows, contents(out)
 
 
 @pytest.fixture
-def blank_pages(monkeypatch):
-    leave_pages_blank(monkeypatch.setattr)
-
-
-@contextmanager
-def loky_executor():
-    loky = pytest.importorskip("loky")
-    with loky.ProcessPoolExecutor(2) as pool:
-        yield pool
-
-
-@contextmanager
-def dask_executor():
-    distributed = pytest.importorskip("distributed")
-    with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        yield client.get_executor()
-
-
-EXECUTORS = {
-    "serial": lambda: closing_nothing(),
-    "inline": lambda: Inline(),
-    "threads": lambda: crews.thread_crew(2).open(),
-    "processes": lambda: crews.process_crew(2).open(),
-    "foreign pool": lambda: concurrent.futures.ThreadPoolExecutor(2),
-    "loky": loky_executor,
-    "dask": dask_executor,
-}
-
-
-@contextmanager
-def closing_nothing():
-    yield None
-
-
-ONCE_MORE = ("inline", "foreign pool")
-"""Those that show the same as others."""
-
-
-@pytest.fixture(params=[pytest.param(name, marks=[pytest.mark.thorough] * (name in ONCE_MORE)) for name in EXECUTORS])
-def executor(request):
-    with EXECUTORS[request.param]() as made:
-        yield made
-
-
-def test_every_executor_makes_the_same_bytes(executor, parts, expected, tmp_path):
-    """Whoever does them, in whatever order they are given."""
-    jobs = jobs_of(parts, tmp_path / "out")
-    rows = {outcome.row["name"]: outcome.row for outcome in run_batch(jobs[::-1], executor)}
-    assert (rows, contents(tmp_path / "out")) == expected
+def blank_pages():
+    with roofs.blank_pages():
+        yield
 
 
 @pytest.mark.parametrize("wrong", [Swapping, Forgetting])
@@ -137,17 +73,17 @@ def test_an_executor_that_gives_back_something_else_is_noticed(wrong, parts, tmp
         list(run_batch(jobs_of(parts, tmp_path / "out"), wrong()))
 
 
-def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected_blank, tmp_path, blank_pages):
+def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected, tmp_path, blank_pages):
     told = {outcome.row["name"]: outcome.error for outcome in run_batch(jobs_of(parts, tmp_path / "one"), Dropping())}
     assert list(told) == ["a", "b", "c"] and not told["a"] and "process died" in told["b"] and "process died" in told["c"]
     rows = {
         one.row["name"]: one.row
         for one in run_batch(jobs_of(parts, tmp_path / "two"), Dropping(), again=lambda workers: Inline())
     }
-    assert (rows, contents(tmp_path / "two")) == expected_blank
+    assert (rows, contents(tmp_path / "two")) == expected
 
 
-def test_the_jobs_of_a_process_that_dies_run_again_and_none_twice(parts, expected_blank, tmp_path):
+def test_the_jobs_of_a_process_that_dies_run_again_and_none_twice(parts, expected, tmp_path):
     crew, made = crews.process_crew(1), []
 
     def again(workers=None):
@@ -157,19 +93,20 @@ def test_the_jobs_of_a_process_that_dies_run_again_and_none_twice(parts, expecte
     with Instead(crew.open(), die_once, str(tmp_path / "died")) as pool:
         ended = list(run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again))
     assert (tmp_path / "died").exists() and made == [None] and len(ended) == 3
-    assert ({one.row["name"]: one.row for one in ended}, contents(tmp_path / "out")) == expected_blank
+    assert ({one.row["name"]: one.row for one in ended}, contents(tmp_path / "out")) == expected
 
 
-def test_only_the_job_that_kills_its_process_fails(parts, expected_blank, tmp_path):
+@pytest.mark.parametrize("kind", ["told so", pytest.param("processes", marks=pytest.mark.thorough)])
+def test_only_the_job_that_kills_its_process_fails(kind, parts, expected, tmp_path, blank_pages):
     crew = crews.process_crew(1)
 
     def again(workers=None):
-        return Instead(crew.open(workers), die_always)
+        return Instead(crew.open(workers), die_always) if kind == "processes" else Dying()
 
     with again() as pool:
         ended = {one.row["name"]: one for one in run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again)}
     assert sorted(ended) == ["a", "b", "c"] and "process died" in ended["b"].error
-    assert ended["a"].row == expected_blank[0]["a"] and ended["c"].row == expected_blank[0]["c"]
+    assert ended["a"].row == expected[0]["a"] and ended["c"].row == expected[0]["c"]
     assert sorted(contents(tmp_path / "out")) == ["a.html", "a.json", "a.ngc"]
 
 

@@ -63,6 +63,14 @@ def test_with_one_processor_all_stays_on_the_calling_thread(monkeypatch):
     assert set(in_threads(lambda part: threading.get_ident(), range(9))) == {threading.get_ident()}
 
 
+@pytest.mark.parametrize("processors", [3, 8])
+def test_as_many_threads_as_processors_are_at_work_at_once(monkeypatch, processors):
+    """Each part waits until there are so many of them: fewer threads would wait for ever, and break the barrier."""
+    monkeypatch.setattr(chunks_module, "PROCESSORS", processors)
+    together = threading.Barrier(processors)
+    assert sorted(in_threads(lambda part: together.wait(60.0), range(processors))) == list(range(processors))
+
+
 def test_within_work_another_on_all_keeps_to_its_thread_and_afterwards_there_are_two_again():
     def work(part):
         return {threading.get_ident(), *in_threads(lambda inner: threading.get_ident(), range(5))}

@@ -11,7 +11,7 @@ from plain import build_settings
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.jobs import job, preview
 from freecad_fiveaxis.core.jobs.preview import preview_passes
 
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:6", "gouge": "off", "linearize": "off"}
@@ -72,6 +72,20 @@ def test_on_a_plate_number_length_and_time_are_closed_forms():
     assert found.passes == len(found.sizes) and math.isclose(found.length, 40.0 * found.passes)
     assert found.passes in (15, 16) and found.time == pytest.approx(found.length / 10.0)
     assert (np.abs(found.point[:, 2] - 10.0) < 1e-12).all() and (found.sizes == np.bincount(found.polyline)).all()
+
+
+@pytest.mark.parametrize("passes", ["scallop", "planes"])
+def test_of_very_many_passes_some_are_laid_and_number_length_and_time_are_those_of_all(passes, monkeypatch):
+    mesh, asked = dome(), settings(passes=passes, scallop=0.01)
+    monkeypatch.setattr(preview, "SQUARES", math.inf)
+    whole = preview_passes(asked, mesh=mesh)
+    monkeypatch.setattr(preview, "SQUARES", 400.0)
+    some = preview_passes(asked, mesh=mesh)
+    assert whole.one_in == 1 and some.one_in == 3 and len(some.point) < 0.5 * len(whole.point)
+    assert some.length == pytest.approx(whole.length, rel=0.08) and some.time == pytest.approx(60.0 * some.length / some.feed)
+    assert abs(some.passes - whole.passes) <= 3 * 2 and len(some.sizes) < 0.6 * len(whole.sizes)
+    asked = settings(passes=passes, scallop=1.5)  # no passes are laid that leave a multiple of the cutter's radius
+    assert preview_passes(asked, mesh=mesh).one_in == 1
 
 
 def test_faces_and_boundary_leave_out_what_they_leave_out_of_the_path(tmp_path):

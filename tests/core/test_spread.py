@@ -63,12 +63,6 @@ class Backwards(Executor):
         return future
 
 
-@pytest.fixture(scope="module")
-def processes():
-    with crew.at_work(crew.process_crew(2)) as pool:
-        yield pool
-
-
 @pytest.fixture(params=["here", "inline", "threads", "processes", "backwards"])
 def executor(request):
     if request.param == "threads":

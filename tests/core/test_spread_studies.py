@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where to clamp and what to compare and where the tool gets, whoever makes the trials: the same bytes, and a stop that is heard in the middle."""
+"""Where to clamp and what to compare and where the tool gets by workers: small tasks, a stop that is heard in the middle, the command line."""
 
 import json
 import multiprocessing
@@ -7,22 +7,14 @@ import pickle
 
 import pytest
 from roofs import Inline, Swapping, write_roof
+from small_studies import STUDIES, options_of, try_study
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import crew
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.jobs.settings import TRIALS, build_settings
-from freecad_fiveaxis.core.studies import study
+from freecad_fiveaxis.core.jobs.settings import TRIALS
 
-WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", "stepover": 9}
-SETUP = {"grid": "3,2,1", "turns": 2, "region": "40,30,0", "origin": "10,5,-20"}
-STUDIES = {
-    "setup": WAY | SETUP,
-    "compare": WAY | {"stepover": 12, "machine": None, "machines": "mikron_ucp710,trunnion_ac", "max_axis_angle": 20},
-    "reach": {"machine": "trunnion_ac", "cutter": "ball:6:12", "holder": "30x20", "face": None},
-    "setup of little reach": WAY | SETUP | {"machine": "mikron_ucp710", "turns": 1, "region": "400,400,300", "grid": "2,2,2"},
-}
 STAGES = {"setup": "setup map", "compare": "compare", "reach": "reach"}
 """What progress calls the trials."""
 
@@ -32,44 +24,6 @@ def roof(tmp_path_factory):
     path = tmp_path_factory.mktemp("roof") / "roof.stl"
     write_roof(path)
     return str(path)
-
-
-def try_study(name, roof, executor=None, progress=lambda stage, fraction: None):
-    return study.run(build_settings(name.split()[0], roof, options_of(name)), progress, executor)
-
-
-def options_of(name):
-    return {key: value for key, value in STUDIES[name].items() if value is not None}
-
-
-def bytes_of(trial):
-    return study.as_json(trial), study.as_html(trial), study.as_text(trial)
-
-
-DEAR = ("compare", "reach")
-
-
-@pytest.fixture(scope="module", params=[pytest.param(name, marks=[pytest.mark.thorough] * (name in DEAR)) for name in STUDIES])
-def expected(request, roof):
-    """A study's name and what it tells without an executor."""
-    return request.param, bytes_of(try_study(request.param, roof))
-
-
-@pytest.fixture(scope="module")
-def processes():
-    with crew.at_work(crew.process_crew(2)) as pool:
-        yield pool
-
-
-def test_threads_make_the_same_bytes(expected, roof):
-    with crew.at_work(crew.thread_crew(2)) as pool:
-        assert bytes_of(try_study(expected[0], roof, pool)) == expected[1]
-
-
-def test_processes_make_the_same_bytes(expected, roof, processes):
-    told = []
-    made = try_study(expected[0], roof, processes, lambda stage, fraction: told.append((stage, fraction)))
-    assert bytes_of(made) == expected[1] and told[-1][1] == 1.0
 
 
 class Packing(Inline):
@@ -91,20 +45,22 @@ def test_a_task_is_small_but_for_what_is_common(roof):
     assert packing.count == 1 + 2 * (2 + 1) and packing.longest < 100_000
 
 
-def test_a_result_of_another_task_is_noticed(expected, roof):
+@some_in_core("name", STUDIES)
+def test_a_result_of_another_task_is_noticed(name, roof):
     with pytest.raises(SettingsError, match="gave back"):
-        try_study(expected[0], roof, Swapping())
+        try_study(name, roof, Swapping())
 
 
-def test_a_stop_in_the_middle_leaves_no_process(expected, roof):
+@some_in_core("name", STUDIES)
+def test_a_stop_in_the_middle_leaves_no_process(name, roof):
     before = set(multiprocessing.active_children())
 
     def stop(stage, fraction):
-        if stage == STAGES[expected[0].split()[0]] and fraction > 0.0:
+        if stage == STAGES[name.split()[0]] and fraction > 0.0:
             raise Cancelled("enough")
 
     with pytest.raises(Cancelled, match="enough"), crew.at_work(crew.process_crew(1)) as pool:
-        try_study(expected[0], roof, pool, stop)
+        try_study(name, roof, pool, stop)
     assert set(multiprocessing.active_children()) <= before
 
 

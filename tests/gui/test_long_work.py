@@ -19,7 +19,8 @@ from conftest import QtCore, QtWidgets, close_all
 from test_clicks import look
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import comparing, results
+from freecad_fiveaxis.app import comparing, preferences, results, spreading
+from freecad_fiveaxis.core.base import workers
 from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.gui import keys
 from freecad_fiveaxis.gui.waiting import waiting
@@ -70,14 +71,15 @@ class Beats:
 
 @pytest.fixture
 def stopped(real_key):
-    """stopped(work): Esc is pressed once ENOUGH beats were served under the work, by the X server, again and again until the dialog
-    goes. The work must be under way then. The longest gap between two beats, s, and the time from Esc to the work's end, s."""
+    """stopped(work): Esc is pressed once ENOUGH beats were served under the work and ``ready()``, by the X server, again and again
+    until the dialog goes. The work must be under way then. The longest gap between two beats, s, and the time from Esc to the
+    work's end, s."""
 
-    def run(work):
+    def run(work, ready=lambda: True):
         pressed = []
 
         def escape(dialog):
-            if beats.served > ENOUGH:
+            if beats.served > ENOUGH and ready():
                 pressed.append(time.monotonic())
                 real_key(dialog, "Escape")
 
@@ -145,15 +147,33 @@ def test_a_path_leaves_the_window_alive_and_esc_stops_it(path, stopped, passes, 
     assert gap <= LONGEST and late <= LATEST and state(path.Document) == before
 
 
-def test_comparing_machines_leaves_the_window_alive_and_esc_stops_it(path, stopped):
+@pytest.fixture
+def beside(monkeypatch):
+    """Processes are started at once, two at a time; none of them is left. Whether one is ready."""
+    pools, begin = [], workers.WorkerProcesses
+
+    def keep(find, count, patience):
+        pools.append(begin(find, 2, 0.0))
+        return pools[-1]
+
+    processes, start = [], workers.start
+    monkeypatch.setattr(workers, "start", lambda *given: processes.append(start(*given)) or processes[-1])
+    monkeypatch.setattr(spreading, "WorkerProcesses", keep)
+    monkeypatch.setattr(preferences, "processes", lambda: 2)
+    yield lambda: any(pool.ready for pool in pools)
+    assert processes and all(process.returncode is not None for process in processes)
+    assert [pool.died for pool in pools] == [0]
+
+
+def test_comparing_machines_leaves_the_window_alive_and_esc_stops_it(path, stopped, beside):
     machines, before = ["trunnion_ac", "trunnion_bc"], state(path.Document)
-    gap, late = stopped(in_dialog(lambda: comparing.compare(path, machines, comparing.cures())))
+    gap, late = stopped(in_dialog(lambda: comparing.compare(path, machines, comparing.cures())), beside)
     assert gap <= LONGEST and late <= LATEST and state(path.Document) == before
 
 
-def test_a_map_of_setups_leaves_the_window_alive_and_esc_stops_it(path, stopped):
+def test_a_map_of_setups_leaves_the_window_alive_and_esc_stops_it(path, stopped, beside):
     before = state(path.Document)
-    gap, late = stopped(in_dialog(lambda: app.setup_map(path, grid=(9, 9, 9))))
+    gap, late = stopped(in_dialog(lambda: app.setup_map(path, grid=(9, 9, 9))), beside)
     assert gap <= LONGEST and late <= LATEST and state(path.Document) == before
 
 

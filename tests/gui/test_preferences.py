@@ -125,7 +125,7 @@ def test_the_page_shows_and_keeps_every_parameter(ours, window):
         "Machine": "/my/own.fcm", "Controller": "fanuc", "MachineFolder": "/my", "OutputFolder": "/nc", "CutterKind": "taperbull",
         "CutterDiameter": 6.0, "CutterCorner": 1.5, "CutterTaper": 2.5, "Shank": "6x20", "Holder": "40x25",
         "Scallop": 0.02, "Tolerance": 0.05, "Feed": 20.0, "ColourGood": 0x102030FF, "ColourBad": 0x405060FF,
-        "ColourSingular": 0x708090FF,
+        "ColourSingular": 0x708090FF, "Processes": 3,
     }  # fmt: skip
     assert set(given) == set(preferences.DEFAULTS)
     page, again = Page(), Page()

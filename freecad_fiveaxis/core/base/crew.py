@@ -95,12 +95,26 @@ def at_work(crew: Crew | None) -> Iterator[Executor | None]:
         crew.stop()
         raise
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        end_pool(pool, wait=True)
 
 
-def begin(stop: Stop) -> None:
-    """What a worker of a crew does first: it remembers where to look."""
-    _here.stop = stop
+def end_pool(pool: Executor, wait: bool) -> None:
+    """End an executor, and cancel what waits in it; ``wait`` for what its workers are at."""
+    try:
+        pool.shutdown(wait=wait, cancel_futures=True)
+    except TypeError:  # dask's and loky's know no such argument; who gave them work has cancelled it
+        pool.shutdown(wait=wait)
+
+
+def begin(stop: Stop, tell: Callable[[float], None] | None = None, alone: bool = False) -> None:
+    """What a worker does first: it remembers where to look, whom to ``tell`` how far its task is, and whether it works ``alone``,
+    so that it may use all threads."""
+    _here.stop, _here.tell, _here.alone = stop, tell, alone
+
+
+def works_alone() -> bool:
+    """Whether no other worker has the other processors."""
+    return getattr(_here, "alone", False)
 
 
 def begin_process(stop: Stop) -> None:
@@ -113,10 +127,12 @@ def begin_process(stop: Stop) -> None:
 
 
 def look_for_stop(stage: str, fraction: float) -> None:
-    """The progress of a worker: nobody is told, but it raises Cancelled where the crew is told to stop."""
-    stop = getattr(_here, "stop", None)
+    """The progress of a worker: it raises Cancelled where the crew is told to stop, and tells whoever wants to hear it."""
+    stop, tell = getattr(_here, "stop", None), getattr(_here, "tell", None)
     if stop is not None and stop.is_set():
         raise Cancelled(say("stopped"))
+    if tell is not None:
+        tell(fraction)
 
 
 def _end_with_parent() -> None:

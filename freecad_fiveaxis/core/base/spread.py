@@ -15,14 +15,15 @@ from __future__ import annotations
 
 import hashlib
 import pickle
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
+from contextlib import nullcontext
 from dataclasses import dataclass
 from queue import Empty, SimpleQueue
 from typing import Any, Generic, TypeVar
 
 from .chunks import keep_to_one_thread
-from .crew import WORKERS, look_for_stop
+from .crew import WORKERS, look_for_stop, works_alone
 from .errors import Cancelled, SettingsError
 from .progress import Progress
 from .sentences import say
@@ -31,7 +32,9 @@ C = TypeVar("C")
 T = TypeVar("T")
 R = TypeVar("R")
 
-TICK = 0.2
+KILLED = ("KilledWorker",)
+"""Exceptions, of packages that we do not import, by which an executor says that its workers died: dask's."""
+TICK = 0.1
 """s between two calls of progress while no task ends."""
 
 Work = Callable[[C, T, Progress], R]
@@ -63,7 +66,7 @@ def spread(
             try:
                 at = todo.pop(future := ended.get(timeout=TICK))
             except Empty:
-                told(0.0)
+                told.hear(todo)
             else:
                 results[at] = told.end(at, _own_result(future, at))
     finally:
@@ -78,10 +81,15 @@ class _TaskProgress:
 
     def __init__(self, progress: Progress, stage: str, weights: Sequence[float]) -> None:
         self._progress, self._stage, self._weights = progress, stage, weights
-        self._all, self._done = sum(weights), 0.0
+        self._all, self._done, self._told = sum(weights), 0.0, 0.0
 
     def __call__(self, more: float) -> None:
-        self._progress(self._stage, min((self._done + more) / self._all, 1.0) if self._all else 1.0)
+        self._told = max(self._told, min((self._done + more) / self._all, 1.0) if self._all else 1.0)
+        self._progress(self._stage, self._told)
+
+    def hear(self, todo: Mapping[Future[Any], int]) -> None:
+        """Tell how far the tasks are that have not ended, as far as their futures know it."""
+        self(sum(self._weights[at] * getattr(future, "fraction", 0.0) for future, at in todo.items()))
 
     def within(self, at: int) -> Progress:
         """The progress of one task as that of the whole."""
@@ -144,7 +152,7 @@ def _do(work: Work[C, T, R], shared: _Shared[C], at: int, task: T) -> _Result[R]
         if shared.stopped:
             raise Cancelled(say("stopped"))
 
-    with keep_to_one_thread():
+    with nullcontext() if works_alone() else keep_to_one_thread():
         listen("", 0.0)
         return _Result(at, work(shared.value, task, listen))
 
@@ -154,6 +162,10 @@ def _own_result(future: Future[Any], at: int) -> Any:
         given = future.result()
     except (BrokenExecutor, CancelledError) as error:
         raise _died() from error
+    except Exception as error:
+        if type(error).__name__ in KILLED:
+            raise _died() from error
+        raise
     if not isinstance(given, _Result) or given.at != at:
         what = f"{given.at + 1}" if isinstance(given, _Result) else type(given).__name__
         raise SettingsError(

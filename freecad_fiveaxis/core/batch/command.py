@@ -80,6 +80,7 @@ def _batch(arguments: argparse.Namespace, options: Mapping[str, Any], progress: 
 def _plan_batch(
     arguments: argparse.Namespace, options: Mapping[str, Any]
 ) -> tuple[list[BatchJob], tuple[int, int] | None, Crew | None]:
+    from freecad_fiveaxis.core.base.chunks import PROCESSORS
     from freecad_fiveaxis.core.base.crew import read_workers
 
     from . import plan
@@ -89,7 +90,7 @@ def _plan_batch(
         raise SettingsError(say("no jobs given; name a folder of STL files or a table (JSON)"), None)
     if not os.path.isdir(arguments.source):
         check_readable(arguments.source)
-    crew = find_crew(arguments.executor, (os.cpu_count() or 1) if arguments.workers is None else read_workers(arguments.workers))
+    crew = find_crew(arguments.executor, PROCESSORS if arguments.workers is None else read_workers(arguments.workers))
     shard = plan.read_shard(arguments.shard) if arguments.shard else None
     jobs = plan.read_jobs(arguments.source, options, arguments.out, arguments.overwrite)
     return plan.of_shard(jobs, shard) if shard else jobs, shard, crew
@@ -113,6 +114,8 @@ def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) 
 
 def _worked(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> dict[str, JobOutcome]:
     """The outcomes by the jobs' stems."""
+    from freecad_fiveaxis.core.base.crew import end_pool
+
     from .run import run_batch
 
     if crew is None or not jobs:
@@ -127,5 +130,5 @@ def _worked(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> 
         crew.stop()
         raise
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+        end_pool(pool, wait=False)
     return ended

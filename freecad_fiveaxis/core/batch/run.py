@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 
-from freecad_fiveaxis.core.base.crew import WORKERS
+from freecad_fiveaxis.core.base.crew import WORKERS, end_pool
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
@@ -124,7 +124,7 @@ def _in_new_pool(
     try:
         return (yield from _in_pool(jobs, pool, done))
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+        end_pool(pool, wait=False)
 
 
 def _fail(jobs: Sequence[BatchJob], done: _Done) -> Iterator[JobOutcome]:

@@ -2,11 +2,13 @@
 """The passes of the settings, laid without anything that comes after them: no tool axes, gouge cure, links, joints and NC.
 
 They are those of :func:`.milling.mill` but for what these later stages leave out or trim: places under which the cutter does not
-fit, and where axes are chosen freely those that no axis gets to, which is not looked at here.
+fit, and where axes are chosen freely those that no axis gets to, which is not looked at here. Of very many passes only some are
+laid, as far apart as every second, third, ... would be: a picture shows no more, and what it takes grows with their square.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +24,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
+from freecad_fiveaxis.core.passes.scallop import flat_interval
 
 from .avoided import facets_off, keep_off_of, kept_off_faces
 from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
@@ -29,21 +32,28 @@ from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import chosen_faces
 from .milling import closed, find_standing, laid
-from .options import machine_of, reacher_of
+from .options import machine_of, reacher_of, wanted_scallop
 from .over_table import AUTO, largest_axis_angle
 from .settings import FRAMES, Settings
+
+SQUARES = 3500.0
+"""So many squares of an interval's side the passes may divide what is cut into; about a second of work."""
+HIGHEST = 0.4
+"""Of the cutter's radius: the largest scallop that passes are laid for here."""
 
 
 @dataclass(frozen=True, eq=False)
 class Preview:
     """``point`` (n, 3) mm, work frame, of the lines ``polyline`` (n,) that the cutter touches the part along, one row after the
-    other; ``pass_`` (n,) that each is of; ``feed`` mm/min. ``findings``: what stays uncut, and how the facets were chosen."""
+    other; ``pass_`` (n,) that each is of; ``feed`` mm/min. ``findings``: what stays uncut, and how the facets were chosen.
+    ``one_in``: of so many passes one is laid; number, length and time are then estimates of all."""
 
     point: Floats
     polyline: Ints
     pass_: Ints
     feed: float
     findings: tuple[Finding, ...] = ()
+    one_in: int = 1
 
     def __post_init__(self) -> None:
         freeze(self, None, point="f3", polyline="i", pass_="i")
@@ -51,13 +61,13 @@ class Preview:
     @property
     def passes(self) -> int:
         """How many passes there are."""
-        return len(np.unique(self.pass_))
+        return self.one_in * len(np.unique(self.pass_))
 
     @property
     def length(self) -> float:
         """Length of all lines, mm; links are not among them."""
         step = np.linalg.norm(np.diff(self.point, axis=0), axis=1)
-        return float(step[np.diff(self.polyline) == 0].sum())
+        return self.one_in * float(step[np.diff(self.polyline) == 0].sum())
 
     @property
     def time(self) -> float:
@@ -80,11 +90,29 @@ def preview_passes(
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
     mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
+    context, one_in = _sparser(context)
     contact, untouched, _ = laid(context)
     whole = context.boundary is None and context.keep_off is None
     columns = _cut_rows(contact, context.keep) if whole else _within_boundary(context, contact)
     found = (*said, *left_out, *untouched, *contact.findings)
-    return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found)
+    return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found, one_in=one_in)
+
+
+def _sparser(context: MillContext) -> tuple[MillContext, int]:
+    """With passes as far apart as every k-th of those asked for, and k: 1 where they are few, or a stepover gives their distance,
+    which takes no time. On a flat a scallop between passes s apart is ``r - sqrt(r^2 - s^2 / 4)``, ``r`` the cutter's radius."""
+    scallop, radius = wanted_scallop(context.settings), context.settings.cutter.cutter.radius
+    if scallop is None or scallop >= HIGHEST * radius:
+        return context, 1
+    interval = flat_interval(radius, scallop)
+    squares = float(context.mesh.area[context.keep].sum()) / interval**2
+    most = int(flat_interval(radius, HIGHEST * radius) / interval)
+    one_in = max(1, min(most, math.ceil(math.sqrt(squares / SQUARES))))
+    if one_in == 1:
+        return context, 1
+    higher = radius - math.sqrt(radius**2 - 0.25 * (one_in * interval) ** 2)
+    passes = replace(context.settings.passes, scallop=higher)
+    return replace(context, settings=replace(context.settings, passes=passes)), one_in
 
 
 def _context(

@@ -56,8 +56,11 @@ class PreviewRow(QtWidgets.QWidget):
 
 
 def summarize(found: Any) -> str:
-    """What the passes of a Preview come to, in one line."""
+    """What the passes of a Preview come to, in one line; estimates where only some of them are laid."""
     one = translate("FiveAxis", "1 pass, {length}, {time} of cutting at the feed, links not counted")
     many = translate("FiveAxis", "{count} passes, {length}, {time} of cutting at the feed, links not counted")
-    text = one if found.passes == 1 else many
-    return text.format(count=found.passes, length=length_text(found.length), time=clock(found.time))
+    some = translate(
+        "FiveAxis", "About {count} passes, {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} is drawn"
+    )
+    text = some if found.one_in > 1 else one if found.passes == 1 else many
+    return text.format(count=found.passes, length=length_text(found.length), time=clock(found.time), one_in=found.one_in)

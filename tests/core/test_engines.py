@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Batches and studies on real engines: the same bytes from each, and a worker that is killed costs nothing that was done.
+
+Packages of others (loky, distributed, mpi4py) are in the slow ring; where they are not installed, their tests are skipped.
+"""
+
+import shutil
+import subprocess
+import sys
+import threading
+from functools import cache
+from pathlib import Path
+
+import engines
+import pytest
+import roofs
+from engines import mpi_environment
+from roofs import WAY, Instead, Killing, die_always, die_once, work_with_blank_pages, write_roof
+from small_studies import STUDIES, texts_of, try_study
+from thorough import some_in_core
+
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.crew import Crew
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.batch import crews, plan
+from freecad_fiveaxis.core.batch.run import run_batch
+from freecad_fiveaxis.core.studies import study
+
+ROOT = Path(__file__).parents[2]
+KILLED = [name for name in engines.APART if name != "mpi"]
+"""Engines of which one worker may be killed: MPI ends all of its processes together."""
+WORDS = [word for name, value in WAY.items() for word in (f"--{name.replace('_', '-')}", str(value))]
+
+
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory):
+    """A folder with three parts, the last of which is none."""
+    folder = tmp_path_factory.mktemp("parts")
+    write_roof(folder / "a.stl")
+    write_roof(folder / "b.stl", 18.0)
+    (folder / "c.stl").write_text("solid nothing\nendsolid\n")
+    return folder
+
+
+def jobs_of(parts, out):
+    out.mkdir(exist_ok=True)
+    return plan.read_jobs(str(parts), WAY, str(out))
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def rows_of(outcomes):
+    rows = [outcome.row for outcome in outcomes]
+    assert sorted(row["name"] for row in rows) == ["a", "b", "c"]  # each of them once
+    return {row["name"]: row for row in rows}
+
+
+@pytest.fixture(scope="module")
+def expected(parts, tmp_path_factory):
+    """expected(blank): rows and files of one job after the other, here."""
+
+    @cache
+    def make(blank):
+        out = tmp_path_factory.mktemp("expected")
+        if not blank:
+            return rows_of(run_batch(jobs_of(parts, out))), contents(out)
+        with roofs.blank_pages():
+            return rows_of(run_batch(jobs_of(parts, out))), contents(out)
+
+    return make
+
+
+@pytest.fixture(scope="module")
+def told(parts):
+    """told(study): what it tells without an executor."""
+
+    @cache
+    def tell(name):
+        trial = try_study(name, str(parts / "a.stl"))
+        return trial, texts_of(trial)
+
+    return tell
+
+
+def test_a_batch_makes_the_same_bytes(engine, parts, expected, tmp_path):
+    """Whoever does the jobs, in whatever order they are given."""
+    if engine.name == "plain processes":
+        pytest.skip("they load nothing of the tests, and cannot leave the pages blank")
+    executor = Instead(engine.executor, work_with_blank_pages) if engine.apart else engine.executor
+    with roofs.blank_pages():
+        rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out")[::-1], executor))
+    assert (rows, contents(tmp_path / "out")) == expected(True)
+
+
+@pytest.mark.thorough
+def test_a_batch_makes_the_same_pages(engine, parts, expected, tmp_path):
+    rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out")[::-1], engine.executor))
+    assert (rows, contents(tmp_path / "out")) == expected(False)
+    assert expected(False)[1]["a.html"] != expected(True)[1]["a.html"]
+
+
+@some_in_core("name", STUDIES)
+def test_a_study_tells_the_same(name, engine, parts, told):
+    shares = []
+    trial = try_study(name, str(parts / "a.stl"), engine.executor, lambda stage, fraction: shares.append((stage, fraction)))
+    assert texts_of(trial) == told(name)[1] and shares[-1][1] == 1.0
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", STUDIES)
+def test_a_page_of_a_study_is_the_same(name, processes, parts, told):
+    trial = try_study(name, str(parts / "a.stl"), processes)
+    assert study.as_html(trial) == study.as_html(told(name)[0])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", KILLED)
+def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, parts, expected, tmp_path):
+    mark = tmp_path / "died"
+    with engines.OPEN[name]() as pool, engines.OPEN[name]() as other:
+        dying, sound = Instead(pool, die_once, str(mark)), Instead(other, work_with_blank_pages)
+        rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out"), dying, again=lambda workers: sound))
+    assert mark.exists() and (rows, contents(tmp_path / "out")) == expected(True)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", KILLED)
+def test_a_job_that_no_worker_survives_is_told_and_harms_no_other_bytes(name, parts, expected, tmp_path):
+    with engines.OPEN[name]() as pool:
+        rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out"), Instead(pool, die_always)))
+    assert "died" in rows["b"]["error"] and "\n" not in rows["b"]["error"] and rows["b"]["verdict"] == "failed"
+    for key, data in contents(tmp_path / "out").items():
+        assert data == expected(True)[1][key] and key[0] != "b"
+
+
+KILLS = [(KILLED[0], name) for name in ("setup", "compare", "reach")] + [(name, "setup") for name in KILLED[1:]]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name, of", KILLS)
+def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, parts, told, tmp_path):
+    """Pools of Python and loky break, which is one clear error and no result; a second run has all. Dask has another worker."""
+    mark, shares, roof = tmp_path / "died", [], str(parts / "a.stl")
+
+    def tell(stage, fraction):
+        shares.append(fraction)
+
+    with engines.OPEN[name]() as pool:
+        killing = Killing(pool, str(mark))
+        if name != "dask":
+            with pytest.raises(SettingsError, match="a process died"):
+                try_study(of, roof, killing)
+        else:
+            assert texts_of(try_study(of, roof, killing, tell)) == told(of)[1]
+    assert mark.exists()
+    if name != "dask":
+        with engines.OPEN[name]() as pool:
+            assert texts_of(try_study(of, roof, Killing(pool, str(mark)), tell)) == told(of)[1]
+    assert shares[-1] == 1.0
+
+
+def made_by_command(parts, out, *words, before=()):
+    """The files that ``batch`` writes, in a process of its own."""
+    command = [*before, "-m", "freecad_fiveaxis", "batch", str(parts), "--out", str(out), "--quiet", *words, *WORDS]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=600)
+    assert done.returncode == cli.DONE_WITH_ERRORS, done.stderr
+    return contents(out)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", KILLED)
+def test_a_task_that_no_worker_survives_is_one_clear_error(name, parts):
+    with engines.OPEN[name]() as pool, pytest.raises(SettingsError, match="a process died"):
+        try_study("setup", str(parts / "a.stl"), Killing(pool))
+
+
+class Plain(roofs.Inline):
+    """Ends as loky's and dask's executors do."""
+
+    ended = False
+
+    def shutdown(self, wait=True):
+        self.ended = True
+
+
+def test_an_executor_may_know_little_of_its_end(parts, tmp_path, monkeypatch):
+    """Of ``shutdown`` only what every executor has is asked for."""
+    pool = Plain()
+    monkeypatch.setattr(crews, "find_crew", lambda name, workers: Crew(lambda number: pool, workers, threading.Event()))
+    with roofs.blank_pages():
+        cli.main(["batch", str(parts), "--out", str(tmp_path / "out"), "--quiet", *WORDS])
+    assert pool.ended and "batch.csv" in contents(tmp_path / "out")
+
+
+@pytest.fixture(scope="module")
+def by_command(parts, tmp_path_factory):
+    return made_by_command(parts, tmp_path_factory.mktemp("serial"), "--executor", "serial", before=[sys.executable])
+
+
+@pytest.mark.slow
+def test_the_command_on_mpi_makes_the_same_files(parts, by_command, tmp_path, monkeypatch):
+    for key, value in mpi_environment().items():
+        monkeypatch.setenv(key, value)
+    ranks = [shutil.which("mpiexec"), "-n", "3", sys.executable, "-m", "mpi4py.futures"]
+    assert made_by_command(parts, tmp_path / "out", "--executor", "mpi", before=ranks) == by_command
+
+
+@pytest.mark.slow
+def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(parts, by_command, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
+        address = cluster.scheduler_address.replace("tcp://", "dask://")
+        assert made_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable]) == by_command
