@@ -100,7 +100,7 @@ def spread(corner, count):
     return corner[facet, 0] + (share[..., None] * (corner[facet, 1:] - corner[facet, :1])).sum(axis=1)
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 @pytest.mark.skipif(not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)")
 def test_on_a_real_part_the_ball_keeps_the_allowance_off_its_faces(tmp_path):
     """What lies in the middle third of the part's height: curved, and level."""
