@@ -6,7 +6,8 @@ the chain for each sample), and area samples of the surface look for the nearest
 WITHIN left and no deeper; *share*: of what such a ball finishes wherever it fits, from any side (libigl, where it is there).
 *Cut*, *links*, *rapids*: length over finished area / stepover on a flat. *Overcut*: deepest sample, mm. *95 %*: of what is
 left, mm.
-Arguments: names of parts, then strategies as PASSES/AXIS (``head scallop/facet_mean``); none: all that are here, every strategy.
+Arguments: names of parts, then strategies as PASSES/AXIS or PASSES/AXIS/WITHIN_FRAMES (``head scallop/facet_mean``); none: all
+that are here, every strategy.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ from freecad_fiveaxis.core.report.figures import summary
 
 MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
 PARTS = ("sh1", "bearing", "head", "video_part", "propeller")
-STRATEGIES = ("planes/facet_mean", "scallop/facet_mean", "frames/auto")
+STRATEGIES = ("planes/facet_mean", "scallop/facet_mean", "frames/auto", "frames/auto/planes")
 DIAMETER, SCALLOP, MACHINE = 6.0, 0.02, "trunnion_ac"
 WITHIN = 0.05  # mm
 SAMPLES, CONTACTS = 20_000, 400_000  # of the judge; of all places at which the ball is set down
@@ -87,9 +88,9 @@ def gaps(centre: Floats, point: Floats) -> Floats:
 def measured(name: str, strategy: str, fits: Floats | None) -> list[str]:
     """One row of the table."""
     mesh = read_stl(str(MESHES / f"{name}.stl"))
-    passes, axis = strategy.split("/")
+    passes, axis, *within = strategy.split("/")
     options = {"machine": MACHINE, "tool_length": 120, "cutter": f"ball:{DIAMETER}", "scallop": SCALLOP, "passes": passes,
-               "tool_axis": axis}  # fmt: skip
+               "tool_axis": axis, "within_frames": within[0] if within else None}  # fmt: skip
     begin = time.process_time()
     result = job.prove(job.make(build_settings("mill", name, options), mesh=mesh))
     seconds = time.process_time() - begin

@@ -15,7 +15,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.jobs import preview
-from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
+from freecad_fiveaxis.core.jobs.settings import MILL, Settings, build_settings
 
 from . import convert, results, selection, tessellation, toolpath
 from .long_work import check_open, listening, run
@@ -57,7 +57,7 @@ def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[fl
     options = toolpath.with_strategies(convert.given_options(MILL, options))
     settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
     with listening() as listener:
-        facets, runs, off = _find_facets(part, work_zero, listener)
+        facets, runs, off = _find_facets(part, work_zero, settings, listener)
         check_open(doc)
 
         def work(told: Progress) -> preview.Preview:
@@ -68,14 +68,14 @@ def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[fl
 
 
 def _find_facets(
-    part: Part, work_zero: Sequence[float], progress: Progress
+    part: Part, work_zero: Sequence[float], settings: Settings, progress: Progress
 ) -> tuple[Callable[[], bytes], Sequence[int], Sequence[int]]:
     """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those that are milled, and
     of those to avoid."""
     if _is_meshed(part):
-        return convert.facets_of(part.mesh, work_zero).stl, *results.runs_of(part.mesh)
+        return convert.facets_of(part.mesh, work_zero).stl, *results.runs_of(part.mesh, settings)
     if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):
-        return convert.facets_of(part.base, work_zero).stl, *results.runs_of(part.base)
+        return convert.facets_of(part.base, work_zero).stl, *results.runs_of(part.base, settings)
     progress("tessellate", 0.0)
     mesh, runs, off = tessellation.meshed(part.base, part.faces, part.linear, part.angular, progress, part.avoid)
     mesh.Placement = convert.moved_to_zero(mesh.Placement, work_zero)

@@ -105,7 +105,7 @@ class ReachMap(Proxy):
         settings = replace(settings, passes=replace(settings.passes, max_axis_angle=most))
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
         solids = [compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in check_fixtures(obj)]
-        return results.Task(settings, facets, *results.runs_of(obj.Mesh), fixtures=tuple(solids))
+        return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=tuple(solids))
 
     @hide_trace
     def execute(self, obj: Any) -> None:

@@ -75,9 +75,12 @@ class Task:
         return hashlib.sha256(data + said).hexdigest()
 
 
-def runs_of(mesh: Any) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The runs of a mesh object's facets that are milled, none: all are, and of those to avoid."""
-    return tuple(getattr(mesh, "FacetRuns", ())), tuple(getattr(mesh, "AvoidedRuns", ()))
+def runs_of(mesh: Any, settings: Settings) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """The runs of a mesh object's facets that are milled, none: all are, and of those to avoid, which the settings need where
+    there is an allowance. Raises SelectionError where they cannot be found."""
+    find = getattr(getattr(mesh, "Proxy", None), "avoided_runs", None)
+    off = find(mesh) if find is not None and settings.gouge.avoid_allowance > 0.0 else getattr(mesh, "AvoidedRuns", ())
+    return tuple(getattr(mesh, "FacetRuns", ())), tuple(off)
 
 
 def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ...]:

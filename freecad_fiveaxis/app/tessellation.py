@@ -70,8 +70,10 @@ class Tessellation(Proxy):
         super().__init__(obj)
         obj.setEditorMode("Placement", ["ReadOnly"])  # it stands where its base stands
 
+    _found: tuple[tuple[Any, ...], list[int]] | None
+
     def _begin(self) -> None:
-        self.built = False
+        self.built, self._found = False, None
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
@@ -93,6 +95,16 @@ class Tessellation(Proxy):
         obj.AvoidedRuns = off
         self.built = True
 
+    def avoided_runs(self, obj: Any) -> list[int]:
+        """The runs of the facets that are left alone, also where an earlier version has made the mesh and did not keep them: then
+        from the same mesh made once more, which stays out of the document. Raises SelectionError where it is not the same."""
+        if obj.AvoidedRuns or not avoided(obj):
+            return list(obj.AvoidedRuns)
+        made_for = chosen(obj)[1], avoided(obj), obj.MadeOf
+        if self._found is None or self._found[0] != made_for:
+            self._found = made_for, _find_avoided(obj)
+        return self._found[1]
+
     def onChanged(self, obj: Any, name: str) -> None:
         """A change of the input asks for a new mesh."""
         if name in ("Base", "Avoid", "LinearDeflection", "AngularDeflection"):
@@ -104,6 +116,21 @@ class Tessellation(Proxy):
         if not self.built:
             self.build(obj)
         self.built = False
+
+
+def _find_avoided(obj: Any) -> list[int]:
+    """The runs of the facets on the faces left alone, of the object's mesh made anew. Raises SelectionError for another mesh."""
+    base, faces = chosen(obj)
+    with listening() as progress:
+        mesh, runs, off = meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress, avoided(obj))
+    if mesh.CountFacets != obj.Mesh.CountFacets or runs != list(obj.FacetRuns):
+        text = say(
+            "{label} was made by an earlier version, which did not keep where the faces to be left alone are: recompute it, that "
+            "is mark it to recompute in the tree and recompute the document.",
+            label=obj.Label,
+        )  # fmt: skip
+        raise selection.SelectionError(text, obj.Label)
+    return off
 
 
 def made_of(obj: Any) -> str:

@@ -62,7 +62,7 @@ class Toolpath(Proxy):
         settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | picked | named)
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
         solids = tuple(compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in fixtures)
-        return results.Task(settings, facets, *results.runs_of(obj.Mesh), fixtures=solids)
+        return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""

@@ -7540,6 +7540,10 @@
         <translation>{label} wurde geändert: das Dokument neu berechnen</translation>
     </message>
     <message>
+        <source>{label} was made by an earlier version, which did not keep where the faces to be left alone are: recompute it, that is mark it to recompute in the tree and recompute the document.</source>
+        <translation>{label} stammt von einer früheren Version, die nicht festhielt, wo die ausgesparten Flächen sind: neu berechnen, also im Baum zum Neuberechnen markieren und das Dokument neu berechnen.</translation>
+    </message>
+    <message>
         <source>{label}: {errors}</source>
         <translation>{label}: {errors}</translation>
     </message>

@@ -9,7 +9,7 @@ import pytest
 from conftest import PLAIN
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import changes, convert, results, selection, tessellation
+from freecad_fiveaxis.app import changes, convert, previewing, results, selection, tessellation
 from freecad_fiveaxis.app.scaling import scale_part
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
@@ -199,6 +199,39 @@ def test_an_older_document_opens_unchanged(doc, step, reopen):
     assert again.Mesh.Avoid is None and again.Mesh.MadeOf == made_of and again.Mesh.State == ["Up-to-date"]
     assert not results.out_of_date(again) and results.nc_of(again) == nc
     assert tessellation.made_of(again.Mesh) == made_of
+
+
+@pytest.mark.parametrize("faces", [(), ("wall", "low", "high")])
+def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_for(doc, step, reopen, faces):
+    """Earlier versions did not keep which facets lie on them: the allowance was refused as one without faces."""
+    named = {"low": face_at(step, z=5, x=15), "high": face_at(step, z=10), "wall": face_at(step, x=10, z=7.5)}
+    given = {**GIVEN, "faces": [named[one] for one in faces], "avoid": [named["wall"]]}
+    path = app.create_toolpath(doc, step, **given)
+    asked = app.create_toolpath(doc, step, **given, avoid_allowance=1)
+    nc, wanted, name = results.nc_of(path), results.nc_of(asked), path.Name
+    assert path.Mesh.AvoidedRuns and nc != wanted
+    path.Mesh.removeProperty("AvoidedRuns")
+    doc.recompute()
+    again = reopen(doc).getObject(name)
+    assert not again.Mesh.AvoidedRuns and not results.out_of_date(again) and results.nc_of(again) == nc
+    again.AvoidAllowance = 1
+    again.Document.recompute()
+    assert again.State == ["Up-to-date"] and again.Mesh.State == ["Up-to-date"] and results.nc_of(again) == wanted
+    options = {name: value for name, value in given.items() if name not in ("faces", "avoid")}
+    part = previewing.part_of(again, {})
+    assert previewing.lay(again.Document, part, {**options, "avoid_allowance": 1}, (0, 0, 0)).length > 0
+
+
+def test_a_mesh_that_is_another_today_is_asked_to_be_recomputed(doc, step):
+    wall = face_at(step, x=10, z=7.5)
+    path = app.create_toolpath(doc, step, avoid=[wall], **GIVEN)
+    path.Mesh.AvoidedRuns, path.Mesh.FacetRuns = [], [0, 2]
+    path.AvoidAllowance = 1
+    with pytest.raises(SelectionError, match=r"Tessellation was made by an earlier version.*recompute"):
+        results.nc_of(path)
+    path.Mesh.touch()
+    doc.recompute()
+    assert path.Mesh.AvoidedRuns and not results.out_of_date(path)
 
 
 def test_a_part_that_is_scaled_leaves_the_same_faces_alone(doc, step):

@@ -4,8 +4,10 @@ force and by a ball swept along the posted words."""
 
 import itertools
 import math
+import os
 import re
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,12 +20,13 @@ from test_fewer_axes import table_a, three
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.corrections import axis_field, find_frames
-from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces, from_triangles, write_stl
+from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces, from_triangles, read_stl, write_stl
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.passes import frame_passes
 
 RADIUS, SCALLOP, TOLERANCE = 3.0, 0.05, 0.01
 FEW = 300
@@ -198,6 +201,83 @@ def test_frames_finish_about_what_simultaneous_passes_finish(name):
         for result in (of(name), milled(mesh, passes="scallop", linearize="on"))
     ]
     assert finished[0] > finished[1] - 0.03
+
+
+# ------------------------------------------------------------------------------------------------ where frames meet
+
+
+FLAT = 2.0 * math.sqrt(2.0 * RADIUS * SCALLOP - SCALLOP**2)
+REAL = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl")) / "sh1.stl"
+
+
+def ball_in_frames():
+    """A ball that stands free: frames meet all over it, where the surface is smooth."""
+    return from_triangles(sphere(14.0, 30, 44, (0, 0, 40)))
+
+
+def milled_and_frames(mesh, overlap, **given):
+    """The result, and which frame cuts what, as the strategy was told."""
+    seen, field_of = [], frame_passes.FramePasses.field
+
+    def remember(strategy, region, options):
+        seen.append(region.frames)
+        return field_of(strategy, region, options)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(frame_passes.FramePasses, "field", remember)
+        patch.setattr(frame_passes, "OVERLAP", overlap)
+        return milled(mesh, **given), seen[0]
+
+
+def at_seams(result, frames, mesh, count, within):
+    """What is left (k,) mm at places no farther than ``within`` steps from where another frame's territory begins on a surface as
+    smooth as there; and which of these (k,) the ball can touch in the frame of their own, by a thick cloud of the surface."""
+    point, normal = spread(mesh, count)
+    own = frames.at(point, normal)
+    place, far = np.hstack([point, 2.0 * FLAT * normal]), np.full(count, np.inf)
+    for one in range(len(frames.axis)):
+        other = (own != one) & (own >= 0)
+        if (own == one).any() and other.any():
+            far[own == one] = cKDTree(place[other]).query(place[own == one])[0]
+    near = np.flatnonzero((own >= 0) & (far < within * FLAT))
+    rest = cKDTree(centres(result)).query(point[near])[0] - RADIUS
+    return rest, comes_free(mesh, point[near], normal[near], frames.axis[own[near]])
+
+
+def comes_free(mesh, point, normal, axis, step=0.75):
+    """Whether (k,) the ball on a point, and balls all the way up its axis, keep out of the part."""
+    cloud, centre = cKDTree(spread(mesh, 60_000, 3)[0]), point + RADIUS * normal
+    free = ((normal * axis).sum(axis=1) > 0.1) & (cloud.query(centre)[0] > RADIUS - 0.05)
+    for height in np.arange(step, np.linalg.norm(mesh.box[1] - mesh.box[0]), step):
+        rows = np.flatnonzero(free)
+        free[rows] = cloud.query(centre[rows] + height * axis[rows], distance_upper_bound=RADIUS)[0] > RADIUS - 0.05
+    return free
+
+
+WITHIN = pytest.mark.parametrize("within", ["scallop", "planes"])
+
+
+@pytest.mark.slow
+@WITHIN
+def test_at_smooth_seams_between_frames_no_more_than_the_scallop_stays_and_without_the_overlap_more(within):
+    mesh = ball_in_frames()
+    most = []
+    for overlap in (frame_passes.OVERLAP, 0.0):
+        rest, free = at_seams(*milled_and_frames(mesh, overlap, within_frames=within), mesh, 40_000, 1.0)
+        assert free.sum() > 2000 and rest.min() > -TOLERANCE
+        most.append(np.quantile(rest[free], 0.999))
+    assert most[0] <= SCALLOP < 1.2 * SCALLOP < most[1]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)")
+@WITHIN
+def test_at_seams_on_a_real_part_no_more_than_two_scallops_stay_where_the_tool_is_free(within):
+    """All seams, between sharp edges too; its seven frames see nine tenths of it."""
+    mesh = read_stl(str(REAL))
+    rest, free = at_seams(*milled_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0)
+    assert free.sum() > 500 and rest.min() > -TOLERANCE
+    assert np.quantile(rest[free], 0.99) <= SCALLOP + TOLERANCE and np.quantile(rest[free], 0.998) <= 2 * SCALLOP
 
 
 # ------------------------------------------------------------------------------------------------ what no frame sees

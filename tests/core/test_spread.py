@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tasks on the workers of any executor: each result in its place, none of another task, and a stop is heard by all."""
 
+import itertools
 import multiprocessing
 import os
+import pickle
 import signal
+import tempfile
 import threading
 import time
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from pathlib import Path
 
 import pytest
 from roofs import Forgetting, Inline, Swapping
 
-from freecad_fiveaxis.core.base import chunks, crew
+from freecad_fiveaxis.core.base import chunks, crew, shared
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.base.spread import spread
@@ -101,6 +105,108 @@ def test_the_share_that_is_done_goes_by_weight():
 
 def test_no_task_is_none():
     assert spread(tell_place, COMMON, (), Inline(), silent, "stage") == []
+
+
+LARGE = {"zeros": bytes(1 << 20), "list": list(range(9))}
+
+
+class Packing(Inline):
+    """Does each task from its pickle, as a worker elsewhere does, whose process has what is common from nobody else; keeps how
+    long each pickle was and what lay among the temporary files. ``reach``: whether it can read them."""
+
+    def __init__(self, reach=lambda file: True):
+        self.reach, self.bytes, self.files = reach, [], []
+
+    def submit(self, work, /, *given, **named):
+        packed = pickle.dumps((work, given, named))
+        self.bytes.append(len(packed))
+        self.files.append(temporary_files())
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(shared, "_kept", {})
+            if not self.reach(self.files[-1]):
+                patch.setattr(shared, "_read", lambda key, file: None)
+            work, given, named = pickle.loads(packed)
+            return super().submit(work, *given, **named)
+
+
+def temporary_files():
+    return sorted(Path(tempfile.gettempdir()).iterdir())
+
+
+@pytest.fixture
+def own_temporary(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    return tmp_path
+
+
+def test_what_is_common_goes_by_a_file_once_and_nothing_is_left(own_temporary):
+    pool = Packing()
+    found = spread(tell_place, LARGE, TASKS, pool, silent, "stage")
+    assert [(common, task) for common, task, *_ in found] == [(LARGE, task) for task in TASKS]
+    assert max(pool.bytes) < 1000 and [len(files) for files in pool.files] == [1] * len(TASKS)
+    assert temporary_files() == []
+
+
+def test_what_is_small_is_sent_and_makes_no_file(own_temporary):
+    pool = Packing()
+    spread(tell_place, COMMON, TASKS, pool, silent, "stage")
+    assert pool.files == [[]] * len(TASKS)
+
+
+@pytest.mark.parametrize("others", ["from the beginning", "among those of this computer"])
+def test_who_cannot_read_the_file_gets_the_bytes(others, own_temporary):
+    """As a worker of another computer; in the order of the tasks all the same, and each is done once."""
+    done, turns = [], itertools.count()
+    pool = Packing((lambda files: False) if others == "from the beginning" else lambda files: next(turns) % 3 != 2)
+    found = spread(common_and_task, (LARGE, "all"), TASKS, pool, lambda stage, fraction: done.append(fraction), "stage")
+    assert found == [(LARGE, task) for task in TASKS]
+    assert done == sorted(done) and done[-1] == 1.0
+    assert len(TASKS) < len(pool.bytes) <= 2 * len(TASKS) and max(pool.bytes) > 1 << 20 and temporary_files() == []
+
+
+def common_and_task(common, task, progress):
+    return common[0], task
+
+
+def test_a_file_that_is_not_the_one_written_is_not_unpickled(own_temporary):
+    """Somebody has written over it: the bytes go instead."""
+
+    class Spoiled(Packing):
+        def submit(self, work, /, *given, **named):
+            pickle.dumps(given)
+            for file in temporary_files():
+                file.write_bytes(pickle.dumps("another"))
+            return super().submit(work, *given, **named)
+
+    found = spread(tell_place, LARGE, TASKS, Spoiled(), silent, "stage")
+    assert [common for common, *_ in found] == [LARGE] * len(TASKS)
+
+
+def test_where_no_file_can_be_written_the_bytes_go(own_temporary, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(own_temporary / "nowhere"))
+    found = spread(tell_place, LARGE, TASKS[:2], Instantly(), silent, "stage")
+    assert [common for common, *_ in found] == [LARGE] * 2
+
+
+class Instantly(Inline):
+    """Does each task from its pickle."""
+
+    def submit(self, work, /, *given, **named):
+        return super().submit(work, *pickle.loads(pickle.dumps(given)))
+
+
+def test_a_task_pickled_after_the_end_leaves_no_file_and_harms_no_worker(own_temporary):
+    kept = shared.Shared(LARGE)
+    kept.close()
+    assert isinstance(pickle.loads(pickle.dumps(kept)), shared.Lost) and temporary_files() == []
+
+
+def test_processes_of_a_pool_read_the_file_and_it_is_gone_after_errors_too(processes, own_temporary):
+    found = spread(tell_place, LARGE, TASKS, processes, silent, "stage")
+    assert [(common, task) for common, task, *_ in found] == [(LARGE, task) for task in TASKS]
+    with pytest.raises(ReachError):
+        spread(refuse, LARGE, TASKS, processes, silent, "stage")
+    assert temporary_files() == []
 
 
 @pytest.mark.parametrize("wrong", [Swapping, Forgetting])

@@ -3,6 +3,7 @@
 
 import FreeCADGui
 import Mesh
+import numpy as np
 import Part
 import pytest
 
@@ -71,6 +72,13 @@ def low_cuts(path):
     return int((made.tip[made.motion == 0][:, 2] < 7.0).sum())
 
 
+def nearest_low(path):
+    """The least X, mm, of contacts on the low floor."""
+    made = results.result_of(path).made.path
+    tip = made.tip[made.motion == 0]
+    return tip[np.abs(tip[:, 2] - 5.0) < 0.05, 0].min()
+
+
 def test_a_face_is_clicked_added_and_not_milled(
     doc, step, panel, field, view_click, click, pump, until, screenshot, panel_button, panel_closed
 ):
@@ -93,6 +101,36 @@ def test_a_face_is_clicked_added_and_not_milled(
     assert path.Mesh.Avoid == (step, [low]) and path.Blocks and not low_cuts(path)
     whole = app.create_toolpath(doc, step, **COARSE)
     assert low_cuts(whole) > 10 and results.nc_of(whole) != results.nc_of(path)
+
+
+def test_the_tool_keeps_off_by_what_its_field_says(
+    doc, step, panel, field, type_into, pump, until, screenshot, panel_button, panel_closed
+):
+    """The wall between the floors: the field is there with the first face to avoid, and the way ends so far beside it."""
+    panel.options.show_options({"avoid": [face_at(step, x=10, z=7.5)]})
+    type_into(field("avoid_allowance"), "1 mm")
+    screenshot("avoid_allowance_field")
+    assert panel.stale and panel.calculate()
+    until(lambda: not panel.stale, 60000, "a result")
+    pump(600)
+    field("avoid_allowance")
+    screenshot("avoid_allowance")
+    panel_button("OK")
+    panel_closed()
+    path = doc.Toolpath
+    assert path.AvoidAllowance.Value == 1.0 and path.Mesh.AvoidedRuns
+    assert nearest_low(path) >= 10.0 + 2.0 + 1.0 - 0.02, "the ball's radius and 1 mm beside the wall"
+    plain = app.create_toolpath(doc, step, avoid=path.Mesh.Avoid[1], **COARSE)
+    assert nearest_low(plain) < 10.0 + 2.0 + 1.0 - 0.5, "and nearer without"
+
+
+def test_without_faces_to_avoid_there_is_no_field_of_their_allowance(step, panel, pump):
+    allowance, avoid = (panel.options.fields[name] for name in ("avoid_allowance", "avoid"))
+    assert avoid.value() == () and not allowance.editor.isVisible()
+    panel.options.show_options({"avoid": ["Face1"]})
+    pump(100)
+    assert allowance.editor.isVisible()
+    panel.reject()
 
 
 def test_what_is_selected_wrongly_is_told_and_the_list_stays(doc, step, panel, field, select, click, pump):

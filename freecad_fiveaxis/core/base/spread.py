@@ -3,7 +3,7 @@
 are the same and in the same order.
 
 task      a small frozen value that pickles; what is done with it is a function of a module, which processes find by its name.
-common    what all tasks of a job share, as a path: pickled once, and made again once in each process.
+common    what all tasks of a job share, as a path: pickled once, and made again once in each process (:mod:`.shared`).
 weight    how long a task takes, in any unit: for the progress only.
 
 A worker keeps to one thread, for the others have the other processors. Tasks that were not begun are cancelled where the
@@ -13,8 +13,6 @@ work is stopped. Those that run hear of it at their next step in threads of any 
 
 from __future__ import annotations
 
-import hashlib
-import pickle
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
 from contextlib import nullcontext
@@ -27,6 +25,7 @@ from .crew import WORKERS, look_for_stop, works_alone
 from .errors import Cancelled, SettingsError
 from .progress import Progress
 from .sentences import say
+from .shared import Lost, Shared
 
 C = TypeVar("C")
 T = TypeVar("T")
@@ -55,25 +54,58 @@ def spread(
     if executor is None:
         return [told.end(at, work(common, task, told.within(at))) for at, task in enumerate(tasks)]
     results: dict[int, R] = {}
-    shared, ended, todo = _Shared(common), SimpleQueue[Future[Any]](), dict[Future[Any], int]()
+    shared = Shared(common)
+    given = _Given(executor, work, shared, tasks)
     try:
-        for at, task in enumerate(tasks):
-            future = _submit(executor, work, shared, at, task)
-            todo[future] = at
-            future.add_done_callback(ended.put)
+        for at in range(len(tasks)):
+            given.submit(at)
             told(0.0)
-        while todo:
-            try:
-                at = todo.pop(future := ended.get(timeout=TICK))
-            except Empty:
-                told.hear(todo)
+        while given.todo:
+            future = given.next_ended()
+            if future is None:
+                told.hear(given.todo)
+                continue
+            result = _own_result(future, at := given.todo.pop(future))
+            if isinstance(result, Lost):
+                shared.send_bytes()
+                given.submit(at)
             else:
-                results[at] = told.end(at, _own_result(future, at))
+                results[at] = told.end(at, result)
     finally:
-        shared.stopped = bool(todo)
-        for future in todo:
-            future.cancel()
+        shared.stopped = bool(given.todo)
+        shared.close()
+        given.cancel()
     return [results[at] for at in range(len(tasks))]
+
+
+class _Given(Generic[C, T, R]):
+    """What an executor is to do; ``todo``: the tasks' places by the futures of those that have not been looked at."""
+
+    def __init__(self, executor: Executor, work: Work[C, T, R], shared: Shared[C], tasks: Sequence[T]) -> None:
+        self.todo = dict[Future[Any], int]()
+        self._executor, self._work, self._shared, self._tasks = executor, work, shared, tasks
+        self._ended = SimpleQueue[Future[Any]]()
+
+    def submit(self, at: int) -> None:
+        """Give it a task. Raises SettingsError where its workers have died."""
+        try:
+            future = self._executor.submit(_do, self._work, self._shared, at, self._tasks[at])
+        except BrokenExecutor as error:
+            raise _died() from error
+        self.todo[future] = at
+        future.add_done_callback(self._ended.put)
+
+    def next_ended(self) -> Future[Any] | None:
+        """One that has ended; None where none does for a while."""
+        try:
+            return self._ended.get(timeout=TICK)
+        except Empty:
+            return None
+
+    def cancel(self) -> None:
+        """Cancel what has not begun."""
+        for future in self.todo:
+            future.cancel()
 
 
 class _TaskProgress:
@@ -102,33 +134,6 @@ class _TaskProgress:
         return result
 
 
-class _Shared(Generic[C]):
-    """What is common. ``stopped``: the work is; only threads of the same process see it."""
-
-    def __init__(self, value: C) -> None:
-        self.value, self.stopped = value, False
-        self._packed: tuple[str, bytes] | None = None
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        if self._packed is None:
-            data = pickle.dumps(self.value, pickle.HIGHEST_PROTOCOL)
-            self._packed = hashlib.sha256(data).hexdigest(), data
-        return _unpacked, self._packed
-
-
-_kept: dict[str, _Shared[Any]] = {}
-"""Of a process: the last that it unpacked, by its hash."""
-
-
-def _unpacked(key: str, data: bytes) -> _Shared[Any]:
-    shared = _kept.get(key)
-    if shared is None:
-        shared = _Shared(pickle.loads(data))
-        _kept.clear()
-        _kept[key] = shared
-    return shared
-
-
 @dataclass(frozen=True)
 class _Result(Generic[R]):
     """``at``: the task's place among all."""
@@ -137,15 +142,10 @@ class _Result(Generic[R]):
     result: R
 
 
-def _submit(executor: Executor, work: Work[C, T, R], shared: _Shared[C], at: int, task: T) -> Future[Any]:
-    try:
-        return executor.submit(_do, work, shared, at, task)
-    except BrokenExecutor as error:
-        raise _died() from error
-
-
-def _do(work: Work[C, T, R], shared: _Shared[C], at: int, task: T) -> _Result[R]:
-    """What a worker does."""
+def _do(work: Work[C, T, R], shared: Shared[C] | Lost, at: int, task: T) -> _Result[R | Lost]:
+    """What a worker does; it answers Lost where what is common has not come to it."""
+    if isinstance(shared, Lost):
+        return _Result(at, shared)
 
     def listen(stage: str, fraction: float) -> None:
         look_for_stop(stage, fraction)
