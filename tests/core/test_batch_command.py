@@ -186,7 +186,7 @@ def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(name,
     "words, said",
     [
         (["nowhere"], "does not exist"),
-        (["."], "no STL file"),
+        (["."], "no part"),
         (["parts", "--shard", "3/2"], "1/4"),
         (["parts", "--workers", "none"], "whole number"),
         (["parts", "--executor", "gnomes"], "processes, threads, serial"),

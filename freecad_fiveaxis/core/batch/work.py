@@ -110,7 +110,8 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
     check_own(job)
     key = key_of(job, settings)
     part = read_part(job.part)
-    result = pipeline.run(settings, progress, mesh_solid(part, progress) if part.is_meshed_first else None)
+    mesh = {"mesh": mesh_solid(part, progress)} if part.is_meshed_first else {}
+    result = pipeline.run(settings, progress, **mesh)
     figures = pipeline.figures(result)
     row = _named(job) | _numbers(figures)
     files = _files(job, result, figures, progress)
