@@ -1112,6 +1112,10 @@
         <translation>Körper und Netze des Dokuments, die das Teil halten: die Bahn führt darum herum</translation>
     </message>
     <message>
+        <source>Solids and meshes of the document that hold the part: the tool is checked against them</source>
+        <translation>Körper und Netze des Dokuments, die das Teil halten: das Werkzeug wird gegen sie geprüft</translation>
+    </message>
+    <message>
         <source>Solids and meshes of the document that hold the part: they are in the tool's way</source>
         <translation>Körper und Netze des Dokuments, die das Werkstück halten: sie sind dem Werkzeug im Weg</translation>
     </message>
@@ -7510,6 +7514,10 @@
     <message>
         <source>{label} is the part that is milled: choose what holds it, or no fixture.</source>
         <translation>{label} ist das Teil, das gefräst wird: wählen Sie, was es hält, oder kein Spannmittel.</translation>
+    </message>
+    <message>
+        <source>{label} is the part to compare with: choose what holds it, or no fixture.</source>
+        <translation>Mit {label} wird verglichen: wählen Sie, was das Teil hält, oder kein Spannmittel.</translation>
     </message>
     <message>
         <source>{label} names no NC file: choose one in its property NCFile</source>
