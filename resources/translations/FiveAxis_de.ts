@@ -2307,12 +2307,20 @@
         <translation>Nahe am Pol: {letter} dreht weit, während sich das Werkzeug kaum neigt.</translation>
     </message>
     <message>
+        <source>Near: {enters} within {distance} of {body}</source>
+        <translation>Nah: {enters} näher als {distance} an {body}</translation>
+    </message>
+    <message>
         <source>New setup</source>
         <translation>Neue Aufspannung</translation>
     </message>
     <message>
         <source>Next collision</source>
         <translation>Nächste Kollision</translation>
+    </message>
+    <message>
+        <source>Next near miss</source>
+        <translation>Nächste Annäherung</translation>
     </message>
     <message>
         <source>Next singular</source>
@@ -3131,8 +3139,8 @@
         <translation>Wohin spannen</translation>
     </message>
     <message>
-        <source>Where tool or spindle go deepest into the next fixture or body of the machine</source>
-        <translation>Wo Werkzeug oder Spindel am tiefsten in das nächste Spannmittel oder den nächsten Körper der Maschine eindringen</translation>
+        <source>Where tool or spindle go deepest into the next fixture or body of the machine, or come too near to it</source>
+        <translation>Wo Werkzeug oder Spindel am tiefsten in das nächste Spannmittel oder den nächsten Körper der Maschine gehen oder ihm zu nahe kommen</translation>
     </message>
     <message>
         <source>While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool.</source>
