@@ -242,17 +242,19 @@ AMBER = (230, 158, 0)
 def test_what_is_come_near_to_is_amber_and_named_with_the_distance_between_the_collisions(
     doc, tmp_path, opened, click, tick, screenshot, pixels, until
 ):
-    """The nose, 20 mm in radius and 32 mm from the post's side as the holder of 15 mm goes past it, beside two collisions."""
+    """A shelf that block 4 goes past within a few millimetres, between the two collisions."""
     machine = json.loads(Path(machine_file(tmp_path)).read_text())
-    machine["fiveaxis"]["bodies"][2]["clearance"] = 70.0
+    shelf = {"low": [0, 40, 100], "high": [20, 60, 140]}
+    machine["fiveaxis"]["bodies"].append({"name": "shelf", "carrier": "base", "box": shelf, "clearance": 10})
     (tmp_path / "near.fcm").write_text(json.dumps(machine))
     made = audited(doc, tmp_path)
     made.Machine = str(tmp_path / "near.fcm")
     doc.recompute()
     shown = opened(made)
     near = next(one for one in shown.player.stops if one.near is not None)
-    assert near.code == "machine-near" and near.near.entered == "platter" and near.block not in (3, 7)
-    blocks = sorted({3, 7, near.block})
+    assert near.code == "machine-near" and near.near.entered == "shelf" and near.block == 4
+    assert 0.5 < near.value < 7.0
+    blocks, amber = [3, 4, 7], {"shelf", "nose"} if near.near.enters == "spindle" else {"shelf"}
     assert shown.player.colliding.tolist() == blocks and shown.controls.collision.text() == "Next collision"
     tick(shown.controls.machine)
     until(lambda: shown.controls.machine.isChecked(), 20000, "the machine")
@@ -260,18 +262,18 @@ def test_what_is_come_near_to_is_amber_and_named_with_the_distance_between_the_c
     for block in blocks:
         click(shown.controls.collision)
         until(lambda: shown.player.block == block, 20000, f"block {block}")  # noqa: B023
-        assert ("platter" in ambers(shown)) == (block == near.block) and (not reds(shown)) == (block == near.block)
-    shown.player.block, shown.player.u = near.block - 1, 1.0
+        assert ambers(shown) == (amber if block == 4 else set()) and (not reds(shown)) == (block == 4)
+    shown.player.block, shown.player.u = 3, 1.0
     click(shown.controls.collision)
     until(lambda: ambers(shown), 20000, "the near miss")
     text = shown.readout.hit.text()
-    assert text.startswith(f"Near: {near.near.enters} within ") and text.endswith(" mm of platter"), text
+    assert text.startswith(f"Near: {near.near.enters} within ") and text.endswith(" mm of shelf"), text
     assert shown.player.u == pytest.approx(near.near.u) and "nearer than" in shown.readout.hit.toolTip()
-    until(lambda: pixels(screenshot("play_near"), AMBER, 40) > quiet + 300, 30000, "an amber platter")
-    shown.player.block, shown.player.u = near.block - 1, 1.0
+    until(lambda: pixels(screenshot("play_near"), AMBER, 40) > quiet + 300, 30000, "an amber shelf")
+    shown.player.block, shown.player.u = 3, 1.0
     shown.play(True)
     until(lambda: not shown.playing, 60000, "a pause")
-    assert shown.player.block == near.block and ambers(shown) == {"platter"}, "playing pauses there too"
+    assert shown.player.block == near.block and ambers(shown) == amber, "playing pauses there too"
 
 
 def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(doc, tmp_path, opened, click, until, screenshot, pixels):
