@@ -36,6 +36,7 @@ class Readout:
         font = self.hit.font()
         font.setBold(True)
         self.hit.setFont(font)
+        self.hit.setWordWrap(True)
         self.rows.addRow(self.hit)
         self.line, self.text = self._row("line", translate("FiveAxis", "NC line")), _code("nc")
         self.rows.addRow(self.text)
