@@ -135,7 +135,8 @@ def audit(doc: Any, nc_path: Any, machine: str, **settings: Any) -> Any:
     """Judge a finished NC file on a machine; returns the Audit object, computed.
 
     Settings: ``controller``, ``tolerance`` mm, ``method``, ``origin``, ``tool_length``, and ``work_zero``, ``shank`` and
-    ``holder`` for the drawing; ``part``: a solid or mesh of the document that the program is compared with, about that zero.
+    ``holder`` for the drawing; ``part``: a solid or mesh of the document that the program is compared with, about that zero;
+    ``fixtures``: solids and meshes of the document that hold the part, which the tool is checked against.
     Raises FiveAxisError; then the document is as it was.
     """
     from . import arguments

@@ -115,11 +115,14 @@ def annotate(path: Any) -> Any:
 def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
     """See :func:`freecad_fiveaxis.app.audit`."""
     settings = _with_holder(settings)
+    fixtures = settings.pop("fixtures", None) or ()
     drawn = _EXTRA | {"part"} | {one.name.lower() for one in drawn_tool(AUDIT)}
     options = {name: value for name, value in settings.items() if name not in drawn} | {"machine": machine}
-    build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options, compared.checked(doc, settings.get("part"))))
+    part = compared.checked(doc, settings.get("part"))
+    fixtures = auditing.check_fixtures(doc, fixtures, part)
+    build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options, part, fixtures))
     with _all_or_nothing(doc) as added:
-        made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn))
+        made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn), fixtures)
         added.append(made)
         _compute(made)
     return made

@@ -26,6 +26,10 @@ PART = Property(
     "Part", "App::PropertyLinkGlobal", "Comparison",
     QT_TRANSLATE_NOOP("App::Property", "The solid or mesh of the document that the program is compared with"),
 )  # fmt: skip
+FIXTURES = Property(
+    "Fixtures", "App::PropertyLinkListGlobal", "Safety",
+    QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: the tool is checked against them"),
+)  # fmt: skip
 PART_LABEL = Property(
     "PartLabel", "App::PropertyString", "Comparison",
     QT_TRANSLATE_NOOP("App::Property", "The name of the part that was chosen last: one that is deleted is missed"), "",
@@ -40,13 +44,13 @@ class Audit(Proxy):
     last: results.Last | None
 
     def _begin(self) -> None:
-        self.last, self.seen = None, compared.Seen()
+        self.last, self.seen, self.held = None, compared.Seen(), dict[str, compared.Seen]()
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The file, the part of the document, the settings of task ``audit``, shank, holder and work zero (where all is drawn,
-        and where the part stands for the program) and the results."""
-        return (NC_FILE, PART, PART_LABEL, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
+        """The file, part and fixtures of the document, the settings of task ``audit``, shank, holder and work zero (where all is
+        drawn, and where part and fixtures stand for the program) and the results."""
+        return (NC_FILE, PART, PART_LABEL, FIXTURES, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
@@ -55,13 +59,15 @@ class Audit(Proxy):
         check_readable(obj.NCFile)
         if obj.Part is None and obj.PartLabel:
             raise part_is_gone(obj)
-        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part))
-        part = None if obj.Part is None else compared.Part(obj.Part, tuple(obj.WorkZero), self.seen)
-        return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part)
+        fixtures, zero = check_fixtures(obj.Document, obj.Fixtures, obj.Part), tuple(obj.WorkZero)
+        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part, fixtures))
+        part = None if obj.Part is None else compared.Part(obj.Part, zero, self.seen)
+        solids = compared.held_parts(fixtures, zero, self.held)
+        return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part, fixtures=solids)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The file's program."""
-        return job.make(task.settings, progress)
+        return job.make(task.settings, progress, fixtures=task.held(progress))
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the property: only
@@ -92,15 +98,27 @@ def part_is_gone(obj: Any) -> SelectionError:
     return SelectionError(text, obj.Label)
 
 
-def audit_options(options: Mapping[str, Any], part: Any = None) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but checked only against the machine's bodies, and against a
-    part where ``gouge`` is not off. A ``part`` of the document stands in place of a file to compare with."""
+def check_fixtures(doc: Any, fixtures: Sequence[Any], part: Any) -> list[Any]:
+    """Give the fixtures of an Audit. Raises SelectionError for what is no solid and no mesh, and for the part itself."""
+    for one in fixtures:
+        compared.checked(doc, one)
+        if one is part:
+            text = say("{label} is the part to compare with: choose what holds it, or no fixture.", label=one.Label)
+            raise SelectionError(text, one.Label)
+    return list(fixtures)
+
+
+def audit_options(options: Mapping[str, Any], part: Any = None, fixtures: Sequence[Any] = ()) -> dict[str, Any]:
+    """What the core is asked: shank and holder are always drawn, but checked only against fixtures, the machine's bodies, and a
+    part where ``gouge`` is not off. A ``part`` of the document stands in place of a file to compare with; ``fixtures`` of it
+    go by their labels."""
     options = dict(options) if part is None else {**options, "against": f"{part.Label}.stl"}
+    options |= compared.fixture_names(fixtures)
     if not is_part(options.get("against") or ""):
         left_out = {"gouge", "shank", "holder"}
     else:
         left_out = {"shank", "holder"} if options.get("gouge") == "off" else set()
-    if "holder" in left_out and _has_bodies(str(options.get("machine", ""))):
+    if "holder" in left_out and (fixtures or _has_bodies(str(options.get("machine", "")))):
         left_out -= {"shank", "holder"}
     return {name: value for name, value in options.items() if name not in left_out}
 
@@ -113,12 +131,12 @@ def _has_bodies(machine: str) -> bool:
         return False
 
 
-def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
+def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any], fixtures: Sequence[Any] = ()) -> Any:
     """An Audit object, not yet computed. Raises SettingsError, and then leaves no object behind."""
     obj = doc.addObject("App::FeaturePython", "Audit")
     try:
         Audit(obj)
-        obj.NCFile = nc_path
+        obj.NCFile, obj.Fixtures = nc_path, list(fixtures)
         convert.put_options(obj, AUDIT, options)
         for name, value in extra.items():
             setattr(obj, name, FreeCAD.Vector(*value) if isinstance(value, (tuple, list)) else value)

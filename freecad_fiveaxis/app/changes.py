@@ -15,7 +15,7 @@ from freecad_fiveaxis.core.tool import cutter_text
 
 from . import convert, guides, properties, tessellation, toolpath
 from .arguments import names
-from .auditing import audit_options, compare_with
+from .auditing import audit_options, check_fixtures, compare_with
 from .job_setup import follow
 from .properties import default_value, property_name
 from .results import result_of
@@ -48,12 +48,16 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
-    """The same for an Audit: its NC file and its settings; ``part`` stays unless it is given. Raises FiveAxisError."""
-    options = {name: value for name, value in settings.items() if name not in ("work_zero", "part")}
+    """The same for an Audit: its NC file and its settings; ``part`` and ``fixtures`` stay unless they are given.
+    Raises FiveAxisError."""
+    options = {name: value for name, value in settings.items() if name not in ("work_zero", "part", "fixtures")}
     part = settings.get("part", obj.Part)
-    build_settings(AUDIT, nc_path, audit_options(options, part))
+    fixtures = check_fixtures(obj.Document, settings.get("fixtures", obj.Fixtures), part)
+    build_settings(AUDIT, nc_path, audit_options(options, part, fixtures))
     obj.NCFile = os.path.abspath(nc_path)
     compare_with(obj, part)
+    if list(obj.Fixtures) != fixtures:
+        obj.Fixtures = fixtures
     _put(obj, AUDIT, options, settings.get("work_zero"))
     return compute(obj)
 

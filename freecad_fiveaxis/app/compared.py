@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part of the document that an audit compares with, or a fixture of a tool path: a solid, body, compound or mesh, about the
+"""The part of the document that an audit compares with, or a fixture: a solid, body, compound or mesh, about the
 work zero.
 
 digest    tells a changed part from the old one without meshing it, for it is asked for at every look at the audit.
@@ -86,6 +86,16 @@ def checked(doc: Any, part: Any) -> Any:
     if not selection.is_mesh(part):
         selection.solids(part)
     return part
+
+
+def held_parts(fixtures: Sequence[Any], zero: tuple[float, float, float], seen: dict[str, Seen]) -> tuple[Part, ...]:
+    """Give objects that hold a part relative to ``zero`` (mm, document); ``seen``: what is remembered of them, by their names."""
+    return tuple(Part(one, zero, seen.setdefault(one.Name, Seen())) for one in fixtures)
+
+
+def fixture_names(fixtures: Sequence[Any]) -> dict[str, list[str]]:
+    """Give the option by which the core knows fixtures of the document; none where there are none."""
+    return {"fixture": [f"{one.Label}.stl" for one in fixtures]} if fixtures else {}
 
 
 def parts_of(doc: Any) -> list[Any]:

@@ -36,9 +36,10 @@ def proposed(doc: Any, chosen: Collection[Any] = ()) -> dict[str, Any]:
 
 
 def values_of(path: Any) -> dict[str, Any]:
-    """What a tool path says of its program, its part among it."""
+    """What a tool path says of its program, its part and what holds that among it."""
     options = changes.shown_options(path, MILL)
-    return {name: options[name] for name in TAKEN} | {"work_zero": tuple(path.WorkZero), "part": part_of(path)}
+    own = {"work_zero": tuple(path.WorkZero), "part": part_of(path), "fixtures": list(path.Fixtures)}
+    return {name: options[name] for name in TAKEN} | own
 
 
 def part_of(path: Any) -> Any:

@@ -104,8 +104,8 @@ class ReachMap(Proxy):
         most = math.radians(convert.plain(obj.LargestAxisAngle))
         settings = replace(settings, passes=replace(settings.passes, max_axis_angle=most))
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
-        solids = [compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in check_fixtures(obj)]
-        return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=tuple(solids))
+        solids = compared.held_parts(check_fixtures(obj), zero, self.seen)
+        return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     @hide_trace
     def execute(self, obj: Any) -> None:

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.made import Milled
@@ -54,6 +55,12 @@ class Task:
         progress("weld", 0.0)
         allowance = self.settings.gouge.avoid_allowance
         return convert.mesh_and_mask(self.data.stl(), self.runs, self.avoided, allowance, progress)
+
+    def held(self, progress: Progress) -> tuple[Fixture, ...]:
+        """The core's fixtures, once they are meshed. Raises MeshError."""
+        names = self.settings.gouge.fixture
+        solids = [convert.mesh_of(one.stl, progress) for one in self.fixtures]
+        return tuple(Fixture(name.removesuffix(".stl"), one) for name, one in zip(names, solids, strict=True))
 
     @property
     def fingerprint(self) -> str:

@@ -10,7 +10,6 @@ import FreeCAD
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
 from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
@@ -57,20 +56,16 @@ class Toolpath(Proxy):
             text = say("{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString())
             raise SelectionError(text, obj.Mesh.Label)
         fixtures = check_fixtures(obj)
-        named = {"fixture": [f"{one.Label}.stl" for one in fixtures]} if fixtures else {}
-        picked = guides.options_of(guides.links_of(obj), tuple(obj.WorkZero))
-        settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | picked | named)
+        named = guides.options_of(guides.links_of(obj), tuple(obj.WorkZero)) | compared.fixture_names(fixtures)
+        settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | named)
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
-        solids = tuple(compared.Part(one, zero, self.seen.setdefault(one.Name, compared.Seen())) for one in fixtures)
+        solids = compared.held_parts(fixtures, zero, self.seen)
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     def made(self, task: results.Task, progress: Progress) -> job.Made:
         """The program, not yet proven."""
         mesh, faces = task.mesh_and_mask(progress)
-        names = task.settings.gouge.fixture
-        solids = [convert.mesh_of(one.stl, progress) for one in task.fixtures]
-        fixtures = tuple(Fixture(name.removesuffix(".stl"), one) for name, one in zip(names, solids, strict=True))
-        return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=fixtures)
+        return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=task.held(progress))
 
     def onDocumentRestored(self, obj: Any) -> None:
         """What its setup says cannot be edited."""

@@ -1112,6 +1112,10 @@
         <translation>Körper und Netze des Dokuments, die das Teil halten: die Bahn führt darum herum</translation>
     </message>
     <message>
+        <source>Solids and meshes of the document that hold the part: the tool is checked against them</source>
+        <translation>Körper und Netze des Dokuments, die das Teil halten: das Werkzeug wird gegen sie geprüft</translation>
+    </message>
+    <message>
         <source>Solids and meshes of the document that hold the part: they are in the tool's way</source>
         <translation>Körper und Netze des Dokuments, die das Werkstück halten: sie sind dem Werkzeug im Weg</translation>
     </message>
@@ -2303,12 +2307,20 @@
         <translation>Nahe am Pol: {letter} dreht weit, während sich das Werkzeug kaum neigt.</translation>
     </message>
     <message>
+        <source>Near: {enters} within {distance} of {body}</source>
+        <translation>Nah: {enters} näher als {distance} an {body}</translation>
+    </message>
+    <message>
         <source>New setup</source>
         <translation>Neue Aufspannung</translation>
     </message>
     <message>
         <source>Next collision</source>
         <translation>Nächste Kollision</translation>
+    </message>
+    <message>
+        <source>Next near miss</source>
+        <translation>Nächste Annäherung</translation>
     </message>
     <message>
         <source>Next singular</source>
@@ -3127,8 +3139,8 @@
         <translation>Wohin spannen</translation>
     </message>
     <message>
-        <source>Where tool or spindle go deepest into the next fixture or body of the machine</source>
-        <translation>Wo Werkzeug oder Spindel am tiefsten in das nächste Spannmittel oder den nächsten Körper der Maschine eindringen</translation>
+        <source>Where tool or spindle go deepest into the next fixture or body of the machine, or come too near to it</source>
+        <translation>Wo Werkzeug oder Spindel am tiefsten in das nächste Spannmittel oder den nächsten Körper der Maschine gehen oder ihm zu nahe kommen</translation>
     </message>
     <message>
         <source>While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool.</source>
@@ -7522,6 +7534,10 @@
     <message>
         <source>{label} is the part that is milled: choose what holds it, or no fixture.</source>
         <translation>{label} ist das Teil, das gefräst wird: wählen Sie, was es hält, oder kein Spannmittel.</translation>
+    </message>
+    <message>
+        <source>{label} is the part to compare with: choose what holds it, or no fixture.</source>
+        <translation>Mit {label} wird verglichen: wählen Sie, was das Teil hält, oder kein Spannmittel.</translation>
     </message>
     <message>
         <source>{label} names no NC file: choose one in its property NCFile</source>

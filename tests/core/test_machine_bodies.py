@@ -336,6 +336,7 @@ def test_a_body_is_told_that_comes_nearer_than_its_own_clearance_or_that_of_all(
     assert not near(post) and not near(post, fixture_clearance=2.0) and not near({**post, "clearance": 11.9})
     (one,), (other,) = near({**post, "clearance": 13}), near(post, fixture_clearance=13.0)
     assert one.value == pytest.approx(12.0, abs=0.02) == other.value and one.limit == 13.0 and "post" in one.text
+    assert (one.near.enters, one.near.entered, one.hit) == ("cutter", "post", None)
 
 
 def test_the_clearance_of_a_body_is_read_and_written_in_mm(tmp_path):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of fixtures in the panel of a tool path: ticked by mouse, kept by the path, shown when it is edited, taken back by undo."""
+"""The list of fixtures in the panels of a tool path and an audit: ticked by mouse, kept, shown when it is edited, taken back by undo."""
 
 import contextlib
 
@@ -7,7 +7,7 @@ import FreeCAD
 import pytest
 from conftest import QtCore
 
-from freecad_fiveaxis.gui.panels import toolpath
+from freecad_fiveaxis.gui.panels import audit, toolpath
 
 COARSE = {"passes": "planes", "cutter": "ball:6", "stepover": 2.0, "max_axis_angle": 30.0, "tool_length": 120.0}
 
@@ -87,3 +87,36 @@ def test_without_another_solid_the_list_says_so(doc, parts, pump, unfold):
     field = panel.options.fields["fixtures"]
     assert field.value() == [] and "no other solid" in field.note.text()
     panel.reject()
+
+
+def test_an_audit_has_a_clamp_ticked_and_says_what_hits_it(doc, parts, tmp_path, pump, click, unfold, screenshot, until):
+    _, clamp = parts
+    program = tmp_path / "given.ngc"
+    program.write_text("G21 G90 G94\nG1 X15 Y-30 Z40 A0 C0 F2000\nG1 X15 Y-30 Z20\nG1 X15 Y20 Z20\nM2\n")
+    panel = audit.create(doc)
+    panel.options.show_options({"nc_file": str(program), "machine": "trunnion_ac", "cutter": "flat:6:30", "part": clamp})
+    pump(300)
+    unfold()
+    field = panel.options.fields["fixtures"]
+    assert labels(field.editor) == ["Plate", "Clamp"]
+    tick(field.editor, 1, click, until)
+    assert not panel.calculate() and "the part to compare with" in panel.options.error.text()
+    panel.options.fields["part"].show_value(None)
+    assert panel.calculate()
+    pump(600)
+    screenshot("fixtures_audit")
+    made = panel.obj
+    assert made.Fixtures == [clamp] and any("into the fixture Clamp" in text for text in made.Findings)
+    assert panel.accept()
+    pump(200)
+
+    again = audit.edit(made)
+    pump(300)
+    unfold()
+    assert again.options.fields["fixtures"].value() == [clamp]
+    tick(again.options.fields["fixtures"].editor, 1, click, until)
+    assert again.calculate() and not made.Fixtures
+    assert not any("fixture Clamp" in text for text in made.Findings), "what was told is the clamp's"
+    assert again.reject()
+    pump(200)
+    assert made.Fixtures == [clamp], "Cancel takes it back"

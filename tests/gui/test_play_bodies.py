@@ -229,3 +229,78 @@ def test_a_fixture_is_drawn_by_the_document_and_red_over_that_where_it_is_hit(
     screenshot("play_fixture_on_the_machine")
     click(shown.controls.begin)
     until(lambda: switch.whichChild.getValue() == coin.SO_SWITCH_NONE, 20000, "quiet again")
+
+
+def ambers(shown):
+    return {one.name for one, look in zip(shown.stage.machine.standing, shown.stage.machine.looks, strict=True) if look.near}
+
+
+AMBER = (230, 158, 0)
+
+
+@pytest.mark.usefixtures("whole_screen")
+def test_what_is_come_near_to_is_amber_and_named_with_the_distance_between_the_collisions(
+    doc, tmp_path, opened, click, tick, screenshot, pixels, until
+):
+    """A shelf that block 4 goes past within a few millimetres, between the two collisions."""
+    machine = json.loads(Path(machine_file(tmp_path)).read_text())
+    shelf = {"low": [0, 40, 100], "high": [20, 60, 140]}
+    machine["fiveaxis"]["bodies"].append({"name": "shelf", "carrier": "base", "box": shelf, "clearance": 10})
+    (tmp_path / "near.fcm").write_text(json.dumps(machine))
+    made = audited(doc, tmp_path)
+    made.Machine = str(tmp_path / "near.fcm")
+    doc.recompute()
+    shown = opened(made)
+    near = next(one for one in shown.player.stops if one.near is not None)
+    assert near.code == "machine-near" and near.near.entered == "shelf" and near.block == 4
+    assert 0.5 < near.value < 7.0
+    blocks, amber = [3, 4, 7], {"shelf", "nose"} if near.near.enters == "spindle" else {"shelf"}
+    assert shown.player.colliding.tolist() == blocks and shown.controls.collision.text() == "Next collision"
+    tick(shown.controls.machine)
+    until(lambda: shown.controls.machine.isChecked(), 20000, "the machine")
+    quiet = pixels(screenshot("play_near_none"), AMBER, 40)
+    for block in blocks:
+        click(shown.controls.collision)
+        until(lambda: shown.player.block == block, 20000, f"block {block}")  # noqa: B023
+        assert ambers(shown) == (amber if block == 4 else set()) and (not reds(shown)) == (block == 4)
+    shown.player.block, shown.player.u = 3, 1.0
+    click(shown.controls.collision)
+    until(lambda: ambers(shown), 20000, "the near miss")
+    text = shown.readout.hit.text()
+    assert text.startswith(f"Near: {near.near.enters} within ") and text.endswith(" mm of shelf"), text
+    assert shown.player.u == pytest.approx(near.near.u) and "nearer than" in shown.readout.hit.toolTip()
+    until(lambda: pixels(screenshot("play_near"), AMBER, 40) > quiet + 300, 30000, "an amber shelf")
+    shown.player.block, shown.player.u = 3, 1.0
+    shown.play(True)
+    until(lambda: not shown.playing, 60000, "a pause")
+    assert shown.player.block == near.block and ambers(shown) == amber, "playing pauses there too"
+
+
+def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(doc, tmp_path, opened, click, until, screenshot, pixels):
+    """A clamp 2 mm beside a flat end of 6 mm, with 4 mm asked for; nothing is hit."""
+    import FreeCAD
+    from pivy import coin
+
+    from freecad_fiveaxis import app
+
+    clamp = doc.addObject("Part::Box", "Clamp")
+    clamp.Length, clamp.Width, clamp.Height, clamp.Placement.Base = 10, 20, 25, FreeCAD.Vector(20, 5, 0)
+    doc.recompute()
+    (tmp_path / "near.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z40 A0 C0 F2000\nG1 X0 Y0 Z20\nG1 X40 Y0 Z20\nG1 X40 Y0 Z40\nM2\n")
+    given = {"cutter": "flat:6:30", "fixtures": [clamp], "tool_length": 120}
+    made = app.audit(doc, str(tmp_path / "near.ngc"), "trunnion_ac", fixture_clearance=4, **given)
+    marks = app.annotate(made)
+    at = marks.Kinds.index("fixture-near")
+    assert marks.Labels[at] == "cutter within 2 mm of Clamp, line 4"
+    shown = opened(made)
+    assert shown.controls.collision.isVisible() and shown.controls.collision.text() == "Next near miss"
+    (_, switch), (look,) = shown.stage.fixtures.switches[0], shown.stage.fixtures.looks
+    quiet = pixels(screenshot("play_near_fixture_none"), AMBER, 40)
+    click(shown.controls.collision)
+    until(lambda: look.near and not look.hit, 20000, "the near miss")
+    assert switch.whichChild.getValue() == coin.SO_SWITCH_ALL and shown.readout.hit.text() == "Near: cutter within 2 mm of Clamp"
+    until(lambda: pixels(screenshot("play_near_fixture"), AMBER, 40) > quiet + 200, 30000, "an amber clamp")
+    click(shown.controls.begin)
+    until(lambda: switch.whichChild.getValue() == coin.SO_SWITCH_NONE, 20000, "quiet again")
+    free = app.audit(doc, str(tmp_path / "near.ngc"), "trunnion_ac", fixture_clearance=1.5, **given)
+    assert "fixture-near" not in app.annotate(free).Kinds, "the comparison can fail"

@@ -22,8 +22,9 @@ class Severity(IntEnum):
 
 @dataclass(frozen=True)
 class Hit:
-    """A collision: what ``enters`` (cutter, shank, holder, spindle) and what is ``entered``: a fixture or a body of the machine
-    by its name, "" for the part; ``u``: when within the block it is deepest, 0 to 1, None where that is not known."""
+    """A collision or a near miss: what ``enters`` or would (cutter, shank, holder, spindle) and what is ``entered``: a fixture or
+    a body of the machine by its name, "" for the part; ``u``: when within the block it is deepest or nearest, 0 to 1, None where
+    that is not known."""
 
     enters: str
     entered: str
@@ -36,7 +37,7 @@ class Finding:
 
     ``value`` and ``limit`` are in ``unit`` (``mm``, ``deg``, ``mm2``, ``1`` ...); ``block`` is a row of the
     Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm. ``hit``: of a collision
-    with a fixture or the machine.
+    with a fixture or the machine; ``near``: of what comes nearer to one than is asked for.
     """
 
     severity: Severity
@@ -49,3 +50,4 @@ class Finding:
     line: int | None = None
     place: tuple[float, float, float] | None = None
     hit: Hit | None = None
+    near: Hit | None = None

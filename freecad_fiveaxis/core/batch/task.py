@@ -27,7 +27,7 @@ part, see :mod:`.rank`; ``errors`` counts the findings of that severity."""
 @dataclass(frozen=True)
 class BatchJob:
     """One job. ``part``: its STL, or what :mod:`.solids` meshes; ``options``: as a job file has them; ``stem``: folder and name
-    of its files, without an ending; ``suffix``: the NC file's ending; ``overwrite``: files there that no batch wrote are replaced;
+    of its files, without an ending; ``suffix``: the NC file's ending; ``overwrite``: others' files there may be replaced;
     ``label``: what the report calls the part, where its file's name would not tell it from others."""
 
     part: str

@@ -55,7 +55,7 @@ def check_machine(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress = silent
 ) -> tuple[Finding, ...]:
     """Find where tool or spindle go more than ``tolerance`` mm into a body of the machine, and the spindle into the ``part``
-    (with its fixtures, None: not known), on any block. None deeper is missed; told of each body is the deepest place.
+    (None: not known), on any block. None deeper is missed; told of each body is the deepest place.
     Nothing is found where the machine's file names no bodies. Raises FiveAxisError for the file of a body that cannot be used."""
     if not given.machine.bodies:
         return ()

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, Hit, Severity
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -89,4 +89,5 @@ def near_finding(code: str, name: str, worst: Worst, clearance: float, at: objec
         "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.",
         part=worst.part, distance=Length(distance, ".3g"), name=name, at=at, count=worst.blocks, clearance=Length(clearance),
     )  # fmt: skip
-    return Finding(Severity.WARNING, code, text, distance, clearance, "mm", worst.row, worst.line, worst.place)
+    row, line, near = worst.row, worst.line, Hit(worst.part, name, worst.u)
+    return Finding(Severity.WARNING, code, text, distance, clearance, "mm", row, line, worst.place, near=near)

@@ -6,11 +6,12 @@ from __future__ import annotations
 from freecad_fiveaxis.core.base.files import check_readable
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.collision.fixtures import join_obstacles
+from freecad_fiveaxis.core.collision.machine_bodies import spindle_body
 from freecad_fiveaxis.core.collision.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.report.standing_bodies import StandingBody, stand_bodies
+from freecad_fiveaxis.core.tool.body import Body
 
 from .made import Made, Milled
 from .options import rapids_of, stood, tip_to_driven, tool_body
@@ -37,8 +38,18 @@ def stand_up(made: Made, progress: Progress = silent) -> tuple[StandingBody, ...
     return stand_bodies(machine, setup, made.kinematics, length, progress)
 
 
+def over_tip(made: Made) -> Body:
+    """Give the tool, and what the spindle carries over it where the tool's length is known; heights from the tip."""
+    machine, setup, _ = stood(made.settings, made.machine)
+    tool = tool_body(made.settings)
+    if made.settings.machine.tool_length is None:
+        return tool
+    return Body((*tool.pieces, *spindle_body(machine, setup.tool_length + tip_to_driven(made.settings)).pieces))
+
+
 def look_in_machine(made: Made, against: object, progress: Progress) -> tuple[Finding, ...]:
-    """Find what tool and spindle hit of the machine, and the spindle of the part; ``against``: what an audit compares with."""
+    """Find what tool and spindle hit of the machine, and the spindle of the part (fixtures are looked
+    at by themselves); ``against``: what an audit compares with."""
     settings = made.settings
     machine, setup, _ = stood(settings, made.machine)
     length = None if settings.machine.tool_length is None else setup.tool_length
@@ -47,5 +58,4 @@ def look_in_machine(made: Made, against: object, progress: Progress) -> tuple[Fi
         machine, setup, made.kinematics, tool_body(settings), length, tip_to_driven(settings),
         rapids_of(settings, machine, made.dialect), settings.gouge.fixture_clearance,
     )  # fmt: skip
-    obstacles = None if part is None else join_obstacles(part, made.fixtures)
-    return check_machine(given, made.program, obstacles, settings.proof.tolerance, progress)
+    return check_machine(given, made.program, part, settings.proof.tolerance, progress)

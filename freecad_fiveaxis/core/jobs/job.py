@@ -58,7 +58,7 @@ from .collision_avoidance import (
 from .context import JobContext
 from .driving import drive, posted
 from .fewer_axes import suit_tool_axis
-from .in_machine import check_bodies, look_in_machine
+from .in_machine import check_bodies, look_in_machine, over_tip
 from .made import Made, Milled, Posted, Result
 from .milling import mill, mill_context
 from .options import (
@@ -271,10 +271,10 @@ def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, Re
 
 
 def _in_fixtures(made: Made, progress: Progress) -> tuple[Finding, ...]:
-    """What of the tool goes into a fixture."""
+    """What of tool and spindle goes into a fixture."""
     settings, back = made.settings, tip_to_driven(made.settings)
     rapids, tolerance = rapids_of(settings, made.machine, made.dialect), settings.proof.tolerance
-    body = tool_body(settings)
+    body = over_tip(made)
     near = settings.gouge.fixture_clearance
     return check_fixtures(made.fixtures, body, made.kinematics, made.program, tolerance, back, progress, rapids, near)
 

@@ -93,4 +93,13 @@ def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEn
 def _placed(figures: Figures) -> list[Marker]:
     marked = (OVER, SINGULAR, *((*GOUGES, INDEPENDENT_RAPID) if figures.gouge else ()))
     others = [one for one in figures.findings if one.place is not None and one.code not in marked]
-    return [Marker(one.place, one.code, one.code.replace("-", " "), one, one.block) for one in others[:MARKERS] if one.place]
+    return [Marker(one.place, one.code, _words(one), one, one.block) for one in others[:MARKERS] if one.place]
+
+
+def _words(one: Finding) -> str:
+    """What is in what or near what, and how far, of a collision or a near miss; of any other finding its code in words."""
+    if one.hit is not None and one.value:
+        return f"{one.hit.enters} {one.value:.4g} mm in {one.hit.entered or 'the part'}, line {one.line}"
+    if one.near is not None:
+        return f"{one.near.enters} within {one.value:.4g} mm of {one.near.entered}, line {one.line}"
+    return one.code.replace("-", " ")

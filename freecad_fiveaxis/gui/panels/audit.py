@@ -10,6 +10,7 @@ from freecad_fiveaxis.gui.qt import QtCore, translate
 
 from .fields import ChoiceField
 from .files import FileField
+from .fixtures import FixturesField
 from .form import Form, Section, group_sections
 from .path_panel import DRAWN, PathPanel, fit, show
 from .picking import PointField
@@ -25,7 +26,10 @@ class AuditPanel(PathPanel):
         title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
         self.file = FileField("nc_file", title, nc_files(), missing=missing)
         zero = PointField("work_zero", translate("FiveAxis", "Where the program's zero is drawn in the document"))
-        extras = [self.file, PartField(doc), zero]
+        hint = translate(
+            "App::Property", "Solids and meshes of the document that hold the part: the tool is checked against them"
+        )
+        extras = [self.file, PartField(doc), FixturesField(doc, None, hint), zero]
         super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), extras), obj)
 
     def compute(self) -> Any:
@@ -95,16 +99,21 @@ def edit(obj: Any) -> AuditPanel:
     from freecad_fiveaxis.app import changes
 
     panel = AuditPanel(obj.Document, obj)
-    extras = {"nc_file": obj.NCFile, "part": obj.Part, "work_zero": tuple(obj.WorkZero)}
+    extras = {"nc_file": obj.NCFile, "part": obj.Part, "fixtures": obj.Fixtures, "work_zero": tuple(obj.WorkZero)}
     panel.fill(changes.shown_options(obj, "audit") | extras)
     return show(panel)
 
 
 MORE = ("origin", "method")
 """Options that few need."""
-FIRST = {"comparison": ("part",)}
+FIRST = {"comparison": ("part",), "safety": ("fixtures",)}
 """Fields that are no options, before those of a group."""
-TOLD = {"machine": ("machine", "controller"), "comparison": ("part",), "tool": ("cutter", "holder"), "safety": ("tolerance",)}
+TOLD = {
+    "machine": ("machine", "controller"),
+    "comparison": ("part",),
+    "tool": ("cutter", "holder"),
+    "safety": ("fixtures", "tolerance"),
+}
 """What stands in the title of a group."""
 OPEN = ("machine", "comparison", "tool", "safety")
 """Groups that are open until the user folds them, besides the file."""

@@ -15,12 +15,12 @@ ROWS = 4
 
 
 class FixturesField(Field):
-    """A list of the solids and meshes of ``doc`` but for the part that is milled (``part``), each to be ticked."""
+    """A list of the solids and meshes of ``doc`` but for the part that is milled (``part``), each to be ticked; ``hint`` as the
+    property's help says."""
 
-    def __init__(self, doc: Any, part: Any) -> None:
+    def __init__(self, doc: Any, part: Any, hint: str) -> None:
         from freecad_fiveaxis.app import compared
 
-        hint = translate("App::Property", "Solids and meshes of the document that hold the part: the path goes around them")
         super().__init__("fixtures", QtWidgets.QListWidget(), hint)
         self.doc = doc
         for one in compared.parts_of(doc):

@@ -44,7 +44,8 @@ class ToolpathPanel(PathPanel):
         self.setup = SetupField(doc)
         part = base if obj is None else obj.Mesh
         solid = milled(part)
-        extras = [self.setup, FixturesField(doc, solid), *self._extras(not meshed), AvoidField(part if meshed else solid)]
+        hint = translate("App::Property", "Solids and meshes of the document that hold the part: the path goes around them")
+        extras = [self.setup, FixturesField(doc, solid, hint), *self._extras(not meshed), AvoidField(part if meshed else solid)]
         extras += [*(PlaceField(name, self._zero) for name in PLACES), AxisField(self._zero)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer, self.advice_offer = ScaleOffer(), AdviceOffer()

@@ -36,9 +36,12 @@ class Controls:
         self.singular.setText(translate("FiveAxis", "Next singular"))
         self.singular.setToolTip(translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little"))
         self.collision = QtWidgets.QPushButton()
-        self.collision.setText(translate("FiveAxis", "Next collision"))
+        self.name_stops(collisions=True)
         self.collision.setToolTip(
-            translate("FiveAxis", "Where tool or spindle go deepest into the next fixture or body of the machine")
+            translate(
+                "FiveAxis",
+                "Where tool or spindle go deepest into the next fixture or body of the machine, or come too near to it",
+            )
         )
         self.machine, self.follow = QtWidgets.QCheckBox(), QtWidgets.QCheckBox()
         self.machine.setText(translate("FiveAxis", "On the machine"))
@@ -53,6 +56,11 @@ class Controls:
     def each_speed(self) -> float:
         """The speed that is chosen, times real time."""
         return float(self.speed.currentData())
+
+    def name_stops(self, collisions: bool) -> None:
+        """Name the button after what it leads to: collisions, with near misses between them, or near misses alone."""
+        collision, near = translate("FiveAxis", "Next collision"), translate("FiveAxis", "Next near miss")
+        self.collision.setText(collision if collisions else near)
 
     def show_share(self, share: float) -> None:
         """Put the slider where the program stands, 0 to 1, without anybody hearing of it."""

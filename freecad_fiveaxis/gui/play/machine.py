@@ -60,10 +60,10 @@ class DrawnMachine:
             if carrier is not None:
                 placed.matrix.setValue(coin.SbMatrix(*(float(value) for value in machine_from_carried[carrier].T.reshape(-1))))
 
-    def show_struck(self, struck: Struck) -> None:
-        """Draw red what is hit, and the spindle where that hits."""
+    def show_struck(self, struck: Struck, near: Struck) -> None:
+        """Draw red what is hit, and the spindle where that hits; amber what is only come near to."""
         for one, look in zip(self.standing, self.looks, strict=True):
-            look.show(one.name in struck.bodies or (struck.spindle and one.place == SPINDLE))
+            look.show(*(one.name in by.bodies or (by.spindle and one.place == SPINDLE) for by in (struck, near)))
 
     def room(self, playback: Playback) -> tuple[np.ndarray, np.ndarray]:
         """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is played."""

@@ -101,8 +101,8 @@ class PlayPanel:
         passed, self._then = min(now - self._then, LONGEST_STEP), now
         if self.controls.slider.isSliderDown():
             return
-        collides = self.player.advance(passed * self.controls.each_speed())
-        if collides or self.player.at_end:  # a short block would else be over before anybody saw what it hits
+        stops = self.player.advance(passed * self.controls.each_speed())
+        if stops or self.player.at_end:  # a short block would else be over before anybody saw what it hits
             self.play(False)
         self.refresh()
 
@@ -115,8 +115,8 @@ class PlayPanel:
         pose, block = self.player.pose, self.player.block
         curve = self.player.playback.curve(block) if block != self._drawn else None
         self._drawn = block
-        self.stage.show(pose, curve, self.controls.machine.isChecked(), self.player.struck)
-        self.readout.show(pose, self.player.playback.seconds, self.player.now_colliding)
+        self.stage.show(pose, curve, self.controls.machine.isChecked(), self.player.struck, self.player.near)
+        self.readout.show(pose, self.player.playback.seconds, self.player.met)
         self.controls.show_share(self.player.share())
         if self.controls.follow.isChecked():
             self._follow()
@@ -264,7 +264,8 @@ class PlayPanel:
 
     def _enable(self) -> None:
         self.controls.singular.setEnabled(len(self.player.singular) > 0)
-        self.controls.collision.setVisible(len(self.player.colliding) > 0)
+        self.controls.name_stops(any(one.hit is not None for one in self.player.stops))
+        self.controls.collision.setVisible(len(self.player.stops) > 0)
         self.controls.worst.setEnabled(self.player.playback.worst is not None)
 
     def _followed(self) -> None:

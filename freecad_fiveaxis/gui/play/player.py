@@ -1,25 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The moment that is shown, and how it moves on: by time, by block, to the worst block, to the next singular one,
-to the next collision.
+to the next collision or near miss.
 
 moment   a block and its u (0 to 1), as in the core's playback.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding
-from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION
+from freecad_fiveaxis.core.base.findings import Finding, Hit
+from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import Playback, Pose, following
 from freecad_fiveaxis.core.tool.body import PARTS, SPINDLE
 
 
 class Struck(NamedTuple):
-    """What is hit at a moment: names of ``bodies`` of the machine and of ``fixtures``; ``spindle``: whether that hits."""
+    """What is hit at a moment, or nearly: names of ``bodies`` of the machine and of ``fixtures``; ``spindle``: whether that hits,
+    or nearly."""
 
     bodies: frozenset[str] = frozenset()
     fixtures: frozenset[str] = frozenset()
@@ -33,12 +35,12 @@ class Player:
         self.figures = figures
         self.playback = Playback(figures.kinematics, figures.program, figures.judged)
         self.singular = figures.feeds[figures.singularity.singular[figures.feeds]]
-        self.collisions = sorted(
-            (one for one in figures.findings if one.hit is not None and one.block is not None),
+        self.stops = sorted(
+            (one for one in figures.findings if _met(one) is not None and one.block is not None),
             key=lambda one: (one.block, _deepest(one)),
         )
-        self.colliding = np.unique([one.block for one in self.collisions]).astype(int)
-        self._stops = np.array([float(self.playback.time(one.block, _deepest(one))) for one in self.collisions])
+        self.colliding = np.unique([one.block for one in self.stops]).astype(int)
+        self._stop_times = np.array([float(self.playback.time(one.block, _deepest(one))) for one in self.stops])
         self.last = len(figures.program.words) - 1
         self.block, self.u = 0, 1.0
 
@@ -71,11 +73,12 @@ class Player:
         self.block, self.u = int(block), float(u)
 
     def advance(self, seconds: float) -> bool:
-        """Go on by so much of the program's time, but no farther than to the next collision; True where that is reached."""
+        """Go on by so much of the program's time, but no farther than to the next collision or near miss; True where that
+        is reached."""
         now = self.time
-        ahead = np.flatnonzero((self._stops > now) & (self._stops <= now + seconds))
+        ahead = np.flatnonzero((self._stop_times > now) & (self._stop_times <= now + seconds))
         if len(ahead):
-            first = self.collisions[ahead[self._stops[ahead].argmin()]]
+            first = self.stops[ahead[self._stop_times[ahead].argmin()]]
             self.block, self.u = int(first.block or 0), _deepest(first)
         else:
             self.go_to_time(now + seconds)
@@ -104,28 +107,28 @@ class Player:
         return self._look_at(following(self.singular, self.block))
 
     def go_to_next_collision(self) -> bool:
-        """To the deepest place of the next block that collides, from the last one on to the first again; False where there is
-        none."""
+        """To the deepest place of the next block that collides, or to the nearest of one that nearly does, in order of time, from
+        the last one on to the first again; False where there is none."""
         block = following(self.colliding, self.block)
         if block is None:
             return False
-        self.block, self.u = block, _deepest(next(one for one in self.collisions if one.block == block))
+        self.block, self.u = block, _deepest(next(one for one in self.stops if one.block == block))
         return True
 
     @property
-    def now_colliding(self) -> list[Finding]:
-        """The collisions whose deepest place is in this block."""
-        return [one for one in self.collisions if one.block == self.block]
+    def met(self) -> list[Finding]:
+        """The collisions and near misses whose deepest or nearest place is in this block."""
+        return [one for one in self.stops if one.block == self.block]
 
     @property
     def struck(self) -> Struck:
-        """What they are between."""
-        hits = [(one.code == FIXTURE_COLLISION, one.hit) for one in self.now_colliding if one.hit is not None]
-        return Struck(
-            frozenset(hit.entered for fixture, hit in hits if hit.entered and not fixture),
-            frozenset(hit.entered for fixture, hit in hits if fixture),
-            any(hit.enters == PARTS[SPINDLE] for _, hit in hits),
-        )
+        """What the collisions are between."""
+        return _between([(one.code, one.hit) for one in self.met if one.hit is not None])
+
+    @property
+    def near(self) -> Struck:
+        """What the near misses are between."""
+        return _between([(one.code, one.near) for one in self.met if one.near is not None])
 
     def _look_at(self, block: int | None) -> bool:
         """To where the judged point is farthest from the segment of ``block``."""
@@ -139,6 +142,22 @@ class Player:
         self.block, self.u = min(other.block, self.last), other.u
 
 
+def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
+    """What is hit, of findings by their codes."""
+    fixture = (FIXTURE_COLLISION, FIXTURE_NEAR)
+    return Struck(
+        frozenset(hit.entered for code, hit in hits if hit.entered and code not in fixture),
+        frozenset(hit.entered for code, hit in hits if code in fixture),
+        any(hit.enters == PARTS[SPINDLE] for _, hit in hits),
+    )
+
+
+def _met(finding: Finding) -> Hit | None:
+    """The collision or near miss of a finding."""
+    return finding.hit or finding.near
+
+
 def _deepest(finding: Finding) -> float:
-    """When in its block a collision is deepest, 0 to 1; the block's end where that is not known."""
-    return 1.0 if finding.hit is None or finding.hit.u is None else finding.hit.u
+    """When in its block a collision is deepest or a near miss nearest, 0 to 1; the block's end where that is not known."""
+    met = _met(finding)
+    return 1.0 if met is None or met.u is None else met.u

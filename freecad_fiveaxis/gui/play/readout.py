@@ -36,6 +36,7 @@ class Readout:
         font = self.hit.font()
         font.setBold(True)
         self.hit.setFont(font)
+        self.hit.setWordWrap(True)
         self.rows.addRow(self.hit)
         self.line, self.text = self._row("line", translate("FiveAxis", "NC line")), _code("nc")
         self.rows.addRow(self.text)
@@ -56,7 +57,7 @@ class Readout:
     def use(self, figures: Figures, lines: NCLines) -> None:
         """Speak of another result of the same path."""
         self.figures, self.lines = figures, lines
-        self.hit.setVisible(any(one.hit is not None for one in figures.findings))
+        self.hit.setVisible(any(one.hit or one.near for one in figures.findings))
         self._name_point(figures.surface is not None)
         for at, label in self.joints.items():
             self.rows.labelForField(label).setText(figures.program.letters[at])
@@ -69,12 +70,13 @@ class Readout:
         self.rows.labelForField(self.gap).setText(centre if ball else tip)
         self.gap.setToolTip(of_centre if ball else of_tip)
 
-    def show(self, pose: Pose, whole: float, colliding: Sequence[Finding] = ()) -> None:
-        """Say where a single moment stands; ``whole`` s: the time of the program; ``colliding``: what collides in its block."""
+    def show(self, pose: Pose, whole: float, met: Sequence[Finding] = ()) -> None:
+        """Say where a single moment stands; ``whole`` s: the time of the program; ``met``: what collides in its block, or
+        nearly does."""
         block, program = int(pose.block), self.figures.program
         line = int(program.line[block])
-        self.hit.setText("; ".join(collision_text(one.hit) for one in colliding if one.hit is not None))
-        self.hit.setToolTip("\n".join(wording.told(one.text) for one in colliding))
+        self.hit.setText("; ".join(met_text(one) for one in met))
+        self.hit.setToolTip("\n".join(wording.told(one.text) for one in met))
         self.line.setText(str(line))
         self.text.setText(self.lines[line])
         self.text.setCursorPosition(0)
@@ -125,6 +127,15 @@ class Readout:
         label = _label(name)
         self.rows.addRow(title, label)
         return label
+
+
+def met_text(finding: Finding) -> str:
+    """What is in what, or how near to what, in a few words."""
+    near = finding.near
+    if near is None:
+        return "" if finding.hit is None else collision_text(finding.hit)
+    text, distance = translate("FiveAxis", "Near: {enters} within {distance} of {body}"), length_text(finding.value or 0.0)
+    return text.format(enters=wording.told(near.enters), distance=distance, body=near.entered)
 
 
 def collision_text(hit: Hit) -> str:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes that the tool must not hit, as pictures: each drawn once, quiet, and red while the tool or the spindle is in it."""
+"""Meshes that the tool must not hit, as pictures: each drawn once, quiet, red while the tool or the spindle is in
+it, and amber while they come nearer to it than is asked for."""
 
 from __future__ import annotations
 
@@ -19,25 +20,27 @@ GLOW = 0.3
 """How bright a body is where no light falls on it, as a share of its colour."""
 EDGE = (0.16, 0.18, 0.22)
 HIT: tuple[nodes.Colour, float] = ((0.88, 0.12, 0.08), 0.15)
+NEAR: tuple[nodes.Colour, float] = ((0.90, 0.62, 0.0), 0.15)
+"""Colour and transparency of what is hit, and of what nearly is (the orange of Okabe and Ito's palette); the panel says which."""
 CREASE = math.acos(SHARP)
 """rad: facets that meet at less are lit as one round face; those at more have their edge drawn."""
 BEFORE = 0.001
-"""Share of the scene's depth by which a red fixture lies before the document's own picture of it."""
+"""Share of the scene's depth by which a coloured fixture lies before the document's own picture of it."""
 
 
 class Look:
-    """The colour of a body, which a collision changes; ``node`` goes before its shape."""
+    """The colour of a body, which a collision or a near miss changes; ``node`` goes before its shape."""
 
     def __init__(self, rgb: nodes.Colour, transparency: float) -> None:
         self._quiet, self.node = (rgb, transparency), coin.SoMaterial()
-        self.hit = False
+        self.hit = self.near = False
         self._put(*self._quiet)
 
-    def show(self, hit: bool) -> None:
-        """Red while the body is hit, else as it was."""
-        if hit is not self.hit:
-            self.hit = hit
-            self._put(*(HIT if hit else self._quiet))
+    def show(self, hit: bool, near: bool) -> None:
+        """Red while the body is hit, amber while something is only near to it, else as it was."""
+        if (hit, near) != (self.hit, self.near):
+            self.hit, self.near = hit, near
+            self._put(*(HIT if hit else NEAR if near else self._quiet))
 
     def _put(self, rgb: nodes.Colour, transparency: float) -> None:
         self.node.diffuseColor.setValue(*rgb)
@@ -47,16 +50,19 @@ class Look:
 
 class DrawnFixtures:
     """The fixtures of a path, work frame. They are solids of the document, which FreeCAD draws where they stand and which turn
-    with the work; here each is drawn red over that, while it is hit."""
+    with the work; here each is drawn red or amber over that, while it is hit or nearly."""
 
     def __init__(self, fixtures: Sequence[Fixture]) -> None:
-        self.switches = [(one.name, nodes.switch(mesh_node(one.mesh, Look(*HIT)), False)) for one in fixtures]
+        self.looks = [Look(*HIT) for _ in fixtures]
+        drawn = [mesh_node(one.mesh, look) for one, look in zip(fixtures, self.looks, strict=True)]
+        self.switches = [(one.name, nodes.switch(node, False)) for one, node in zip(fixtures, drawn, strict=True)]
         self.root = nodes.separate(nodes.nearer(BEFORE), *(switch for _, switch in self.switches))
 
-    def show(self, hit: Collection[str]) -> None:
+    def show(self, hit: Collection[str], near: Collection[str]) -> None:
         """Show those of these names."""
-        for name, switch in self.switches:
-            nodes.turn(switch, name in hit)
+        for (name, switch), look in zip(self.switches, self.looks, strict=True):
+            look.show(name in hit, name in near)
+            nodes.turn(switch, name in hit or name in near)
 
 
 def mesh_node(mesh: Mesh, look: Look) -> Any:

@@ -73,9 +73,11 @@ class Stage:
         """Whether the nodes are in the view."""
         return self._graph is not None
 
-    def show(self, pose: Pose, curve: np.ndarray | None, on_machine: bool, struck: Struck = _NOTHING) -> None:
+    def show(
+        self, pose: Pose, curve: np.ndarray | None, on_machine: bool, struck: Struck = _NOTHING, near: Struck = _NOTHING
+    ) -> None:
         """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is drawn already;
-        ``struck``: what is hit then."""
+        ``struck``: what is hit then, ``near``: what is come near to."""
         scene_from_work = pose.machine_from_work if on_machine else IDENTITY
         scene_from_machine = IDENTITY if on_machine else pose.work_from_machine
         _put(self.work, scene_from_work)
@@ -86,8 +88,8 @@ class Stage:
         nodes.turn(self.sketch, on_machine)
         if on_machine:
             self.machine.show(pose.machine_from_carried)
-        self.machine.show_struck(struck)
-        self.fixtures.show(struck.fixtures)
+        self.machine.show_struck(struck, near)
+        self.fixtures.show(struck.fixtures, near.fixtures)
         self._draw_axes(rotary_lines(pose, self.centre, self.reach), scene_from_machine)
         if curve is not None:
             _fill(self.curve, curve)
