@@ -68,8 +68,9 @@ class ReachPanel(PathPanel):
         self.base, self.faces = base, faces
         doc, part = (base or obj).Document, _part(base if obj is None else obj)
         hint = translate("App::Property", "So far the tool may lean from the work frame's Z; 180°: as far as the machine turns")
+        fixtures = translate("App::Property", "Solids and meshes of the document that hold the part: they are in the tool's way")
         extras = [
-            QuantityField("largest_axis_angle", "angle", hint), FixturesField(doc, part),
+            QuantityField("largest_axis_angle", "angle", hint), FixturesField(doc, part, fixtures),
             PointField("work_zero", translate("FiveAxis", "The point of the part that is the program's zero")),
         ]  # fmt: skip
         sections = [
