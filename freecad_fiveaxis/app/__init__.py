@@ -63,6 +63,7 @@ def preview_passes(base: Any, **settings: Any) -> Any:
     """The passes of settings, laid without tool axes, gouge cure, links and NC; returns the core's Preview.
 
     ``point`` (n, 3) mm about the work zero, of lines ``polyline`` (n,); ``passes``, ``length`` mm, ``time`` s of cutting alone.
+    Of very many passes one in ``one_in`` is laid; length and time are then estimates of all.
     ``base`` and settings as for :func:`create_toolpath`; or a Toolpath: without settings as it stands, else with these for its
     own. Raises FiveAxisError. The document stays as it is.
     """

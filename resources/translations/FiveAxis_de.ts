@@ -1595,8 +1595,8 @@
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
-        <source>About {count} passes, {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} is drawn</source>
-        <translation>Etwa {count} Bahnen, {length}, {time} Schnitt mit dem Vorschub, ohne Verbindungen; 1 von {one_in} ist gezeichnet</translation>
+        <source>About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn</source>
+        <translation>Etwa {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen; 1 von {one_in} Bahnen ist gezeichnet</translation>
     </message>
     <message>
         <source>Add selected faces</source>

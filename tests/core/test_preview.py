@@ -75,7 +75,7 @@ def test_on_a_plate_number_length_and_time_are_closed_forms():
 
 
 @pytest.mark.parametrize("passes", ["scallop", "planes"])
-def test_of_very_many_passes_some_are_laid_and_number_length_and_time_are_those_of_all(passes, monkeypatch):
+def test_of_very_many_passes_some_are_laid_and_length_and_time_are_those_of_all(passes, monkeypatch):
     mesh, asked = dome(), settings(passes=passes, scallop=0.01)
     monkeypatch.setattr(preview, "SQUARES", math.inf)
     whole = preview_passes(asked, mesh=mesh)
@@ -83,7 +83,7 @@ def test_of_very_many_passes_some_are_laid_and_number_length_and_time_are_those_
     some = preview_passes(asked, mesh=mesh)
     assert whole.one_in == 1 and some.one_in == 3 and len(some.point) < 0.5 * len(whole.point)
     assert some.length == pytest.approx(whole.length, rel=0.08) and some.time == pytest.approx(60.0 * some.length / some.feed)
-    assert abs(some.passes - whole.passes) <= 3 * 2 and len(some.sizes) < 0.6 * len(whole.sizes)
+    assert some.passes < 0.6 * whole.passes and len(some.sizes) < 0.6 * len(whole.sizes)
     asked = settings(passes=passes, scallop=1.5)  # no passes are laid that leave a multiple of the cutter's radius
     assert preview_passes(asked, mesh=mesh).one_in == 1
 

@@ -314,7 +314,7 @@ def whole_part(user: Sitting, camera: Camera) -> None:
     bring(user, "Spindle speed")
     story.fill(user, "Spindle speed", SPINDLE)
     user.press("Preview passes")
-    user.eyes.find("label", r".*\d+ passes,.*", 60)
+    user.eyes.find("label", r".*links not counted.*", 60)
     nothing_selected(user)
     camera.still("whole-2-preview")
     story.calculate(user)

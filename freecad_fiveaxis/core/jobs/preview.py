@@ -46,7 +46,7 @@ HIGHEST = 0.4
 class Preview:
     """``point`` (n, 3) mm, work frame, of the lines ``polyline`` (n,) that the cutter touches the part along, one row after the
     other; ``pass_`` (n,) that each is of; ``feed`` mm/min. ``findings``: what stays uncut, and how the facets were chosen.
-    ``one_in``: of so many passes one is laid; number, length and time are then estimates of all."""
+    ``one_in``: of so many passes one is laid; length and time are then estimates of all."""
 
     point: Floats
     polyline: Ints
@@ -60,8 +60,8 @@ class Preview:
 
     @property
     def passes(self) -> int:
-        """How many passes there are."""
-        return self.one_in * len(np.unique(self.pass_))
+        """How many passes are laid."""
+        return len(np.unique(self.pass_))
 
     @property
     def length(self) -> float:

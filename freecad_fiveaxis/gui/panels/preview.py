@@ -60,7 +60,7 @@ def summarize(found: Any) -> str:
     one = translate("FiveAxis", "1 pass, {length}, {time} of cutting at the feed, links not counted")
     many = translate("FiveAxis", "{count} passes, {length}, {time} of cutting at the feed, links not counted")
     some = translate(
-        "FiveAxis", "About {count} passes, {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} is drawn"
+        "FiveAxis", "About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn"
     )
     text = some if found.one_in > 1 else one if found.passes == 1 else many
     return text.format(count=found.passes, length=length_text(found.length), time=clock(found.time), one_in=found.one_in)
