@@ -89,7 +89,7 @@ _GROUPS = {
 """The group of the options of a settings class."""
 _MOVED = {
     "coedge_tolerance": "Passes", "clearance": "Safety", "feed_mode": "Output", "tool": "Tool", "spindle": "Tool",
-    "control_point": "Output", "shank": "Tool", "holder": "Tool",
+    "control_point": "Output", "shank": "Tool", "holder": "Tool", "avoid_allowance": "Part",
 }  # fmt: skip
 """Options that machinists look for in another group than that of their class."""
 
