@@ -86,8 +86,12 @@ def mpi_environment():
     more["PATH"] = beside + os.pathsep + os.environ.get("PATH", "")
     if shutil.which("mpiexec", path=more["PATH"]) is None:
         pytest.skip("no mpiexec here")
-    tried = subprocess.run([sys.executable, "-c", SPAWN], env=os.environ | more, capture_output=True, timeout=120, text=True)
-    if tried.stdout.strip() != "3":
+    try:
+        tried = subprocess.run([sys.executable, "-c", SPAWN], env=os.environ | more, capture_output=True, timeout=120, text=True)
+        said = tried.stdout.strip()
+    except subprocess.TimeoutExpired:
+        said = "it hangs"
+    if said != "3":
         pytest.skip("this MPI begins no processes beside one that was begun without it")
     return more
 
