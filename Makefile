@@ -14,8 +14,8 @@ unexport PYTHONDONTWRITEBYTECODE
 
 # glibc gives each column back to the system and asks for it anew; a test's process keeps it, as the command line does (core/base/memory.py)
 export MALLOC_ARENA_MAX := 1
-export MALLOC_MMAP_THRESHOLD_ := 1073741824
-export MALLOC_TRIM_THRESHOLD_ := 1073741824
+export MALLOC_MMAP_THRESHOLD_ := 268435456
+export MALLOC_TRIM_THRESHOLD_ := 268435456
 # OpenBLAS waits by spinning: a tenth of what the core ring takes, where two processes of tests share two cores
 export OPENBLAS_NUM_THREADS ?= 1
 
