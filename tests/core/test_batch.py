@@ -22,6 +22,7 @@ from roofs import (
     write_roof,
 )
 
+from freecad_fiveaxis.core.base import crew
 from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.batch import crews, plan, work
@@ -204,3 +205,11 @@ def test_the_report_of_a_job_is_that_of_mill_with_what_the_batch_keeps(expected)
     report = json.loads(expected[1]["a.json"])
     assert report["summary"]["cut_length"] == expected[0]["a"]["cut_mm"] and report["inputs"]["output"] is None
     assert sorted(report["batch"]["files"]) == ["a.html", "a.ngc"]
+
+
+def test_processes_find_one_thread_in_their_environment_before_they_import_anything(monkeypatch):
+    for name in crew.ONE_THREAD:
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv(crew.ONE_THREAD[0], "3")
+    crew.process_crew(1).open().shutdown()
+    assert [os.environ.get(name) for name in crew.ONE_THREAD] == ["3", "1", "1"]

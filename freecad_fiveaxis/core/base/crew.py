@@ -18,7 +18,7 @@ import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
-from typing import Protocol
+from typing import Any, Protocol
 
 from .errors import Cancelled, SettingsError
 from .sentences import say
@@ -78,7 +78,15 @@ def process_crew(workers: int) -> Crew:
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
     workers = min(workers, MOST_ON_WINDOWS) if sys.platform == "win32" else workers
-    return Crew(lambda number: ProcessPoolExecutor(number, context, begin_process, (stop,)), workers, stop)
+    return Crew(lambda number: _open_processes(number, context, stop), workers, stop)
+
+
+def _open_processes(number: int, context: Any, stop: Any) -> ProcessPoolExecutor:
+    """Processes that find ONE_THREAD in their environment: one that imports ``__main__`` may import numpy with it, before
+    begin_process is heard, and OpenBLAS then spins on every processor. What the user has set stays."""
+    for name in ONE_THREAD:
+        os.environ.setdefault(name, "1")
+    return ProcessPoolExecutor(number, context, begin_process, (stop,))
 
 
 @contextmanager
