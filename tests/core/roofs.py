@@ -8,7 +8,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from freecad_fiveaxis.core.batch import work
+from freecad_fiveaxis.core.batch import plan, work
 from freecad_fiveaxis.core.batch.crews import work_in_crew
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 
@@ -157,3 +157,20 @@ class Instead(Executor):
 
     def shutdown(self, wait=True, **more):
         self.pool.shutdown(wait, **more)
+
+
+def write_parts(folder):
+    """Three parts in a folder, the last of which is none."""
+    write_roof(folder / "a.stl")
+    write_roof(folder / "b.stl", 18.0)
+    (folder / "c.stl").write_text("solid nothing\nendsolid\n")
+    return folder
+
+
+def jobs_of(parts, out):
+    out.mkdir(exist_ok=True)
+    return plan.read_jobs(str(parts), WAY, str(out))
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}

@@ -16,9 +16,12 @@ from roofs import (
     Inline,
     Instead,
     Swapping,
+    contents,
     die_always,
     die_once,
+    jobs_of,
     work_with_blank_pages,
+    write_parts,
     write_roof,
 )
 
@@ -33,20 +36,7 @@ from freecad_fiveaxis.core.batch.task import FAILED
 @pytest.fixture(scope="module")
 def parts(tmp_path_factory):
     """A folder with three parts, the last of which is none."""
-    folder = tmp_path_factory.mktemp("parts")
-    write_roof(folder / "a.stl")
-    write_roof(folder / "b.stl", 18.0)
-    (folder / "c.stl").write_text("solid nothing\nendsolid\n")
-    return folder
-
-
-def jobs_of(parts, out):
-    out.mkdir(exist_ok=True)
-    return plan.read_jobs(str(parts), WAY, str(out))
-
-
-def contents(folder):
-    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+    return write_parts(tmp_path_factory.mktemp("parts"))
 
 
 @pytest.fixture(scope="module")

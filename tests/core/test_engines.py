@@ -15,14 +15,14 @@ import engines
 import pytest
 import roofs
 from engines import mpi_environment
-from roofs import WAY, Instead, Killing, die_always, die_once, work_with_blank_pages, write_roof
+from roofs import WAY, Instead, Killing, contents, die_always, die_once, jobs_of, work_with_blank_pages, write_parts
 from small_studies import STUDIES, texts_of, try_study
 from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.crew import Crew
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.batch import crews, plan
+from freecad_fiveaxis.core.batch import crews
 from freecad_fiveaxis.core.batch.run import run_batch
 from freecad_fiveaxis.core.studies import study
 
@@ -35,20 +35,7 @@ WORDS = [word for name, value in WAY.items() for word in (f"--{name.replace('_',
 @pytest.fixture(scope="module")
 def parts(tmp_path_factory):
     """A folder with three parts, the last of which is none."""
-    folder = tmp_path_factory.mktemp("parts")
-    write_roof(folder / "a.stl")
-    write_roof(folder / "b.stl", 18.0)
-    (folder / "c.stl").write_text("solid nothing\nendsolid\n")
-    return folder
-
-
-def jobs_of(parts, out):
-    out.mkdir(exist_ok=True)
-    return plan.read_jobs(str(parts), WAY, str(out))
-
-
-def contents(folder):
-    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+    return write_parts(tmp_path_factory.mktemp("parts"))
 
 
 def rows_of(outcomes):
