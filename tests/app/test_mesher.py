@@ -9,7 +9,7 @@ import Mesh
 import Part
 import pytest
 
-from freecad_fiveaxis.app import mesher
+from freecad_fiveaxis.app import mesher, meshing, tessellation
 from freecad_fiveaxis.core.batch import solids
 
 
@@ -75,4 +75,5 @@ def test_a_file_that_holds_no_solid_says_so(tmp_path):
 def test_the_words_of_both_sides_are_the_same():
     ours = solids.FOLDER, solids.TASK, solids.MESH, solids.MADE, solids.DOCUMENT
     assert ours == (mesher.FOLDER, mesher.TASK, mesher.STL, mesher.MADE, mesher.DOCUMENT)
-    assert os.path.samefile(mesher.__file__, solids.script())
+    assert os.path.samefile(mesher.__file__, solids.script()) and solids.NAMES == meshing.NAMES
+    assert (solids.LINEAR, solids.ANGULAR) == (tessellation.LINEAR, tessellation.ANGULAR), "as the window meshes"
