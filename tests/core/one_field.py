@@ -3,7 +3,7 @@
 
 import pickle
 
-from freecad_fiveaxis.core.jobs import milling
+from freecad_fiveaxis.core.pipeline import milling
 
 
 def keep_fields(monkeypatch, kept=None):

@@ -12,17 +12,17 @@ from plain import build_settings
 from thorough import some_in_core
 from uncured import UNCURED
 
-from freecad_fiveaxis.core.cl import cl_offset as seating
-from freecad_fiveaxis.core.cl.apt import read_apt, read_cl_file, write_apt
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl, write_stl
-from freecad_fiveaxis.core.jobs import job, outputs
-from freecad_fiveaxis.core.jobs import options as asked
-from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions
+from freecad_fiveaxis.core.pipeline import job, outputs
+from freecad_fiveaxis.core.pipeline import options as asked
+from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
+from freecad_fiveaxis.core.toolpath import cl_offset as seating
+from freecad_fiveaxis.core.toolpath.apt import read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 CUTTERS = ("flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:8:1:5deg")
 

@@ -11,11 +11,11 @@ from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, round_g
 from plain import build_settings
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import check_program
 from freecad_fiveaxis.core.geometry.mesh import read_stl
-from freecad_fiveaxis.core.jobs import collision_avoidance, job
+from freecad_fiveaxis.core.gouge import check_program
+from freecad_fiveaxis.core.pipeline import collision_avoidance, job
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 TOLERANCE = 0.01
 OPTIONS = {

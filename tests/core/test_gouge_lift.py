@@ -13,19 +13,18 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.base.quantity import parse_stack
-from freecad_fiveaxis.core.cl import cl_offset as seating
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision import find_entries, real_motion, straight_motion
-from freecad_fiveaxis.core.corrections import lift
-from freecad_fiveaxis.core.corrections.lift import lift_path
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import read_stl
-from freecad_fiveaxis.core.jobs import collision_avoidance, job
-from freecad_fiveaxis.core.jobs.context import MillContext
-from freecad_fiveaxis.core.jobs.settings import flat_options
+from freecad_fiveaxis.core.gouge import find_entries, lift, real_motion, straight_motion
+from freecad_fiveaxis.core.gouge.lift import lift_path
+from freecad_fiveaxis.core.pipeline import collision_avoidance, job
+from freecad_fiveaxis.core.pipeline.context import MillContext
+from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, body_of, frustum_piece, round_piece, way_out
+from freecad_fiveaxis.core.toolpath import cl_offset as seating
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 TOLERANCE = 0.01
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 85, "linearize": "on"}
@@ -223,7 +222,7 @@ def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
 
 @pytest.mark.parametrize("gouge", ["lift", "leave-out"])
 def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
-    cure = importlib.import_module(f"freecad_fiveaxis.core.corrections.{gouge.replace('-', '_')}")
+    cure = importlib.import_module(f"freecad_fiveaxis.core.gouge.{gouge.replace('-', '_')}")
     monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))
     made = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
     assert "rapid-collision" in {f.code for f in job.prove(made).findings}

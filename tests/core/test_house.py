@@ -16,8 +16,8 @@ CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
 LAYERS = (  # packages of the core in the order of the process; a lower line may import from any above it, never from below
-    "base", "geometry", "tool", "controllers", "machine", "passes", "cl", "motion", "nc", "collision", "corrections", "audit", "report",
-    "jobs", "studies", "calibration", "batch", "cli",
+    "base", "geometry", "tool", "controllers", "machine", "passes", "toolpath", "motion", "nc", "gouge", "orientation", "links", "audit",
+    "report", "pipeline", "studies", "calibration", "batch", "cli",
 )  # fmt: skip
 
 

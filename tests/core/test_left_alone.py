@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from plain import build_settings
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.corrections.left_alone import BESIDE, lead_over_others
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.jobs import collision_avoidance, job
+from freecad_fiveaxis.core.gouge.left_alone import BESIDE, lead_over_others
+from freecad_fiveaxis.core.pipeline import collision_avoidance, job
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 OPTIONS = {
     "machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:4", "stepover": 1.5, "max_axis_angle": 30, "passes": "planes",

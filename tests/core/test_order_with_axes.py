@@ -11,10 +11,10 @@ from one_field import keep_fields
 from plain import build_settings
 from test_axis_field import NODES, take_nodes
 
-from freecad_fiveaxis.core.cl.coedge import ROW_COLUMNS, OffsetPath
-from freecad_fiveaxis.core.corrections.order_with_axes import LEVER, order_with_axes
-from freecad_fiveaxis.core.jobs import job, milling
+from freecad_fiveaxis.core.orientation.order_with_axes import LEVER, order_with_axes
+from freecad_fiveaxis.core.pipeline import job, milling
 from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.toolpath.coedge import ROW_COLUMNS, OffsetPath
 
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.2, "tool_axis": "auto"}
 

@@ -10,14 +10,14 @@ from plain import build_settings
 from test_axis_field import NODES, take_nodes
 
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision.table_check import check_table, table_slab
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.gouge.table_check import check_table, table_slab
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.options import tip_to_driven, tool_body
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.report.scope import scope
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ON_TABLE = (0.0, 0.0, -100.0)
 """The work zero of trunnion_ac on its table's face."""
