@@ -13,7 +13,7 @@ from freecad_fiveaxis.app import auditing, convert, option_texts, properties, to
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
-from freecad_fiveaxis.core.pipeline import collision_avoidance
+from freecad_fiveaxis.core.pipeline import options
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, OutputSettings, build_settings, option_fields
 from freecad_fiveaxis.core.tool import KINDS, Cutter, kind_of, parse_cutter
 from freecad_fiveaxis.core.tool.body import body_of
@@ -208,8 +208,8 @@ def test_sizes_that_the_kind_has_not_are_not_looked_at(path):
 def test_the_tool_that_is_drawn_is_the_body_that_is_checked(path, text):
     convert.put_options(path, MILL, {"cutter": text, "shank": "8x20,12x30", "holder": "40x25"})
     drawn, settings = convert.tool_of(path), convert.settings_of(path, MILL, "x")
-    assert drawn.body == collision_avoidance.tool_body(settings) and drawn.cutter == settings.cutter.cutter
-    assert drawn.body != collision_avoidance.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
+    assert drawn.body == options.tool_body(settings) and drawn.cutter == settings.cutter.cutter
+    assert drawn.body != options.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
 
 
 def test_an_audit_draws_shank_and_holder_too(doc, tmp_path):

@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.passes import (
 )
 from freecad_fiveaxis.core.passes.scallop_passes import AIM
 from freecad_fiveaxis.core.passes.spirals import take_lines
-from freecad_fiveaxis.core.pipeline import job, milling
+from freecad_fiveaxis.core.pipeline import job, mill_context
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 
@@ -576,7 +576,7 @@ def no_axis_field(monkeypatch):
     def begin(*given):
         raise Begun
 
-    monkeypatch.setattr(milling, "find_axis_field", begin)
+    monkeypatch.setattr(mill_context, "find_axis_field", begin)
 
 
 @pytest.mark.parametrize("tool_axis", ["auto", "facet_mean"])

@@ -15,6 +15,7 @@ from uncured import UNCURED
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl, write_stl
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.orientation.spacing_radius import spacing_radius
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions
 from freecad_fiveaxis.core.pipeline import job, outputs
 from freecad_fiveaxis.core.pipeline import options as asked
@@ -334,7 +335,7 @@ def test_under_a_fixed_axis_the_narrowest_stand_counts():
     level, every = mesh.normal[:, 2] > 0.999, np.ones(len(mesh.normal), bool)
 
     def radius(cutter, keep, strategy):
-        return seating.spacing_radius(cutter, mesh, keep, 0.0, strategy, AxisOptions(), 0.01)
+        return spacing_radius(cutter, mesh, keep, 0.0, strategy, AxisOptions(), 0.01)
 
     flat = parse_cutter("flat:10")
     wide, narrow = (radius(flat, keep, "fixed") for keep in (level, ~level))

@@ -24,6 +24,7 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, word
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.pipeline import job, milling
 from freecad_fiveaxis.core.pipeline.options import tool_body
+from freecad_fiveaxis.core.pipeline.solve_joints import keep_rapids_clear
 from freecad_fiveaxis.core.report.markers import markers
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
@@ -63,7 +64,7 @@ milled = cache(milled_anew)
 def undivided(machine, part, **options):
     """The same program without the stage."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(milling, "keep_rapids_clear", lambda context, joints: joints)
+        patch.setattr(milling, "STAGES", tuple(one for one in milling.STAGES if one is not keep_rapids_clear))
         return milled_anew(machine, part, **options)
 
 

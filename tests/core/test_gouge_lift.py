@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.gouge import find_entries, lift, real_motion, straight_motion
 from freecad_fiveaxis.core.gouge.lift import lift_path
-from freecad_fiveaxis.core.pipeline import collision_avoidance, job
+from freecad_fiveaxis.core.pipeline import job, solve_joints
 from freecad_fiveaxis.core.pipeline.context import MillContext
 from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter
@@ -132,7 +132,7 @@ def test_rows_half_way_stand_on_the_commanded_way_and_lead_where_the_next_does()
     path = cl_path([(0, 0, 0), (0, 2, 0), (0, 6, 2)])
     axes = np.array([(0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, np.sin(0.4), np.cos(0.4))])
     path = replace(path, axis=axes, face=np.array([4, 5, 6]))
-    made = collision_avoidance._halved(path, np.array([2]))
+    made = solve_joints._halved(path, np.array([2]))
     assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [4, 5, 6, 6]
     np.testing.assert_allclose(made.axis[2], (0.0, np.sin(0.2), np.cos(0.2)), atol=1e-12)
     assert made.motion.tolist() == [*path.motion.tolist(), Motion.CUT]
@@ -147,17 +147,17 @@ def context_of(**options):
 @pytest.mark.parametrize("options", [{"gouge": "report"}, {"linearize": "off"}])
 def test_no_rows_are_put_half_way_into_a_path_that_is_only_looked_at_or_whose_blocks_stay_whole(options, monkeypatch):
     path, driven = cl_path([(0, 0, 0), (0, 2, 0)]), []
-    monkeypatch.setattr(collision_avoidance, "drive", lambda _, path, entering: driven.append((path, entering)))
-    given, joints = collision_avoidance.drive_free(context_of(**options), path, 0.003)
+    monkeypatch.setattr(solve_joints, "drive", lambda _, path, entering: driven.append((path, entering)))
+    given, joints = solve_joints.drive_free(context_of(**options), path, 0.003)
     assert given is path and joints is None and driven == [(path, 0.003)]
 
 
 def test_rows_are_put_half_way_into_a_path_that_no_cure_has_changed(monkeypatch):
     """The machine may lead the cutter into the part though nothing of the path had to be lifted."""
     path, entering = cl_path([(0, 0, 0), (0, 2, 0)]), iter([np.array([1]), np.array([], int)])
-    monkeypatch.setattr(collision_avoidance, "_entering", lambda *_: next(entering))
-    monkeypatch.setattr(collision_avoidance, "drive", lambda _, path, entering: len(path.tip))
-    given, joints = collision_avoidance.drive_free(context_of(), path, 0.0)
+    monkeypatch.setattr(solve_joints, "_entering", lambda *_: next(entering))
+    monkeypatch.setattr(solve_joints, "drive", lambda _, path, entering: len(path.tip))
+    given, joints = solve_joints.drive_free(context_of(), path, 0.0)
     assert not path.findings and given.tip.tolist() == [[0, 0, 0], [0, 1, 0], [0, 2, 0]] and joints == 3
 
 

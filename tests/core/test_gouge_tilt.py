@@ -16,13 +16,13 @@ from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.gouge import check_motion, straight_motion
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions
 from freecad_fiveaxis.core.orientation.tilt import _Runs
 from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import HOLDER
-from freecad_fiveaxis.core.toolpath.cl_offset import scallop_of
 
 WALL = 30.0
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 60, "linearize": "on"}

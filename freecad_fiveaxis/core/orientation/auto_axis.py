@@ -26,9 +26,10 @@ from freecad_fiveaxis.core.base.sentences import Length, Number, Point, say
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
-from freecad_fiveaxis.core.orientation.strategies import SHORT, AxisOptions, facet_mean, feed_direction, leaned
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, leaned
 from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
+from freecad_fiveaxis.core.toolpath.feed_direction import SHORT, feed_direction
 
 from .at_pole import take_pole
 from .axis_field import Nodes, are_free, find_field, find_freedom, nearest_free, raised, with_margin, with_way_out

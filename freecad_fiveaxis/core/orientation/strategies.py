@@ -20,18 +20,13 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.base.vectors import away_from
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
+from freecad_fiveaxis.core.toolpath.feed_direction import OPPOSED, SHORT, across, feed_direction, is_zero, unit_or
 
 Vector = tuple[float, float, float]
-
-OPPOSED = 1e-6
-"""Below this length the sum of two unit vectors has no direction that rounding does not make."""
-
-SHORT = 1e-9
-"""mm; a step shorter than this has no direction: contact points are that far off by rounding."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +67,7 @@ def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
     axis = np.empty((3, len(path.point))).T
 
     def fill(rows: slice) -> None:
-        axis[rows] = _unit(path.before[rows] + path.after[rows], path.normal[rows])
+        axis[rows] = unit_or(path.before[rows] + path.after[rows], path.normal[rows])
 
     in_threads(fill, chunks(len(axis)))
     return axis
@@ -125,11 +120,11 @@ def from_axis(path: OffsetPath, options: AxisOptions) -> Floats:
     """
     about = _direction_of(options.about)
     outward, _ = away_from(path.point, np.array(options.through, float), about)
-    lost = np.flatnonzero(_is_zero(outward))
+    lost = np.flatnonzero(is_zero(outward))
     if len(lost):
         square = np.broadcast_to(np.cross(about, np.eye(3)[np.abs(about).argmin()]), (len(lost), 3))
-        outward[lost] = _across(path.normal[lost], np.broadcast_to(about, (len(lost), 3)))
-        lost = lost[_is_zero(outward[lost])]
+        outward[lost] = across(path.normal[lost], np.broadcast_to(about, (len(lost), 3)))
+        lost = lost[is_zero(outward[lost])]
         outward[lost] = square[: len(lost)] / np.linalg.norm(square[0])
     return outward
 
@@ -167,91 +162,10 @@ def find_strategy(name: str) -> Strategy:
     return STRATEGIES[name]
 
 
-def feed_direction(path: OffsetPath, axis: Floats) -> Floats:
-    """Unit direction of travel (n, 3) at every row, perpendicular to ``axis`` (n, 3).
-
-    The mean of the last cutting step before the row and the first one after it, so that all rows of one contact point
-    share it; moves that close gaps do not count. A closed polyline goes on over its seam. Where there is no such direction
-    (a single point, a reversal, travel along the axis) the step before alone is taken, then the direction of the row before,
-    and at last any perpendicular.
-    """
-    behind, ahead = _steps(path)
-    feed = _across(behind + ahead, axis)
-    lost = np.flatnonzero(_is_zero(feed))
-    if len(lost):
-        feed[lost] = _across(behind[lost], axis[lost])
-        feed = _carried_on(feed, axis)
-    return feed
-
-
-def _steps(path: OffsetPath) -> tuple[Floats, Floats]:
-    """Unit cutting step before and after each row, (n, 3) each; zero where the polyline has none."""
-    n = len(path.point)
-    row = np.arange(n)
-    start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
-    size = np.diff(start, append=n)
-    first, last = np.repeat(start, size), np.repeat(start + size - 1, size)
-    move = np.zeros((3, n)).T
-    move[1:] = path.centre[1:] - path.centre[:-1]  # while it cuts, the centre moves just as the contact does
-    length = np.sqrt(np.einsum("ij,ij->i", move, move))
-    cuts = (row > first) & ~path.fill & (length > SHORT)
-    move = np.divide(move, length[:, None], out=np.zeros_like(move), where=cuts[:, None])
-    behind = np.maximum.accumulate(np.where(cuts, row, -1))
-    ahead = np.append(np.minimum.accumulate(np.where(cuts, row, n)[::-1])[::-1][1:], n)
-    none_behind, none_ahead = behind <= first, ahead > last
-    closed = _closed(path, first, last)
-    behind = np.where(none_behind & closed, behind[last], behind)
-    ahead = np.where(none_ahead & closed, ahead[first], ahead)
-    return _taken(move, behind, first, last), _taken(move, ahead, first, last)
-
-
-def _closed(path: OffsetPath, first: Ints, last: Ints) -> Bools:
-    return np.asarray(np.abs(path.centre[first] - path.centre[last]).max(axis=1) < SHORT)
-
-
-def _taken(move: Floats, at: Ints, first: Ints, last: Ints) -> Floats:
-    """Rows ``at`` of ``move``, zero where that lies outside the row's own polyline."""
-    inside = (at > first) & (at <= last)
-    taken = np.ascontiguousarray(move.T).take(np.where(inside, at, 0), axis=1)
-    return np.asarray(np.where(inside, taken, 0.0).T)
-
-
-def _carried_on(feed: Floats, axis: Floats) -> Floats:
-    """Zero rows filled from the row before, and where that does not help with any perpendicular."""
-    lost = np.flatnonzero(_is_zero(feed))
-    known = np.where(_is_zero(feed), -1, np.arange(len(feed)))
-    source = np.maximum.accumulate(known)[lost]
-    feed[lost] = np.where((source >= 0)[:, None], _across(feed[np.maximum(source, 0)], axis[lost]), 0.0)
-    lost = lost[_is_zero(feed[lost])]
-    flat = np.hypot(axis[lost, 0], axis[lost, 1]) > OPPOSED
-    feed[lost] = _across(np.where(flat[:, None], np.cross((0.0, 0.0, 1.0), axis[lost]), (1.0, 0.0, 0.0)), axis[lost])
-    return feed
-
-
 def leaned(axis: Floats, feed: Floats, lead: float, tilt: float) -> Floats:
     """The axis turned by ``lead`` about left, then by ``tilt`` about the feed (Rodrigues for perpendicular vectors)."""
     right = np.cross(feed, axis)
     return np.asarray(np.cos(lead) * (np.cos(tilt) * axis + np.sin(tilt) * right) + np.sin(lead) * feed)
-
-
-def _across(vector: Floats, axis: Floats) -> Floats:
-    """``vector`` without its part along ``axis``, unit; zero where nothing is left."""
-    rest = vector - np.einsum("ij,ij->i", vector, axis)[:, None] * axis
-    return _unit(rest, np.broadcast_to(0.0, rest.shape))
-
-
-def _unit(vector: Floats, instead: Floats) -> Floats:
-    """``vector`` made unit in its place; rows of ``instead`` where there is no direction."""
-    length = np.sqrt(np.einsum("ij,ij->i", vector, vector))
-    lost = np.flatnonzero(length <= OPPOSED)
-    length[lost] = 1.0
-    vector /= length[:, None]
-    vector[lost] = instead[lost]
-    return vector
-
-
-def _is_zero(vector: Floats) -> Bools:
-    return np.asarray(~vector.any(axis=1))
 
 
 def _slerp(start: Floats, end: Floats, share: Floats, instead: Floats) -> Floats:
@@ -265,4 +179,4 @@ def _slerp(start: Floats, end: Floats, share: Floats, instead: Floats) -> Floats
     mixed += (np.sin(share * angle) / np.sin(angle))[:, None] * end
     opposed = np.flatnonzero(wide <= OPPOSED)
     mixed[opposed] = instead[opposed]
-    return _unit(mixed, instead)
+    return unit_or(mixed, instead)

@@ -33,12 +33,12 @@ from freecad_fiveaxis.core.gouge.search import Entries, find_entries, which_ente
 from freecad_fiveaxis.core.gouge.swept_motion import SweptMotion, straight_motion
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.orientation.minimax.sweep import cheapest
-from freecad_fiveaxis.core.orientation.strategies import feed_direction
 from freecad_fiveaxis.core.passes import axes_within_limits
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body, round_piece
 from freecad_fiveaxis.core.toolpath.cl_offset import hub_positions, keep_rows, rows_between
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, take_path_rows
+from freecad_fiveaxis.core.toolpath.feed_direction import feed_direction
 
 SPREAD = 5.0
 """mm, at least, over which a turn springs back by the factor e; the cutter's diameter where that is more."""

@@ -60,7 +60,8 @@ from .driving import drive, posted
 from .fewer_axes import suit_tool_axis
 from .in_machine import check_bodies, look_in_machine, over_tip
 from .made import Made, Milled, Posted, Result
-from .milling import mill, mill_context
+from .mill_context import mill_context
+from .milling import mill
 from .options import (
     cl_reading,
     driven_to_hub,

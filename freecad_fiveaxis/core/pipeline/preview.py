@@ -26,14 +26,16 @@ from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.scallop import flat_interval
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
 
-from .avoided import facets_off, keep_off_of, kept_off_faces
-from .bounded import boundary_of, bounded, bounded_by_hub, facets_inside
+from .avoided import facets_off, keep_off_of
+from .bounded import boundary_of, bounded_by_hub, facets_inside
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import chosen_faces
-from .milling import closed, find_standing, laid
+from .mill_context import find_region, find_standing
 from .options import machine_of, reacher_of, wanted_scallop
 from .over_table import AUTO, largest_axis_angle
+from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
+from .records import PlannedPasses
 from .settings import FRAMES, Settings
 
 SQUARES = 3500.0
@@ -91,10 +93,10 @@ def preview_passes(
     mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
     context, one_in = _sparser(context)
-    contact, untouched, _ = laid(context)
+    passes = plan_passes(context, find_region(context.settings, mesh, context.keep, progress, context.frames))
     whole = context.boundary is None and context.keep_off is None
-    columns = _cut_rows(contact, context.keep) if whole else _within_boundary(context, contact)
-    found = (*said, *left_out, *untouched, *contact.findings)
+    columns = _cut_rows(passes.contact, context.keep) if whole else _within_boundary(context, passes)
+    found = (*said, *left_out, *passes.findings)
     return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found, one_in=one_in)
 
 
@@ -118,7 +120,7 @@ def _sparser(context: MillContext) -> tuple[MillContext, int]:
 def _context(
     settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress, keep_off: KeepOff | None
 ) -> tuple[MillContext, tuple[Finding, ...]]:
-    """As :func:`.milling.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
+    """As :func:`.mill_context.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
     machine, kinematics, dialect = machine_of(settings)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
     inside, said = facets_inside(settings, boundary, mesh, faces)
@@ -154,10 +156,10 @@ def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
     return contact.point[rows], np.cumsum(begins) - 1, contact.pass_[rows]
 
 
-def _within_boundary(context: MillContext, contact: ContactPath) -> Columns:
+def _within_boundary(context: MillContext, passes: PlannedPasses) -> Columns:
     """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is taken as over the
     surface's normal."""
-    offset = kept_off_faces(context, bounded(context, closed(context, contact)))
+    offset = keep_off_faces(context, keep_within_boundary(context, offset_contacts(context, passes))).offset
     cutter = context.settings.cutter
     if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:
         sat, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)

@@ -18,8 +18,8 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.linearize import linearize
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS, AxisCorrection
+from freecad_fiveaxis.core.pipeline.build_path import link_contacts
 from freecad_fiveaxis.core.pipeline.made import Milled, Posted
-from freecad_fiveaxis.core.pipeline.milling import linked
 from freecad_fiveaxis.core.pipeline.options import axis_corrections
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
@@ -63,7 +63,7 @@ def _led(correction: AxisCorrection, made: Posted, path: CLPath, where: Station,
     options = axis_corrections(context)
     offset, given = correction.rows(made.offset, made.axis, options)
     axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
-    return solved(linked(context, offset, axis), where, progress)
+    return solved(link_contacts(context, offset, axis), where, progress)
 
 
 CURES: Mapping[str, Callable[[Posted], Cure]] = {

@@ -27,10 +27,10 @@ from freecad_fiveaxis.core.base.sentences import Angle, Choice, Option, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.joint_path import solve
-from freecad_fiveaxis.core.orientation.strategies import feed_direction
 from freecad_fiveaxis.core.toolpath.cl_offset import hub_positions, seat_normal
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
+from freecad_fiveaxis.core.toolpath.feed_direction import feed_direction
 
 from .blocks import Ring
 from .corridor import GOOD, improve
