@@ -96,13 +96,21 @@ def obstacles(
 def part_heights(tree: FacetTree, normal: Floats) -> Floats:
     """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3), its support by the corners of its hull, with
     the largest allowance; infinite of a part that is flat, which has none."""
-    corner = np.unique(tree.corner.reshape(3, 3, -1).transpose(0, 2, 1).reshape(-1, 3), axis=0)
+    corner = _each_once(tree.corner.reshape(3, 3, -1).transpose(1, 0, 2).reshape(3, -1))
     try:
         corner = corner[ConvexHull(corner).vertices]
     except QhullError:
         return np.full(len(normal), np.inf)
     parts = [normal[first : first + ROWS] @ corner.T for first in range(0, len(normal), ROWS)]
     return np.concatenate([part.max(axis=1) for part in parts]) + tree.most_allowance if parts else np.empty(0)
+
+
+def _each_once(point: Floats) -> Floats:
+    """The different ones (k, 3) of points (3, n), ascending: as ``np.unique`` of rows, which compares them one with another."""
+    order = np.lexsort(point[::-1])
+    point = point.take(order, axis=1)
+    new = np.append(True, (np.diff(point, axis=1) != 0.0).any(axis=0))[: len(order)]
+    return np.ascontiguousarray(point[:, new].T)
 
 
 def is_above(body: Body, tip: Floats, axis: Floats, normal: Floats, height: Floats, limit: float) -> Bools:

@@ -192,16 +192,18 @@ class _Search:
 
     def batch(self, body: Body, blocks: Ints, ticks: _Ticks, lift: Floats | None = None) -> None:
         """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``ticks`` are called again and again."""
+        deep = [piece for piece in body.pieces if piece.most + self.tree.most_allowance > self.limit]
+        if not deep:  # no shank or holder was given: nothing to lay out for
+            return
         parts = segments_of(self.swept, blocks, self.reach, BENT * self.limit)
         clusters = clusters_of(self.swept, parts, self.reach)
         try:
-            for piece in sorted(body.pieces, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
-                if piece.most + self.tree.most_allowance > self.limit:
-                    left = self._traverse(piece, clusters, parts, ticks)
-                    if lift is None:
-                        self._refine(piece, left, ticks)
-                    else:
-                        self._demand(piece, body, left, lift)
+            for piece in sorted(deep, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
+                left = self._traverse(piece, clusters, parts, ticks)
+                if lift is None:
+                    self._refine(piece, left, ticks)
+                else:
+                    self._demand(piece, body, left, lift)
         except _TooMany:
             half = len(blocks) // 2
             for some in (blocks[:half], blocks[half:]):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
@@ -16,11 +17,12 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles
 from freecad_fiveaxis.core.geometry.solids import box_facets
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
-from freecad_fiveaxis.core.tool.body import PARTS, Body
+from freecad_fiveaxis.core.tool.body import PARTS, Body, body_support
 
-from .check import check_program
+from .check import check_program, program_motion
 from .rapid_ways import WayEntries
 from .search import Entries
+from .swept_motion import SweptMotion
 
 BEYOND = 1000.0
 """mm that the slab goes beyond the places of the tip on all sides, and down."""
@@ -35,11 +37,29 @@ def check_table(
     """Find whether the ``body`` goes more than ``tolerance`` mm below the table's face, whose ``height`` in the work frame is in
     mm, on any block; see :func:`.check.check_program`. None deeper is missed; told is how deep the face is in the tool, which
     may be farther below it."""
+    if rapids == INTERPOLATED and stays_above(height, body, program_motion(kinematics, program, back)):
+        return ()
     slab = table_slab(height, kinematics, program)
     check = check_program(slab, body, kinematics, program, tolerance, back, progress, "", rapids)
     kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
     worst = max(kinds, key=lambda one: float(one.depth.max(initial=0.0)))
     return () if not worst.depth.any() else (_below(worst, program, tolerance),)
+
+
+def stays_above(height: float, body: Body, swept: SweptMotion) -> bool:
+    """Tell whether bounds of the whole way show that the ``body`` stays above ``height`` mm: then no block needs to be searched.
+
+    At the ends of blocks its lowest point is known; between them it goes no lower than the lower one of both, but for what the
+    way leaves the straight one by, as in :mod:`.swept_motion`.
+    """
+
+    def lowest(blocks: slice) -> float:
+        block = np.arange(blocks.start, blocks.stop)
+        ends = [swept.pose(block, np.full(len(block), u)) for u in (0.0, 1.0)]
+        low = np.minimum(*(end.tip[2] - body_support(body, -end.axis[2]) for end in ends))
+        return float((low - 0.125 * (swept.bend_tip[blocks] + body.reach * swept.bend_axis[blocks])).min())
+
+    return bool(body.pieces) and all(low > height for low in in_threads(lowest, chunks(len(swept))))
 
 
 def table_slab(height: float, kinematics: Chain, program: Program) -> Mesh:
