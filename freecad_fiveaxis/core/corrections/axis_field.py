@@ -4,7 +4,7 @@
 node        a place on the surface with its facet's normal; there the tool stands on the part, raised along the normal where the
             ball itself would enter (no axis helps there).
 direction   one of many unit vectors, spread evenly; the same ones are tried at every node that they lean from by no more than
-            WIDEST, and the node's own normal besides.
+            WIDEST, a lollipop by its undercut more, and the node's own normal besides.
 free        within the machine's limits, above the table, and cutter, shank and holder out of the part.
 near        in (point, spacing x normal): places whose normals differ by 90 deg are as far apart as neighbours with the same one.
 
@@ -252,7 +252,7 @@ def _tried(
 ) -> Freedom:
     """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,) mm of the part there."""
     stand, normal, fits = nodes.stand[rows], nodes.normal[rows], nodes.fits[rows]
-    tried = (normal @ direction.T > math.cos(WIDEST)) & fits[:, None]
+    tried = (normal @ direction.T > math.cos(WIDEST + reacher.cutter.undercut)) & fits[:, None]
     node, way = np.nonzero(tried)
     free, farthest = np.zeros(tried.shape, np.bool_), np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER))
     within = replace(reacher, kinematics=None, most=math.pi)

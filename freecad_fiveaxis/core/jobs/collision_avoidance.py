@@ -225,7 +225,7 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     swept = _commanded(settings, path)
     spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
     within = counted_places(context)
-    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above, within)
+    left = find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within)
     return uncut_finding(left, above)
 
 
@@ -323,7 +323,7 @@ def find_left(context: MillContext, program: Program) -> RestMaterial:
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
     blocks, within = cutting(program.motion), counted_places(context)
-    return find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, counts=within)
+    return find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within)
 
 
 def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:

@@ -200,7 +200,9 @@ def oriented(context: MillContext, offset: OffsetPath, frame: Ints | None) -> tu
         offset, axis, found = framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
-    return *feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper), found
+    cutter, asked = settings.cutter.cutter, context.field is not None or context.frames is not None  # whether the neck is free
+    undercut = cutter.undercut if asked else 0.0
+    return *feasible_rows(offset, axis, context.kinematics, cutter.taper, undercut), found
 
 
 def free_rows(

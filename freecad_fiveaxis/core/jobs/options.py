@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.named_cutter import CENTRE
 from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy, with_room
 from freecad_fiveaxis.core.tool import Cutter, cutter_name
-from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
+from freecad_fiveaxis.core.tool.body import Body, body_of
 
 from .context import MillContext
 from .fewer_axes import refuse_what_needs_more_axes
@@ -175,8 +175,8 @@ def tool_body(settings: Settings) -> Body:
 def kept_off(settings: Settings) -> Body:
     """What of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be looked at (gouge ``off``)
     the cutter alone, so that shank and holder are only drawn."""
-    body = tool_body(settings)
-    return body.only(CUTTER) if settings.task == MILL and settings.gouge.gouge == "off" else body
+    only_cutter = settings.task == MILL and settings.gouge.gouge == "off"
+    return body_of(settings.cutter.cutter) if only_cutter else tool_body(settings)
 
 
 def driven_to_hub(settings: Settings) -> float:
