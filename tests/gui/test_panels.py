@@ -378,6 +378,20 @@ def test_a_new_path_has_the_cutter_and_the_holder_of_the_preferences(dome, param
     panel.reject()
 
 
+def test_a_lollipop_is_chosen_with_the_diameter_of_its_neck(dome, field, choose, type_into, pump, until):
+    panel = toolpath.create(dome)
+    pump(200)
+    assert not shown("cutter_neck").isVisible()
+    choose(field("cutter_kind"), "lollipop")
+    until(lambda: shown("cutter_neck").isVisible() and not shown("cutter_corner").isVisible(), 20000, "a neck and no corner")
+    assert panel.options.options()["cutter"] == "lollipop:10.0:3.0:50.0", "another kind is a cutter at once"
+    type_into(field("cutter_neck"), "0.25 in")
+    assert panel.options.options()["cutter"] == "lollipop:10.0:6.35:50.0"
+    type_into(field("cutter_neck"), "10 mm")
+    until(lambda: "less than 10 mm" in shown("cutter_error").text(), 20000, "what is wrong")
+    panel.reject()
+
+
 def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     from freecad_fiveaxis.app import cam
     from freecad_fiveaxis.core.tool import Cutter
