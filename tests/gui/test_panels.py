@@ -216,7 +216,7 @@ def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):
 
 
 CUTTER_SIZES = {
-    "ball": (), "flat": (), "bull": ("corner",), "taperball": ("taper",), "taperbull": ("corner", "taper"),
+    "ball": (), "flat": (), "bull": ("corner",), "taperball": ("taper",), "taperbull": ("corner", "taper"), "lollipop": ("neck",),
 }  # fmt: skip
 
 
@@ -234,7 +234,7 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_i
 
     until(lambda: asked(lambda part: part.editor) == wanted, 20000, f"fields of {wanted}")
     until(lambda: asked(lambda part: cutter.rows[part.name][0]) == wanted, 20000, f"labels of {wanted}")
-    sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg")}
+    sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg"), "neck": ("2.5 mm", "2.5")}
     for size in CUTTER_SIZES[kind]:
         type_into(field("cutter_" + size), sizes[size][0])
     text = ":".join([kind, "6.0", *(sizes[size][1] for size in CUTTER_SIZES[kind]), "30.0"])

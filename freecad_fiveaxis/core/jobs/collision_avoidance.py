@@ -41,6 +41,7 @@ from freecad_fiveaxis.core.corrections.leave_out import leave_out
 from freecad_fiveaxis.core.corrections.left_alone import lead_over_others
 from freecad_fiveaxis.core.corrections.lift import AIM, lift_path
 from freecad_fiveaxis.core.corrections.near_links import LOCKED, MOST_TURN, stay_near
+from freecad_fiveaxis.core.corrections.sideways import rows_left_aside
 from freecad_fiveaxis.core.corrections.tilt import tilt_free
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -122,7 +123,8 @@ def lifted(context: MillContext, path: CLPath) -> tuple[CLPath, float]:
     if settings.gouge.gouge in ("lift", "tilt"):
         body, tree = tool_body(settings), facet_tree(context.obstacles)
         driven, above = tip_to_driven(settings), tip_to_surface(settings)
-        lifted = lift_path(path, tree, body, tolerance, driven, context.progress, above)
+        aside = rows_left_aside(path, settings.cutter.cutter)
+        lifted = lift_path(path, tree, body, tolerance, driven, context.progress, above, aside)
         return lifted.path, lifted.left
     return path, AIM * tolerance if any(finding.code == "left-out" for finding in path.findings) else 0.0
 

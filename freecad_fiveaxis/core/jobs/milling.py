@@ -33,6 +33,7 @@ from freecad_fiveaxis.core.corrections.find_frames import find_frames
 from freecad_fiveaxis.core.corrections.free_in_frames import by_frame, free_in_frames, stands_in
 from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns
 from freecad_fiveaxis.core.corrections.order_with_axes import order_with_axes
+from freecad_fiveaxis.core.corrections.sideways import add_retreats, path_retreats
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -218,10 +219,12 @@ def free_rows(
     progress("axis field", 0.0)
     field = refine_field(field, offset, mesh, reacher, progress, contacts)
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
+    free = add_retreats(offset, axis, free, mesh, reacher, progress)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
     offset = break_polylines(offset, blocked[1:])
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
     offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
+    free = add_retreats(offset, axis, free, mesh, reacher, progress)
     rows = select_rows_with_way_out(free, offset.polyline)
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)
@@ -242,6 +245,7 @@ def framed_rows(
     axis = frames.axis[frame[offset.pass_]]
     free, found = free_in_frames(offset, frames, frame, context.obstacles, reacher, context.progress)
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
+    free = add_retreats(offset, axis, free, context.obstacles, reacher, context.progress)
     rows = select_rows_with_way_out(free, offset.polyline)
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)
@@ -269,6 +273,15 @@ def rerouted(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[Fl
     return axis, found
 
 
+def _retreats(context: MillContext, sat: OffsetPath, axis: Floats) -> Floats | None:
+    """The directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes are chosen freely, only
+    there rows are kept that it cannot leave along its axis."""
+    if context.field is None and context.frames is None:
+        return None
+    reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)
+    return path_retreats(sat, axis, context.obstacles, reacher, context.progress)
+
+
 def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
     each of them, whatever led its axis there."""
@@ -280,7 +293,9 @@ def linked(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     sat, axis = bounded_by_hub(context, sat, axis)
     sat, axis = far_enough_rows(context, *left_out_rows(context, sat, axis))
-    path = link_passes(sat, axis, cutter, *context.box, options, context.progress, kept_off(settings))
+    path = link_passes(
+        sat, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, sat, axis)
+    )
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
         path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)

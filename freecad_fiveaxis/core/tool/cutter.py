@@ -125,6 +125,12 @@ class Cutter:
         neck = None if self.neck is None else share * self.neck
         return replace(self, diameter=share * self.diameter, corner=share * self.corner, neck=neck)
 
+    def thickened(self, margin: float) -> Cutter:
+        """The cutter with its neck ``margin`` mm thicker all round, where there is one, and at most half as far from the ball."""
+        if self.neck is None:
+            return self
+        return replace(self, neck=min(self.neck + 2.0 * margin, 0.5 * (self.neck + self.diameter)))
+
     def tip_at(self, hub: Floats, axis: Floats) -> Floats:
         """The tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit ``axis`` (n, 3) points."""
         return hub - self.corner * axis
