@@ -2,7 +2,7 @@
 """The way out across the axis: how a lollipop leaves a place over which the part is.
 
 retreat   unit direction in which the tool goes straight out of the part's box, without turning: along its axis where it is free
-          so, as all tools go; else across it, the shortest way first, where it is free on all of that way.
+          so, as all tools go; else across it and not towards the table, the shortest way first, where it is free on all of that way.
 
 Only what has an undercut is asked: of other cutters the shank is as wide as what cuts, and what is over one is in the other's
 way, too.
@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.collision.swept_motion import still_positions, straig
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.body import HOLDER, SHANK
 
 from .auto_axis import Free
 from .axis_field import with_way_out
@@ -53,6 +54,7 @@ def find_retreats(
         left = np.flatnonzero(~found[trapped])
         rows, way = trapped[left], tried[left, rank[left]]
         free = ~_entering(reacher, tree, tip[rows], axis[rows], far * way, progress)
+        free &= (way[:, 2] >= -SQUARE) | (reacher.table is None)
         retreat[rows[free]], found[rows[free]] = way[free], True
     return retreat, found
 
@@ -70,6 +72,18 @@ def add_retreats(
     found = np.array(free)
     found[rows[out]] = Free.WAY_OUT
     return found
+
+
+def neck_entering(path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent) -> Bools:
+    """Whether (n,) a lollipop's neck, or what is above it, enters the part on the move to each row from the one before: it is
+    free at both, but so thin that an edge between them may be missed, and nothing is lifted for it."""
+    entering, blocks = np.zeros(len(axis), np.bool_), np.flatnonzero(np.diff(path.polyline) == 0)
+    if not reacher.cutter.undercut or not len(blocks):
+        return entering
+    hub, tip = reacher.cutter.corner, reacher.cutter.tip_at(path.centre, axis)
+    swept = straight_motion(tip, axis, hub)
+    entering[1:] = which_enter(reacher.body.only(SHANK, HOLDER), facet_tree(mesh), swept, reacher.limit, blocks, progress)
+    return entering
 
 
 def path_retreats(path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent) -> Floats | None:

@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.corrections.find_frames import find_frames
 from freecad_fiveaxis.core.corrections.free_in_frames import by_frame, free_in_frames, stands_in
 from freecad_fiveaxis.core.corrections.free_turns import divide_blocked_turns
 from freecad_fiveaxis.core.corrections.order_with_axes import order_with_axes
-from freecad_fiveaxis.core.corrections.sideways import add_retreats, path_retreats
+from freecad_fiveaxis.core.corrections.sideways import add_retreats, neck_entering, path_retreats
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -221,6 +221,7 @@ def free_rows(
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
     free = add_retreats(offset, axis, free, mesh, reacher, progress)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
+    blocked = blocked | neck_entering(offset, axis, mesh, reacher, progress)
     offset = break_polylines(offset, blocked[1:])
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
     offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
