@@ -2,7 +2,7 @@
 """The way out across the axis: how a lollipop leaves a place over which the part is.
 
 retreat   unit direction in which the tool goes straight out of the part's box, without turning: along its axis where it is free
-          so, as all tools go; else across it and not towards the table, the shortest way first, where it is free on all of that way.
+          so, as all tools go; else across it and not towards the table, the shortest way first, where it is free on all of it.
 
 Only what has an undercut is asked: of other cutters the shank is as wide as what cuts, and what is over one is in the other's
 way, too.
