@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.pipeline.option_values import read_option
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, Settings, build_settings
 from freecad_fiveaxis.core.report import Figures, judged_largest, summary, verdict
-from freecad_fiveaxis.core.tool import Cutter, parse_cutter, sizes_text
+from freecad_fiveaxis.core.tool import SIZES, Cutter, parse_cutter, sizes_text
 from freecad_fiveaxis.core.tool.body import Body, body_of
 
 from . import wording
@@ -99,7 +99,7 @@ def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
 
 def cutter_of(obj: Any) -> str:
     """The cutter of the object's properties as an option; whether there can be such a one is the core's to say."""
-    sizes = {name: plain(getattr(obj, "Cutter" + name.capitalize())) for name in ("diameter", "corner", "taper", "length")}
+    sizes = {name: plain(getattr(obj, "Cutter" + name.capitalize())) for name in SIZES}
     return sizes_text(obj.CutterKind, sizes)
 
 

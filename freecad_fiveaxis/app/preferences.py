@@ -34,6 +34,7 @@ DEFAULTS: dict[str, str | float | int] = {
     "CutterDiameter": 10.0,
     "CutterCorner": 1.0,
     "CutterTaper": 5.0,
+    "CutterNeck": 3.0,
     "Shank": "",
     "Holder": "",
     "Scallop": 0.01,
@@ -112,7 +113,7 @@ def cutter() -> str:
 
     kind = read("CutterKind").strip()
     kind = kind if kind in KINDS else str(DEFAULTS["CutterKind"])
-    sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper")}
+    sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper", "neck")}
     return sizes_text(kind, sizes | {"length": LENGTH})
 
 

@@ -4,7 +4,7 @@
 setting property   option ``least_interval`` is property ``LeastInterval``, in a group that bears a name of the trade, the same as
                    in the panel of a tool path: Part, Machine, Tool, Passes, Axis, Safety, Output. Files to write
                    (OutputSettings) and the file of faces (FacesSettings) are no properties; other files to read are. The cutter
-                   is five properties, CUTTER: its kind and its sizes, of which those count that the kind has.
+                   is six properties, CUTTER: its kind and its sizes, of which those count that the kind has.
 result property    what the last computation found; read-only, and a change of it does not make the object out of date.
 
 FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units; a feed has a second
@@ -28,6 +28,7 @@ from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
 from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 from freecad_fiveaxis.core.pipeline.settings import MILL, FacesSettings, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool import KINDS as CUTTER_KINDS
+from freecad_fiveaxis.core.tool import SIZES as CUTTER_SIZES
 from freecad_fiveaxis.core.tool import Cutter, kind_of
 
 from .feed_per_minute import PER_MINUTE
@@ -103,12 +104,12 @@ WORK_ZERO = Property(
     "WorkZero", "App::PropertyVectorDistance", QT_TRANSLATE_NOOP("App::Property", "Part"),
     QT_TRANSLATE_NOOP("App::Property", "The place of the work zero in the document"), (0.0, 0.0, 0.0),
 )  # fmt: skip
-CORNER, TAPER = 1.0, 5.0
-"""mm and deg: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
+CORNER, TAPER, NECK = 1.0, 5.0, 3.0
+"""mm, deg and mm: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
 CUTTER = (
     Property(
         "CutterKind", KINDS["choice"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose"),
+        QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop"),
         choices=tuple(CUTTER_KINDS),
     ),
     Property(
@@ -124,8 +125,12 @@ CUTTER = (
         QT_TRANSLATE_NOOP("App::Property", "Angle between the flank of a tapered cutter and its axis; other kinds have none"),
     ),
     Property(
+        "CutterNeck", KINDS["length"], "Tool",
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of a lollipop's neck, less than that of its ball; other kinds have none"),
+    ),
+    Property(
         "CutterLength", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards"),
+        QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards; of a lollipop with its neck"),
     ),
 )  # fmt: skip
 _FROM_MACHINE = QT_TRANSLATE_NOOP("App::Property", "Take the work zero's place on the machine from the machine's file")
@@ -177,22 +182,26 @@ def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     return made
 
 
-_UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER}
+_UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER, "CutterNeck": NECK}
 
 
 def cutter_values(cutter: Cutter) -> dict[str, Any]:
     """What the properties CUTTER hold of a cutter, but for the sizes that its kind has not (mm, deg)."""
     kind = kind_of(cutter)
-    has = {"CutterKind": kind, "CutterDiameter": cutter.diameter, "CutterLength": cutter.length}
-    has |= {"CutterCorner": cutter.corner} if "corner" in CUTTER_KINDS[kind] else {}
-    return has | ({"CutterTaper": round(math.degrees(cutter.taper), 12)} if "taper" in CUTTER_KINDS[kind] else {})
+    values = {name: getattr(cutter, name) for name in CUTTER_SIZES} | {"taper": round(math.degrees(cutter.taper), 12)}
+    return {"CutterKind": kind} | {cutter_property(size): values[size] for size in ("diameter", *CUTTER_KINDS[kind], "length")}
+
+
+def cutter_property(size: str) -> str:
+    """The property of a size of the cutter: ``CutterCorner`` of ``corner``."""
+    return "Cutter" + size.capitalize()
 
 
 def show_sizes(obj: Any) -> None:
     """The property editor shows those sizes of the cutter that its kind has. Nothing is done to an object without a cutter."""
     has = CUTTER_KINDS.get(getattr(obj, "CutterKind", ""), ())
-    for size, name in (("corner", "CutterCorner"), ("taper", "CutterTaper")):
-        if name in obj.PropertiesList:
+    for size in CUTTER_SIZES:
+        if (name := cutter_property(size)) in _UNUSED and name in obj.PropertiesList:
             obj.setEditorMode(name, [] if size in has else ["Hidden"])
 
 

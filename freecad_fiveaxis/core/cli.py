@@ -246,7 +246,10 @@ def _metavar(leaf: Any) -> str | None:
     return marks.get(rules["kind"], str(rules["kind"]).upper())
 
 
-CUTTERS = "KIND:SIZES, as ball:10, flat:0.5in, bull:10:2 (corner), taperball:6:5deg or taperbull:10:2:5deg; :LENGTH may follow"
+CUTTERS = (
+    "KIND:SIZES, as ball:10, flat:0.5in, bull:10:2 (corner), taperball:6:5deg, taperbull:10:2:5deg or lollipop:10:6 (neck); "
+    ":LENGTH may follow"
+)
 
 
 def _help(leaf: Any) -> str:

@@ -276,6 +276,10 @@
         <translation>Schneidenlänge</translation>
     </message>
     <message>
+        <source>Cutter Neck</source>
+        <translation>Fräser-Hals</translation>
+    </message>
+    <message>
         <source>Cutter Taper</source>
         <translation>Fräser-Kegelwinkel</translation>
     </message>
@@ -310,6 +314,10 @@
     <message>
         <source>Deviations</source>
         <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>Diameter of a lollipop's neck, less than that of its ball; other kinds have none</source>
+        <translation>Durchmesser des Halses eines Lollipop-Fräsers, kleiner als der seiner Kugel; andere Arten haben keinen</translation>
     </message>
     <message>
         <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
@@ -628,8 +636,8 @@
         <translation>Restmaterial</translation>
     </message>
     <message>
-        <source>Length of the cutter's edge, from the tip upwards</source>
-        <translation>Länge der Schneide, von der Spitze aufwärts</translation>
+        <source>Length of the cutter's edge, from the tip upwards; of a lollipop with its neck</source>
+        <translation>Länge der Schneide des Fräsers, von der Spitze aufwärts; beim Lollipop-Fräser mit dem Hals</translation>
     </message>
     <message>
         <source>Length of the tool axes; 0: as the part needs it</source>
@@ -988,8 +996,8 @@
         <translation>Form und Maße des Fräsers</translation>
     </message>
     <message>
-        <source>Shape of the cutter: ball, flat, bull nose, tapered ball, tapered bull nose</source>
-        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus</translation>
+        <source>Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop</source>
+        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus, Lollipop</translation>
     </message>
     <message>
         <source>Show All Places</source>
@@ -2311,6 +2319,10 @@
         <translation>Nah: {enters} näher als {distance} an {body}</translation>
     </message>
     <message>
+        <source>Neck diameter</source>
+        <translation>Halsdurchmesser</translation>
+    </message>
+    <message>
         <source>New setup</source>
         <translation>Neue Aufspannung</translation>
     </message>
@@ -3481,6 +3493,10 @@
     <message>
         <source>linking the passes</source>
         <translation>Zeilen verbinden</translation>
+    </message>
+    <message>
+        <source>lollipop</source>
+        <translation>Lollipop-Fräser</translation>
     </message>
     <message>
         <source>looking where the tool enters the part</source>
@@ -5384,8 +5400,20 @@
         <translation>der Eckenradius des Fräsers ist {corner}; 0 bis {radius} angeben, den halben Durchmesser</translation>
     </message>
     <message>
+        <source>cutter length is {length}, the neck begins {begins} above the tip; give a longer cutter</source>
+        <translation>die Länge des Fräsers ist {length}, der Hals beginnt {begins} über der Spitze; einen längeren Fräser angeben</translation>
+    </message>
+    <message>
         <source>cutter length is {length}, the taper begins {begins} above the tip; give a longer cutter</source>
         <translation>die Länge des Fräsers ist {length}, der Kegel beginnt {begins} über der Spitze; einen längeren Fräser angeben</translation>
+    </message>
+    <message>
+        <source>cutter neck is {neck}; give {least} or more, and less than {diameter}, the diameter of the ball</source>
+        <translation>der Hals des Fräsers ist {neck}; {least} oder mehr angeben, und weniger als {diameter}, den Durchmesser der Kugel</translation>
+    </message>
+    <message>
+        <source>cutter neck: only a ball without a taper has one; leave corner radius and taper out</source>
+        <translation>Hals des Fräsers: nur eine Kugel ohne Kegel hat einen; Eckenradius und Kegelwinkel weglassen</translation>
     </message>
     <message>
         <source>cutter radius</source>
@@ -8459,6 +8487,10 @@
         <translation>Vorgaben für einen neuen Werkzeugweg</translation>
     </message>
     <message>
+        <source>Diameter of a lollipop's neck, less than that of its ball</source>
+        <translation>Durchmesser des Halses eines Lollipop-Fräsers, kleiner als der seiner Kugel</translation>
+    </message>
+    <message>
         <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
         <translation>Durchmesser des Fräsers; eines konischen der seines runden Endes</translation>
     </message>
@@ -8517,6 +8549,10 @@
     <message>
         <source>NC files</source>
         <translation>NC-Dateien</translation>
+    </message>
+    <message>
+        <source>Neck diameter</source>
+        <translation>Halsdurchmesser</translation>
     </message>
     <message>
         <source>No deviation</source>

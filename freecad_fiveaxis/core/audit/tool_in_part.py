@@ -49,7 +49,7 @@ def tool_in_part(
 
 
 def is_ball(cutter: Cutter) -> bool:
-    """Whether its end is a ball with a cylinder above."""
+    """Whether what it cuts with is one ball."""
     return cutter.ring == 0.0 and cutter.taper == 0.0
 
 

@@ -83,21 +83,25 @@ class Lifted:
     left: float
 
 
+NO_ROWS = np.zeros(0, np.int64)
+
+
 def lift_path(
     path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent,
-    above: float = 0.0,
+    above: float = 0.0, aside: Ints = NO_ROWS,
 ) -> Lifted:  # fmt: skip
     """The path with the cutter lifted out of the part, so that it is nowhere deeper in than half of ``tolerance`` mm.
 
     ``back`` mm: how far above the tip the point lies that the path gives; ``above`` mm: the one
-    that goes straight. Shank and holder are not looked at.
+    that goes straight; ``aside`` (k,): rows that the tool comes to and leaves across its axis, whatever is over them. Shank and
+    holder are not looked at.
     """
     cutter, aim = body.only(CUTTER), AIM * tolerance
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     swept, blocks = straight_motion(tips, path.axis, above), np.flatnonzero(cuts)
     going = _Going(progress)
-    lifter, none = _Lifter(swept, cutter, tree, aim, tolerance, going, above), np.zeros(len(tips), np.bool_)
+    lifter, none = _Lifter(swept, cutter, tree, aim, tolerance, going, above, aside), np.zeros(len(tips), np.bool_)
     way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none[1:], none)
     trapped = len(lifter.trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
@@ -177,7 +181,8 @@ class _Rows(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class _Lifter:
     """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance`` mm, what a link may
-    enter by; ``going`` is told that it goes on; ``above`` mm: how far over the tip the point lies that goes straight."""
+    enter by; ``going`` is told that it goes on; ``above`` mm: how far over the tip the point lies that goes straight; ``aside``
+    as in :func:`lift_path`."""
 
     given: SweptMotion
     cutter: Body
@@ -186,6 +191,7 @@ class _Lifter:
     tolerance: float
     going: _Going
     above: float
+    aside: Ints
 
     def trapped(self, way: _Way) -> Ints:
         """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
@@ -194,6 +200,7 @@ class _Lifter:
         cut = np.append(way.cuts, False) | np.append(False, way.cuts)
         ends: Ints = np.unique(np.concatenate([link_moves, link_moves + 1]))
         ends = ends[cut[ends]]
+        ends = ends[~np.isin(way.key[ends], self.aside)]
         under = is_under(self.cutter, self.tree, way.tip[ends], way.axis[ends], self.tolerance, self.going)
         return ends[under]
 

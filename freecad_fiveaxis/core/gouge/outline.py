@@ -38,8 +38,8 @@ def outline(body: Body) -> Outline:
     Of a cutter that ends within its corner circles the body holds all of them; the outline ends where the next piece begins."""
     rows: list[Outline] = []
     at, part = np.array([0.0, body.pieces[0].low - body.pieces[0].round]), body.pieces[0].part
-    for piece in body.pieces:
-        points, normals = _side(_above(piece, float(at[1])), topmost=piece is body.pieces[-1])
+    for piece, after in zip(body.pieces, (*body.pieces[1:], None), strict=True):
+        points, normals = _side(_above(piece, float(at[1])), after)
         rows.append(_straight(at, points[0], piece.part if points[0, 0] >= at[0] else part))
         rows.append(Outline(points[:-1], points[1:], normals[:-1], normals[1:], np.full(len(points) - 1, piece.part)))
         at, part = points[-1], piece.part
@@ -66,15 +66,17 @@ def _straight(start: Floats, end: Floats, part: int) -> Outline:
     return Outline(start[None], end[None], normal[None], normal[None], np.array([part]))
 
 
-def _side(piece: Piece, topmost: bool) -> tuple[Floats, Floats]:
-    """Points (n, 2) and normals (n, 2) along a piece: lower rounding, flank, and where nothing follows the upper rounding."""
+def _side(piece: Piece, after: Piece | None) -> tuple[Floats, Floats]:
+    """Points (n, 2) and normals (n, 2) along a piece: lower rounding, flank, and the upper rounding up to the piece that follows
+    it; nothing of it where that begins within the core."""
     lean = math.atan2(piece.high_radius - piece.low_radius, piece.high - piece.low) if piece.high > piece.low else 0.0
     low, high = (piece.low_radius, piece.low), (piece.high_radius, piece.high)
     if piece.round == 0.0:
         normal = np.array([math.cos(lean), -math.sin(lean)])
         return np.array([low, high]), np.array([normal, normal])
     lower = np.linspace(-0.5 * math.pi, -lean, STRETCHES + 1)
-    upper = np.linspace(-lean, 0.5 * math.pi, STRETCHES + 1) if topmost else np.array([-lean])
+    ends = 0.5 * math.pi if after is None else math.asin(min(max((after.low - piece.high) / piece.round, 0.0), 1.0))
+    upper = np.linspace(-lean, ends, STRETCHES + 1) if after is None or ends > 0.0 else np.array([-lean])
     turn = np.concatenate([lower, upper])
     normals = np.stack([np.cos(turn), np.sin(turn)], axis=1)
     cores = np.repeat([low, high], [len(lower), len(upper)], axis=0)

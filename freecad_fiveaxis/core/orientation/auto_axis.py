@@ -13,6 +13,7 @@ axis given there.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -65,7 +66,7 @@ class Contacts:
     def free(self, axis: Floats, asked: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
         """Whether the contacts ``asked`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
         rows = np.flatnonzero((asked & self.all_fit)[self.contact])
-        into = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < 0.0]  # leans into the surface
+        into = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < -math.sin(reacher.cutter.undercut)]  # leans in
         good = asked & self.all_fit
         good[self.contact[into]] = False
         for part in (self.leads, ~self.leads):  # where the first row is not free the others need not be asked

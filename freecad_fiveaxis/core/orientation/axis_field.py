@@ -4,7 +4,7 @@
 node        a place on the surface with its facet's normal; there the tool stands on the part, raised along the normal where the
             ball itself would enter (no axis helps there).
 direction   one of many unit vectors, spread evenly; the same ones are tried at every node that they lean from by no more than
-            WIDEST, and the node's own normal besides.
+            WIDEST, a lollipop by its undercut more, and the node's own normal besides.
 free        within the machine's limits, above the table, and cutter, shank and holder out of the part.
 near        in (point, spacing x normal): places whose normals differ by 90 deg are as far apart as neighbours with the same one.
 
@@ -203,9 +203,9 @@ def raised(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> 
 
 
 def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
-    """Thicken shank and holder by ``margin`` mm all round."""
+    """Thicken shank, holder and a lollipop's neck by ``margin`` mm all round."""
     shank, holder = (tuple((wide + 2.0 * margin, long) for wide, long in rows) for rows in (reacher.shank, reacher.holder))
-    return replace(reacher, shank=shank, holder=holder)
+    return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder)
 
 
 def are_free(
@@ -252,13 +252,15 @@ def _tried(
 ) -> Freedom:
     """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,) mm of the part there."""
     stand, normal, fits = nodes.stand[rows], nodes.normal[rows], nodes.fits[rows]
-    tried = (normal @ direction.T > math.cos(WIDEST)) & fits[:, None]
+    along = normal @ direction.T
+    tried = (along > math.cos(WIDEST + reacher.cutter.undercut)) & fits[:, None]
     node, way = np.nonzero(tried)
     free, farthest = np.zeros(tried.shape, np.bool_), np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER))
     within = replace(reacher, kinematics=None, most=math.pi)
     met = _met(within, tree, stand[node], normal[node], direction[way], progress, height[node])
     free[node, way] = met == Obstacle.NONE
-    np.maximum.at(farthest, node, met)
+    above = along[node, way] > math.cos(WIDEST)  # what an undercut meets below the surface is no reason: few places have one
+    np.maximum.at(farthest, node[above], met[above])
     own = np.where(fits, _met(reacher, tree, stand, normal, normal, height=height), int(Obstacle.CUTTER))
     return Freedom(direction, free, own == Obstacle.NONE, np.maximum(farthest, own))
 

@@ -14,7 +14,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, joined, say
-from freecad_fiveaxis.core.tool import Cutter, cutter_text
+from freecad_fiveaxis.core.tool import cutter_text
 
 from .collision_avoidance import finished_area, unfinished_share
 from .made import Milled, Result
@@ -73,11 +73,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
     if passes and axes:
         yield passes | axes
     if ball:
-        yield from ({"cutter": cutter_text(_smaller(cutter, share))} for share in SMALLER)
-
-
-def _smaller(ball: Cutter, share: float) -> Cutter:
-    return replace(ball, diameter=share * ball.diameter, corner=share * ball.corner)
+        yield from ({"cutter": cutter_text(cutter.scaled(share))} for share in SMALLER)
 
 
 def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:

@@ -25,6 +25,7 @@ from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
 from freecad_fiveaxis.core.orientation.free_in_frames import by_frame, free_in_frames
 from freecad_fiveaxis.core.orientation.free_turns import divide_blocked_turns
 from freecad_fiveaxis.core.orientation.order_with_axes import order_with_axes
+from freecad_fiveaxis.core.orientation.sideways import add_retreats, neck_entering
 from freecad_fiveaxis.core.orientation.strategies import tool_axes
 from freecad_fiveaxis.core.orientation.tilt import tilt_free
 from freecad_fiveaxis.core.passes import turns_within_limits
@@ -47,7 +48,8 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
         offset, axis, found = framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
-    offset, axis = feasible_rows(offset, axis, context.kinematics, settings.cutter.cutter.taper)
+    cutter, asked = settings.cutter.cutter, context.field is not None or context.frames is not None  # whether the neck is free
+    offset, axis = feasible_rows(offset, axis, context.kinematics, cutter.taper, cutter.undercut if asked else 0.0)
     whole = vars(passes) | {"offset": offset}
     return AssignedAxes(**whole, axis=axis, cut=offset, corrected=axis, axis_findings=found)
 
@@ -65,10 +67,13 @@ def free_rows(
     progress("axis field", 0.0)
     field = refine_field(field, offset, mesh, reacher, progress, contacts)
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
+    free = add_retreats(offset, axis, free, mesh, reacher, progress)
     offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
+    blocked = blocked | neck_entering(offset, axis, mesh, reacher, progress)
     offset = break_polylines(offset, blocked[1:])
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
     offset = break_polylines(offset, ~turns_within_limits(context.kinematics, axis[:-1], axis[1:]))
+    free = add_retreats(offset, axis, free, mesh, reacher, progress)
     rows = select_rows_with_way_out(free, offset.polyline)
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)
@@ -89,6 +94,7 @@ def framed_rows(
     axis = frames.axis[frame[offset.pass_]]
     free, found = free_in_frames(offset, frames, frame, context.obstacles, reacher, context.progress)
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
+    free = add_retreats(offset, axis, free, context.obstacles, reacher, context.progress)
     rows = select_rows_with_way_out(free, offset.polyline)
     found += report_no_way_out(offset, rows)
     offset, axis, free = _keep_rows(offset, axis, free, rows)

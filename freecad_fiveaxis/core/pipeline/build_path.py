@@ -15,6 +15,7 @@ from freecad_fiveaxis.core.gouge.lift import AIM
 from freecad_fiveaxis.core.gouge.lift import lift_path as lift_free
 from freecad_fiveaxis.core.links.lead_in import lead_in
 from freecad_fiveaxis.core.links.near_links import LOCKED, MOST_TURN, stay_near
+from freecad_fiveaxis.core.orientation.sideways import path_retreats, rows_left_aside
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, LinkOptions
 from freecad_fiveaxis.core.toolpath.cl_path import link_passes as link_rows
@@ -23,7 +24,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from .avoided import far_enough_rows
 from .bounded import bounded_by_hub, leads_outside
 from .context import MillContext
-from .options import kept_off, lead_options, tip_to_driven, tip_to_surface, tool_body
+from .options import kept_off, lead_options, reacher_of, tip_to_driven, tip_to_surface, tool_body
 from .records import AssignedAxes, LinkedPath
 from .rotary_axis import turns_the_part
 from .settings.tree import FROM_AXIS
@@ -47,10 +48,21 @@ def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLP
     sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     sat, axis = bounded_by_hub(context, sat, axis)
     sat, axis = far_enough_rows(context, *left_out_rows(context, sat, axis))
-    path = link_rows(sat, axis, cutter, *context.box, options, context.progress, kept_off(settings))
+    path = link_rows(
+        sat, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, sat, axis)
+    )
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
         path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
+
+
+def _retreats(context: MillContext, sat: OffsetPath, axis: Floats) -> Floats | None:
+    """Find the directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes are chosen freely,
+    only there rows are kept that it cannot leave along its axis."""
+    if context.field is None and context.frames is None:
+        return None
+    reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)
+    return path_retreats(sat, axis, context.obstacles, reacher, context.progress)
 
 
 def left_out_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
@@ -71,7 +83,8 @@ def lift_path(context: MillContext, linked: LinkedPath) -> LinkedPath:
         return linked
     body, tree = tool_body(settings), facet_tree(context.obstacles)
     driven, above = tip_to_driven(settings), tip_to_surface(settings)
-    lifted = lift_free(linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above)
+    aside = rows_left_aside(linked.path, settings.cutter.cutter)
+    lifted = lift_free(linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside)
     return replace(linked, path=lifted.path, entering=lifted.left)
 
 

@@ -32,7 +32,7 @@ from freecad_fiveaxis.core.gouge.table_check import check_table
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
 from freecad_fiveaxis.core.passes.keep_off import FACETS_NEAR_AVOIDED, NEAR_AVOIDED
-from freecad_fiveaxis.core.tool.body import body_of
+from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 from .bounded import counted_places
@@ -86,7 +86,7 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     swept = commanded_motion(settings, path)
     spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
     within = counted_places(context)
-    left = find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, above, within)
+    left = find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within)
     return uncut_finding(left, above)
 
 
@@ -184,7 +184,7 @@ def find_left(context: MillContext, program: Program) -> RestMaterial:
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
     blocks, within = cutting(program.motion), counted_places(context)
-    return find_rest_material(mesh, body_of(cutter), swept, blocks, spacing, keep, context.progress, counts=within)
+    return find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within)
 
 
 def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrectionOpt
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions
 from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy, with_room
 from freecad_fiveaxis.core.tool import Cutter, cutter_name
-from freecad_fiveaxis.core.tool.body import CUTTER, Body, body_of
+from freecad_fiveaxis.core.tool.body import Body, body_of
 from freecad_fiveaxis.core.toolpath.apt import ARC_SHARE, ClHead, ClReading
 
 from .context import MillContext
@@ -175,8 +175,8 @@ def tool_body(settings: Settings) -> Body:
 def kept_off(settings: Settings) -> Body:
     """What of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be looked at (gouge ``off``)
     the cutter alone, so that shank and holder are only drawn."""
-    body = tool_body(settings)
-    return body.only(CUTTER) if settings.task == MILL and settings.gouge.gouge == "off" else body
+    only_cutter = settings.task == MILL and settings.gouge.gouge == "off"
+    return body_of(settings.cutter.cutter) if only_cutter else tool_body(settings)
 
 
 def driven_to_hub(settings: Settings) -> float:

@@ -35,6 +35,9 @@ from freecad_fiveaxis.core.tool.body import Body, round_piece
 TILTS = tuple(math.radians(tilt) for tilt in (0.0, 10.0, 20.0, 30.0, 45.0, 60.0, 80.0))
 """rad: how far from the facet's normal the tool is tried, the least first."""
 
+UNDERCUTS = tuple(math.radians(tilt) for tilt in (90.0, 100.0, 110.0, 120.0, 135.0, 150.0))
+"""rad: how far besides a lollipop is tried, as far as its undercut lets it."""
+
 SPOKES = 8
 """Ways to either side of each tilt."""
 
@@ -177,9 +180,10 @@ def _set_on(reacher: Reacher, tree: FacetTree, places: Places, open_: Ints, prog
     they are before any try."""
     obstacle, tilt = np.full(len(places), int(Obstacle.LIMITS)), np.full(len(places), np.nan)
     axis = np.full((len(places), 3), np.nan)
-    for k, angle in enumerate(TILTS):
+    tilts = (*TILTS, *(tilt for tilt in UNDERCUTS if tilt < 0.5 * math.pi + reacher.cutter.undercut))
+    for k, angle in enumerate(tilts):
         for part in batches(len(open_), BATCH):
-            progress("reach", (k + part.start / len(open_)) / len(TILTS))
+            progress("reach", (k + part.start / len(open_)) / len(tilts))
             _try(reacher, tree, places.point, places.normal, angle, open_[part], obstacle, tilt, axis)
         open_ = open_[obstacle[open_] != Obstacle.NONE]
     return obstacle, tilt, axis

@@ -5,13 +5,26 @@ No numpy until a method asks for it: options and their help need a cutter's name
 """
 
 from .cutter import LEAST, MOST, MOST_TAPER, Cutter, Profile
-from .text import KINDS, apt_numbers, cutter_from_apt, cutter_name, cutter_sizes, cutter_text, kind_of, parse_cutter, sizes_text
+from .text import (
+    KINDS,
+    SIZES,
+    apt_numbers,
+    cutter_from_apt,
+    cutter_name,
+    cutter_sizes,
+    cutter_text,
+    kind_of,
+    neck_numbers,
+    parse_cutter,
+    sizes_text,
+)
 
 __all__ = [
     "KINDS",
     "LEAST",
     "MOST",
     "MOST_TAPER",
+    "SIZES",
     "Cutter",
     "Profile",
     "apt_numbers",
@@ -20,6 +33,7 @@ __all__ = [
     "cutter_sizes",
     "cutter_text",
     "kind_of",
+    "neck_numbers",
     "parse_cutter",
     "sizes_text",
 ]  # fmt: skip

@@ -184,7 +184,10 @@ def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: I
 def _cutter_pieces(cutter: Cutter) -> list[Piece]:
     """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all points within the corner
     radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off, with
-    so much below it that its own lower border does not count."""
+    so much below it that its own lower border does not count. Of a lollipop the ball, and its neck, which does not cut, as a
+    shank."""
+    if cutter.stem:
+        return [round_piece(cutter.ring, cutter.corner, cutter.corner), *(frustum_piece(*row, SHANK) for row in cutter.stem)]
     corner, slope = cutter.corner, math.tan(cutter.taper)
     top = max(cutter.length, corner)
     last = min(max(top - corner, corner), top)

@@ -8,6 +8,8 @@ ring      radius of that ring: diameter / 2 - corner. A ball has none (0); a fla
 hub       the middle of the ring, on the axis, one corner radius above the tip. Of a ball it is the ball's centre.
 taper     angle of the flank with the axis: above the corner the cutter widens as a cone that touches the corner circles.
 rim       the upper end of the flank, at the height ``length`` above the tip.
+neck      of a lollipop: a cylinder thinner than the ball that rises from it to the height ``length``. It does not cut.
+undercut  angle by which the axis may lean below the surface while the ball, and not its neck, is what touches it there.
 
 The parameters are those of APT's ``CUTTER/d,r,e,f,a,b,h`` with a level bottom: r the corner radius, e the ring, f = r, a = 0, b
 the taper, h the length. The diameter here is that of the rounded end, 2 (e + r), which is APT's d only where there is no taper.
@@ -16,7 +18,7 @@ the taper, h the length. The diameter here is that of the rounded end, 2 (e + r)
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -55,7 +57,8 @@ class Profile(NamedTuple):
 class Cutter:
     """A cutter, mm and rad: ``diameter`` of its rounded end, ``length`` (cutting edge, tip upwards), each from LEAST to MOST;
     ``corner`` from 0 (flat) to half the diameter (ball, where it is not given); ``taper`` of the flank, 0 to MOST_TAPER;
-    ``holder``: shank and holder as frusta above the tip.
+    ``holder``: shank and holder as frusta above the tip; ``neck``: diameter of a lollipop's neck, from LEAST to less than the
+    ball's; None: there is no neck.
 
     Raises SettingsError for a cutter that cannot be.
     """
@@ -65,6 +68,7 @@ class Cutter:
     corner: float = FULL
     taper: float = 0.0
     holder: tuple[Frustum, ...] = ()
+    neck: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("diameter", "length"):
@@ -83,6 +87,7 @@ class Cutter:
         if self.corner == FULL:
             object.__setattr__(self, "corner", self.radius)
         _check_corner(self)
+        _check_neck(self)
         _check_taper(self)
         for row in self.holder:
             _check_frustum(row)
@@ -99,9 +104,32 @@ class Cutter:
 
     @property
     def top_radius(self) -> float:
-        """Radius of the rim, mm."""
+        """Radius of the rim, mm; of a lollipop that of its neck."""
+        if self.neck is not None:
+            return 0.5 * self.neck
         slope = math.tan(self.taper)
         return self.ring + self.corner / math.cos(self.taper) + (self.length - self.corner) * slope
+
+    @property
+    def undercut(self) -> float:
+        """Undercut, rad: 0 for all that is as wide above its rounded end; of a lollipop less than a right angle."""
+        return 0.0 if self.neck is None else math.acos(self.neck / self.diameter)
+
+    @property
+    def stem(self) -> tuple[Frustum, ...]:
+        """What of the cutter itself does not cut, as frusta above the tip: a lollipop's neck, from where it leaves the ball."""
+        return () if self.neck is None else ((_neck_begins(self), self.top_radius, self.length, self.top_radius),)
+
+    def scaled(self, share: float) -> Cutter:
+        """The cutter with its end, and its neck, ``share`` times as large, and as long as before."""
+        neck = None if self.neck is None else share * self.neck
+        return replace(self, diameter=share * self.diameter, corner=share * self.corner, neck=neck)
+
+    def thickened(self, margin: float) -> Cutter:
+        """The cutter with its neck ``margin`` mm thicker all round, where there is one, and at most half as far from the ball."""
+        if self.neck is None:
+            return self
+        return replace(self, neck=min(self.neck + 2.0 * margin, 0.5 * (self.neck + self.diameter)))
 
     def tip_at(self, hub: Floats, axis: Floats) -> Floats:
         """The tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit ``axis`` (n, 3) points."""
@@ -112,7 +140,8 @@ class Cutter:
 
         ``axis`` and ``feed`` (n, 3) unit; the feed only chooses where the bottom of a flat or bull nose that stands square on
         the plane touches it (:func:`~.contact.ring_direction`). Where the axis leans further than the flank allows, which is
-        no place to cut, the cutter touches with its rim.
+        no place to cut, the cutter touches with its rim. A lollipop that leans below the surface, within its undercut, touches
+        with its ball: the plane must end before its neck.
         """
         import numpy as np
 
@@ -120,7 +149,8 @@ class Cutter:
 
         out = ring_direction(normal, axis, feed, self.ring)
         tip = point + self.corner * normal + self.ring * out - self.corner * axis
-        beyond = np.flatnonzero(np.einsum("ij,ij->i", normal, axis) < math.sin(self.taper) - LEAN)
+        lowest = math.sin(self.taper) - math.sin(self.undercut) - LEAN
+        beyond = np.flatnonzero(np.einsum("ij,ij->i", normal, axis) < lowest)
         if len(beyond):
             out = ring_direction(normal[beyond], axis[beyond], feed[beyond], self.top_radius)
             tip[beyond] = point[beyond] + self.top_radius * out - self.length * axis[beyond]
@@ -148,9 +178,11 @@ class Cutter:
         return np.asarray((0.25 * width * width + height * height) / (2.0 * height))
 
     def hub_discs(self) -> Floats:
-        """The discs (2, 3) whose hull is the cutter: rows of radius, rounding, and height over the hub, mm."""
+        """The discs (k, 3) whose hull is what cuts: rows of radius, rounding, and height over the hub, mm."""
         import numpy as np
 
+        if self.stem:
+            return np.array([(self.ring, self.corner, 0.0)])
         return np.array([(self.ring, self.corner, 0.0), (self.top_radius, 0.0, max(self.length, self.corner) - self.corner)])
 
     def profile(self) -> Profile:
@@ -161,8 +193,8 @@ class Cutter:
         flank = [(low, self.ring + self.corner * math.cos(self.taper), self.length, self.top_radius)]
         return Profile(
             np.array([(self.ring, self.corner, self.corner)]),
-            np.array(flank if self.length > low else []).reshape(-1, 4),
-            np.array(self.holder, float).reshape(-1, 4),
+            np.array(flank if self.length > low and not self.stem else []).reshape(-1, 4),
+            np.array([*self.stem, *self.holder], float).reshape(-1, 4),
         )
 
 
@@ -174,6 +206,36 @@ def _check_corner(cutter: Cutter) -> None:
             radius=Length(cutter.radius),
         )
         raise SettingsError(text, cutter.corner)
+
+
+def _check_neck(cutter: Cutter) -> None:
+    """A neck as wide as the ball is a ball end mill; one of a cutter that ends within its ball would never begin."""
+    if cutter.neck is None:
+        return
+    if not LEAST <= cutter.neck < cutter.diameter:
+        text = say(
+            "cutter neck is {neck}; give {least} or more, and less than {diameter}, the diameter of the ball",
+            neck=Length(cutter.neck),
+            least=Length(LEAST),
+            diameter=Length(cutter.diameter),
+        )
+        raise SettingsError(text, cutter.neck)
+    if cutter.ring > 0.0 or cutter.taper != 0.0:
+        raise SettingsError(
+            say("cutter neck: only a ball without a taper has one; leave corner radius and taper out"), cutter.neck
+        )
+    if not cutter.length > (begins := _neck_begins(cutter)):
+        text = say(
+            "cutter length is {length}, the neck begins {begins} above the tip; give a longer cutter",
+            length=Length(cutter.length),
+            begins=Length(begins),
+        )
+        raise SettingsError(text, cutter.length)
+
+
+def _neck_begins(cutter: Cutter) -> float:
+    """The height above the tip, mm, at which the neck leaves the ball."""
+    return cutter.radius * (1.0 + math.sin(cutter.undercut))
 
 
 def _check_taper(cutter: Cutter) -> None:

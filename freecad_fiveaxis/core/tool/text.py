@@ -2,9 +2,11 @@
 """Cutters as they are written: options, heads of NC files, and APT's CUTTER statement.
 
 kind      the first word of an option: ``ball:10``, ``flat:10``, ``bull:10:2`` (corner radius), ``taperball:6:5deg`` (taper),
-          ``taperbull:10:2:5deg`` (both). The length of the edge may follow each.
+          ``taperbull:10:2:5deg`` (both), ``lollipop:10:6`` (diameter of the neck). The length of the edge may follow each; of a
+          lollipop that up to the end of its neck.
 APT       ``CUTTER/d,r,e,f,a,b,h``: d the diameter at which the bottom's and the flank's lines cross, r corner radius, e and f
-          place of the corner circle's centre from axis and tip, a the bottom's angle, b the flank's (deg), h the height.
+          place of the corner circle's centre from axis and tip, a the bottom's angle, b the flank's (deg), h the height. It has
+          no word for a neck: a lollipop's is written behind it (see :mod:`~.cl.apt.writer`).
 """
 
 from __future__ import annotations
@@ -25,10 +27,14 @@ KINDS = {
     "bull": ("diameter", "corner"),
     "taperball": ("diameter", "taper"),
     "taperbull": ("diameter", "corner", "taper"),
+    "lollipop": ("diameter", "neck"),
 }
 """The cutter shapes on offer, with the sizes that each must have; the length may follow."""
 
-FORMS = ("ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg")
+SIZES = ("diameter", "corner", "taper", "neck", "length")
+"""All sizes that cutters have."""
+
+FORMS = ("ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg", "lollipop:10:6")
 """An example of each."""
 
 EQUAL_SIZE = 1e-4
@@ -81,6 +87,8 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
 
 def kind_of(cutter: Cutter) -> str:
     """The kind under which the cutter is written."""
+    if cutter.neck is not None:
+        return "lollipop"
     if cutter.taper > 0.0:
         return "taperbull" if cutter.ring > 0.0 else "taperball"
     if cutter.ring > 0.0:
@@ -90,13 +98,13 @@ def kind_of(cutter: Cutter) -> str:
 
 def cutter_text(cutter: Cutter) -> str:
     """The cutter as an option that ``parse_cutter`` reads as the same one (mm, deg); its holder is not in it."""
-    sizes = {"diameter": cutter.diameter, "corner": cutter.corner, "taper": math.degrees(cutter.taper), "length": cutter.length}
-    return sizes_text(kind_of(cutter), sizes)
+    kind = kind_of(cutter)
+    return sizes_text(kind, {name: getattr(cutter, name) for name in SIZES} | {"taper": math.degrees(cutter.taper)})
 
 
 def sizes_text(kind: str, sizes: Mapping[str, float]) -> str:
-    """An option out of its kind and its sizes, mm and **degrees** (diameter, corner, taper, length); those that the kind has not
-    are left out. Whether there can be such a cutter is not looked at."""
+    """An option out of its kind and its sizes (SIZES), mm and **degrees**; those that the kind has not are left out. Whether
+    there can be such a cutter is not looked at."""
     return ":".join([kind, *(_digits(name, sizes[name]) for name in (*KINDS[kind], "length"))])
 
 
@@ -110,11 +118,12 @@ def cutter_name(cutter: Cutter) -> str:
     kind = kind_of(cutter)
     words = f"{kind.replace('taper', 'taper ')} {cutter.diameter:g} mm"
     words += f", corner {cutter.corner:g} mm" if "corner" in KINDS[kind] else ""
+    words += f", neck {cutter.neck:g} mm" if cutter.neck is not None else ""
     return words + (f", {math.degrees(cutter.taper):.6g} deg" if "taper" in KINDS[kind] else "")
 
 
 def apt_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all, else all seven."""
+    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck, else all seven."""
     if cutter.taper == 0.0:
         return cutter.diameter, cutter.corner
     slope = math.degrees(cutter.taper)
@@ -126,8 +135,14 @@ def _apt_diameter(cutter: Cutter) -> float:
     return 2.0 * (cutter.ring + cutter.corner * (1.0 - math.sin(cutter.taper)) / math.cos(cutter.taper))
 
 
-def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0) -> Cutter | None:
-    """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit.
+def neck_numbers(cutter: Cutter) -> tuple[float, ...]:
+    """What the CUTTER statement has no word for, mm: diameter and upper end of a lollipop's neck; of others nothing."""
+    return () if cutter.neck is None else (cutter.neck, cutter.length)
+
+
+def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0, neck: Sequence[float] = ()) -> Cutter | None:
+    """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit, ``neck`` as of
+    :func:`neck_numbers`, in that unit too.
 
     None where d is all that is said, for then the shape is not; and for shapes that are not on offer: a bottom that is no plane
     (a), a corner circle that does not touch it (f), a flank that narrows upwards (b), sizes that make no cutter.
@@ -144,6 +159,7 @@ def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0) -> Cutter | No
         return None
     corner = FULL if abs(ring) <= EQUAL_SIZE else r
     sizes: dict[str, Any] = {} if math.isnan(h) or h <= 0.0 else {"length": h}
+    sizes |= {name: scale * size for name, size in zip(("neck", "length"), neck, strict=False)}
     try:
         return Cutter(2.0 * (max(ring, 0.0) + r), corner=corner, taper=taper, **sizes)
     except SettingsError:

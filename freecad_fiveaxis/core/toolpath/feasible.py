@@ -2,6 +2,7 @@
 """What of an offset path the tool can take up once its axis is chosen; the rest is left out, with findings.
 
 leaning in   the axis points below the surface at the contact: the shank would stand in the part.
+undercut     of a lollipop: so far the axis may point below the surface, where its neck has been asked for.
 flank        the cone of a tapered cutter would stand in the part: the axis leans further from the normal than 90 deg - taper.
 beyond       no branch of the machine takes up the axis within its rotary limits (lead and tilt may lead there, though the
              facet's own normal is within reach).
@@ -40,14 +41,17 @@ _BEYOND = Template(
 )
 
 
-def feasible_rows(path: OffsetPath, axis: Floats, kinematics: Chain, taper: float = 0.0) -> tuple[OffsetPath, Floats]:
+def feasible_rows(
+    path: OffsetPath, axis: Floats, kinematics: Chain, taper: float = 0.0, undercut: float = 0.0
+) -> tuple[OffsetPath, Floats]:
     """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out. ``taper`` rad of
-    the cutter's flank."""
+    the cutter's flank; ``undercut`` rad by which the axis may lean below the surface."""
     rise = np.empty(len(axis))
     in_threads(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), chunks(len(axis)))
-    leaning = rise < -LEAN
-    leaning[path.beside] |= (path.wall * axis[path.beside]).sum(axis=1) < -LEAN  # it would retract through that wall
-    flank = ~leaning & (rise < np.sin(taper) - LEAN)
+    lowest = -np.sin(undercut) - LEAN
+    leaning = rise < lowest
+    leaning[path.beside] |= (path.wall * axis[path.beside]).sum(axis=1) < lowest  # it would retract through that wall
+    flank = ~leaning & (rise < (np.sin(taper) - LEAN if taper > 0.0 else lowest))
     beyond = ~(leaning | flank) & ~axes_within_limits(kinematics, axis)
     out = leaning | flank | beyond
     if not out.any():

@@ -17,7 +17,8 @@ open."""
 @dataclass(frozen=True)
 class ClHead:
     """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
-    the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg."""
+    the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg; ``neck`` (0
+    or 2 numbers) diameter and upper end of a lollipop's neck, mm."""
 
     tool: int | None = None
     speed: float = 0.0
@@ -25,11 +26,12 @@ class ClHead:
     diameter: float = 0.0
     corner: float = 0.0
     stated: tuple[float, ...] = field(default=(), compare=False)
+    neck: tuple[float, ...] = field(default=(), compare=False)
 
     @property
     def cutter(self) -> Cutter | None:
         """The cutter, where its shape is said and is one that can be used here."""
-        return cutter_from_apt(self.stated)
+        return cutter_from_apt(self.stated, neck=self.neck)
 
 
 def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
@@ -57,7 +59,7 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
             cutter=Option("cutter"),
         )
         return (Finding(Severity.NOTE, "cutter-differs", text, diameter, given.diameter, "mm"),)
-    if other is None or max(abs(other.corner - given.corner), abs(other.taper - given.taper)) <= SAME_CUTTER:
+    if other is None or _off_shape(other, given) <= SAME_CUTTER:
         return ()
     text = say(
         "The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.",
@@ -66,3 +68,10 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
         cutter=Option("cutter"),
     )
     return (Finding(Severity.NOTE, "cutter-differs", text),)
+
+
+def _off_shape(other: Cutter, given: Cutter) -> float:
+    """By how much, mm or rad, the CL file's cutter has another corner, another taper, or a thinner neck than the one given: a
+    neck thinner than the file's has the room of the file's."""
+    thicker = max((given.neck or given.diameter) - other.neck, 0.0) if other.neck is not None else 0.0
+    return max(abs(other.corner - given.corner), abs(other.taper - given.taper), thicker)

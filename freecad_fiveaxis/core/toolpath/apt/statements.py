@@ -36,6 +36,7 @@ class Kind(IntEnum):
     COOLANT = auto()
     TOOL = auto()
     CUTTER = auto()
+    NECK = auto()
     AXIS = auto()
     MULTAX = auto()
     FRAME = auto()
@@ -111,6 +112,8 @@ def meaning_of(statement: str) -> Meaning | tuple[str, str]:
     """What a statement says; or, where it cannot be read, the part that is wrong and why."""
     if statement.startswith("PPRINT/MOTION,"):
         return Meaning(Kind.LINK, float(statement == "PPRINT/MOTION,LINK"))
+    if statement.startswith("PPRINT/NECK,"):
+        return _neck(statement.partition(",")[2])
     if statement.startswith(words.FREE_TEXT):
         return Meaning(Kind.NOTHING)
     name, _, rest = statement.partition("/")
@@ -175,6 +178,12 @@ def _load(rest: str) -> Meaning:
 def _cutter(rest: str) -> Meaning:
     numbers = words.numbers_of(rest)
     return Meaning(Kind.CUTTER, numbers[0], more=tuple(numbers[1:7])) if numbers else Meaning(Kind.NOTHING)
+
+
+def _neck(rest: str) -> Meaning:
+    """This program's mark: diameter and upper end of a lollipop's neck. Anything else behind it is text."""
+    numbers = words.numbers_of(rest)
+    return Meaning(Kind.NECK, more=tuple(numbers)) if len(numbers) == 2 else Meaning(Kind.NOTHING)
 
 
 def _number_of_tool(rest: str) -> Meaning:
@@ -264,7 +273,7 @@ def head_of(statements: Statements, source_scale: Floats) -> ClHead:
     tool, cutter = statements.first(statements.of(Kind.TOOL)), statements.of(Kind.CUTTER)
     speeds = statements.value(statements.of(Kind.SPINDLE))
     on = speeds[np.nan_to_num(speeds) > 0.0]
-    size = statements.first(cutter)
+    size, neck = statements.first(cutter), statements.first(statements.of(Kind.NECK))
     scale = float(source_scale[cutter[0]]) if size else 1.0
     return ClHead(
         tool=int(tool.value) if tool and 0 < tool.value < 1e5 else None,
@@ -273,6 +282,7 @@ def head_of(statements: Statements, source_scale: Floats) -> ClHead:
         diameter=size.value * scale if size else 0.0,
         corner=size.more[0] * scale if size and size.more else 0.0,
         stated=_in_mm((size.value, *size.more), scale) if size else (),
+        neck=tuple(scale * number for number in neck.more) if size and neck else (),
     )
 
 

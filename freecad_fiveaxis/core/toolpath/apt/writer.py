@@ -2,6 +2,7 @@
 """The CL file of a path, in the plainest form that every reader knows.
 
 ``PPRINT/MOTION,LINK`` and ``PPRINT/MOTION,CUT`` are this program's marks for moves off and on the part; to others they are text.
+So is ``PPRINT/NECK,d,h``: diameter and upper end of a lollipop's neck, for which CUTTER has no word; CUTTER says its ball.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.number_text import Choice, Column, table
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.tool import Cutter, apt_numbers
+from freecad_fiveaxis.core.tool import Cutter, apt_numbers, neck_numbers
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 from .head import ClHead
@@ -51,6 +52,7 @@ def _frame(cutter: Cutter, title: str, head: ClHead) -> tuple[bytes, bytes]:
     """What stands before and after the path."""
     plain = re.sub(r"[^A-Za-z0-9 ._+-]", "-", title)[:60]
     begin = [f"PARTNO {plain}", "UNITS/MM", "CUTTER/" + ",".join(f"{number:.4f}" for number in apt_numbers(cutter))]
+    begin += ["PPRINT/NECK," + ",".join(f"{number:.4f}" for number in neck)] if (neck := neck_numbers(cutter)) else []
     begin += [] if head.tool is None else [f"LOADTL/{head.tool}"]
     begin += [f"SPINDL/RPM,{head.speed:.10g},CLW"] if head.speed > 0.0 else []
     begin += ["COOLNT/ON"] if head.coolant else []

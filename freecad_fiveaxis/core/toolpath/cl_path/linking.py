@@ -82,7 +82,8 @@ def _beyond_ball(reach: Floats, radius: float) -> Floats:
 def way_out(centre: Floats, axis: Floats, keep: Keepout) -> WayOut:
     """Along the axis until clear, sideways where the part is overhead, straight up to the safe plane.
 
-    ``centre`` (m, 3) mm, unit ``axis`` (m, 3). The sideways station is needed only where the axis looks down.
+    ``centre`` (m, 3) mm, unit ``axis`` (m, 3), or the direction in which the tool gets out instead. The sideways station is
+    needed only where the axis looks down.
     """
     clear = centre + _reach_out(centre, axis, keep)[:, None] * axis
     beside = _beside(clear, keep)

@@ -98,15 +98,15 @@ class LinkOptions:
 
 def link_passes(
     path: OffsetPath, axis: Floats, cutter: Cutter, low: Floats, high: Floats, options: LinkOptions, progress: Progress = silent,
-    body: Body | None = None,
+    body: Body | None = None, retreat: Floats | None = None,
 ) -> CLPath:  # fmt: skip
     """The whole path of the tool: the passes as they stand, with a safe way from each polyline to the next.
 
     ``axis`` (n, 3) unit, one for each row of ``path``; ``low``, ``high`` (3,) mm the part's box; ``body``: cutter, shank
-    and holder, None: the cutter alone. From the end of a polyline the tool retracts along its axis until it is clear of the
-    inflated box, goes straight up to the safe plane, across (there the axis turns), straight down, and along its new axis to the
-    next start. A polyline that starts where the last one ended goes on without a retract. Raises SettingsError where there are
-    no passes.
+    and holder, None: the cutter alone; ``retreat`` (n, 3) unit: in which direction it leaves a row, None: along its axis. From
+    the end of a polyline the tool retracts that way until it is clear of the inflated box, goes straight up to the safe plane,
+    across (there the axis turns), straight down, and so to the next start. A polyline that starts where the last one ended goes
+    on without a retract. Raises SettingsError where there are no passes.
     """
     if not len(path.point):
         raise SettingsError(
@@ -120,7 +120,9 @@ def link_passes(
     def way(row: Ints, other: Ints) -> WayOut:
         """Out at these rows; each as high as the way in at the ``other`` row, or out of it, has to be."""
         own, its = (tool_keepout(low, high, cutter.radius, options.clearance, seen, axis[rows]) for rows in (row, other))
-        return way_out(path.centre[row], axis[row], own._replace(safe=np.maximum(own.safe, its.safe)))
+        return way_out(
+            path.centre[row], axis[row] if retreat is None else retreat[row], own._replace(safe=np.maximum(own.safe, its.safe))
+        )
 
     leave, enter = way(last, np.append(first[1:], last[-1])), way(first, np.append(first[0], last[:-1]))
     links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last), _highest(axis))
