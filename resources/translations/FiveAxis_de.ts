@@ -5496,8 +5496,8 @@
         <translation>Facette</translation>
     </message>
     <message>
-        <source>facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again</source>
-        <translation>die Facette {facet} ist fehlerhaft: „{said}“ steht, wo {need} hingehört; die Datei neu exportieren</translation>
+        <source>facet {facet} is malformed: '{odd}' stands where {need} belongs; export the file again</source>
+        <translation>die Facette {facet} ist fehlerhaft: „{odd}“ steht, wo {need} hingehört; die Datei neu exportieren</translation>
     </message>
     <message>
         <source>facets</source>
@@ -7756,8 +7756,8 @@
         <translation>{name} hat keinen Kegelwinkel; in FreeCADs Werkzeugeditor angeben</translation>
     </message>
     <message>
-        <source>{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
-        <translation>{name} hat {asked}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
+        <source>{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
+        <translation>{name} hat {wanted}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
     </message>
     <message>
         <source>{name} is a face of {other}: select faces of {label}.</source>
