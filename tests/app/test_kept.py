@@ -9,7 +9,7 @@ from conftest import PLAIN, half_ball
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import reach, results
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.studies import reach_map, study
 
 SETTINGS = {"machine": "trunnion_ac", "stepover": 8.0, "gouge": "off", "linearize": "off", **PLAIN}
