@@ -118,7 +118,20 @@ def test_the_version_is_the_same_wherever_it_stands():
 PRIVATE = frozenset(["said", "told", "led", "laid", "sat", "stood", "asked", "made", "lent", "foretold"])
 """Past participles that once stood for findings, texts, axes, rows and records; the trade has words for all of these."""
 
-CLEAN = ("base", "controllers", "geometry", "gouge", "links", "machine", "motion", "orientation", "tool")
+CLEAN = (
+    "audit",
+    "base",
+    "calibration",
+    "controllers",
+    "geometry",
+    "gouge",
+    "links",
+    "machine",
+    "motion",
+    "orientation",
+    "passes",
+    "tool",
+)
 """Packages of the core in which no name is made of them. Add yours when it is."""
 
 
