@@ -53,7 +53,7 @@ def area_samples(mesh: Mesh, count: int) -> tuple[Floats, Floats, float]:
     return corner[face, 0] + (share[..., None] * sides).sum(axis=1), across[face] / area[face, None], float(area.sum() / 2.0)
 
 
-def swept_centres(made: job.Made) -> Floats:
+def swept_centres(made: job.ProgramDraft) -> Floats:
     """Places (k, 3) mm of the ball's centre along the real way of all feed blocks, STEP apart or nearer."""
     words, feeding, radius = made.program.words, made.program.motion[1:] != Motion.RAPID, DIAMETER / 2.0
     tip, axis = forward(made.kinematics, words_to_q(words))
@@ -95,7 +95,7 @@ def measured(name: str, strategy: str, fits: Floats | None) -> list[str]:
     result = job.prove(job.make(build_settings("mill", name, options), mesh=mesh))
     seconds = time.process_time() - begin
     point, _, area = area_samples(mesh, SAMPLES)
-    left = gaps(swept_centres(result.made), point)
+    left = gaps(swept_centres(result.draft), point)
     share = float((np.abs(left) <= WITHIN).mean())
     can = float((gaps(fits, point) <= WITHIN).mean()) if fits is not None else float("nan")
     numbers = summary(job.figures(result))

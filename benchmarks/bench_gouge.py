@@ -44,12 +44,12 @@ REAL = {"head": 10.0, "motor": 8.0, "propeller": 30.0, "bearing": 4.0, "video_pa
 ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length of the edge, mm
 
 
-def milled(mesh: Mesh) -> job.Milled:
+def milled(mesh: Mesh) -> job.MilledProgram:
     """A finishing program with its blocks divided to the tolerance, and no place lifted."""
     options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 2, "cutter": f"ball:{DIAMETER}"}
     settings = build_settings("mill", "bumpy", {**options, **PLAIN, "max_axis_angle": 60, "linearize": "on", "gouge": "off"})
     made = job.make(settings, mesh=mesh)
-    assert isinstance(made, job.Milled)
+    assert isinstance(made, job.MilledProgram)
     return made
 
 

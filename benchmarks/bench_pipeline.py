@@ -52,7 +52,7 @@ class Timed(NamedTuple):
     """``blocks``; the seconds from STL to NC on disk and those of the proof, and the rows a second of ``%``: medians."""
 
     blocks: int
-    made: float
+    draft: float
     proven: float
     percent: float
 
@@ -70,7 +70,7 @@ def timed(settings: Settings, rounds: int) -> Timed:
         output.unlink(missing_ok=True)
         start = time.perf_counter()
         posted = job.make(settings)
-        assert isinstance(posted, job.Posted)
+        assert isinstance(posted, job.PostedProgram)
         write_whole(output, posted.nc)
         made = time.perf_counter()
         job.prove(posted)

@@ -23,7 +23,7 @@ def processor_seconds():
 
 
 def _keeping(made, of):
-    """The function ``made``, whose result is kept under ``of(its arguments)`` and given to whoever asks for the same."""
+    """The function ``draft``, whose result is kept under ``of(its arguments)`` and given to whoever asks for the same."""
 
     def act(*given):
         name = made.__module__, made.__name__, of(*given)
@@ -53,7 +53,7 @@ def kept(monkeypatch):
         (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, *_content(task))),
         (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, *_content(task))),
         (reach, "_found", lambda task, fingerprint, progress, executor: (fingerprint, reach_map.PLACES, *_content(task))),
-        (left, "_found", lambda figures, known, progress: (known.fingerprint, known.result.made.settings.source)),
+        (left, "_found", lambda figures, known, progress: (known.fingerprint, known.result.draft.settings.source)),
     ):
         monkeypatch.setattr(module, name, _keeping(getattr(module, name), of))
 

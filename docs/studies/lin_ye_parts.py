@@ -108,7 +108,7 @@ def mill(part: str, table: str, strategy: str, depth: float | None, **others: fl
         "linearize": "off", "gouge": "off", "max_axis_angle": STEEPEST, **others,
     }  # fmt: skip
     result = job.run(build_settings("mill", str(workshop() / f"{part}.stl"), options))
-    program, path = result.made.program, result.made.joints.path
+    program, path = result.draft.program, result.draft.joints.path
     cut = np.flatnonzero(program.motion <= Motion.FILL)
     row, row_before = program.row[cut], program.row[cut - 1]
     pass_ = np.unique(path.pass_[row], return_inverse=True)[1]

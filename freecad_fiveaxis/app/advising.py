@@ -29,7 +29,7 @@ def advise(path: Any) -> tuple[Trial, ...]:
             mesh, faces = task.mesh_and_mask(told)
 
             def make(settings: Any) -> job.Result:
-                made = job.make(settings, told, mesh=mesh, faces=faces, fixtures=result.made.fixtures)
+                made = job.make(settings, told, mesh=mesh, faces=faces, fixtures=result.draft.fixtures)
                 return job.prove(made, told)
 
             return try_others(result, make)
@@ -44,5 +44,5 @@ def leaves_something(figures: Figures) -> bool:
 
 def tell_advice(path: Any, trials: tuple[Trial, ...]) -> str:
     """Say which of the trials finishes most more, or that none does, in the user's language."""
-    seconds = float(results.result_of(path).made.program.seconds.sum())
+    seconds = float(results.result_of(path).draft.program.seconds.sum())
     return wording.told(report_advice(trials, seconds).text)

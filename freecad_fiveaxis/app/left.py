@@ -153,7 +153,7 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
 
 
 def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
-    made = known.result.made
+    made = known.result.draft
     left = figures.left or job.rest_material_of(made, progress)
     return Heights(known.fingerprint, made.mesh, left, figures.tolerance, allowed(made.settings, made.mesh, made.keep))
 

@@ -2,8 +2,8 @@
 """The mesh of a solid, by MeshPart; also a program of its own, for a FreeCAD without a window.
 
 As a program it takes the folder FIVEAXIS_MESHER with ``task.json`` (the deflections) and ``shape.bin``, and leaves there
-``mesh.bms`` and then ``made.json``: the number of facets of each face, or null where the shape is invalid. Of a task with a
-``file`` (STEP, IGES, BREP, FCStd) it meshes the solid ``named``, or the only one, to ``mesh.stl``; ``made.json`` is then
+``mesh.bms`` and then ``draft.json``: the number of facets of each face, or null where the shape is invalid. Of a task with a
+``file`` (STEP, IGES, BREP, FCStd) it meshes the solid ``named``, or the only one, to ``mesh.stl``; ``draft.json`` is then
 ``{"facets": count}`` or ``{"error": why not}``. It imports nothing of this add-on, which that FreeCAD need not know.
 """
 

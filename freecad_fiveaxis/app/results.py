@@ -22,9 +22,9 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.made import Milled
 from freecad_fiveaxis.core.pipeline.new_speed import change_speed, without_speed
 from freecad_fiveaxis.core.pipeline.outputs import curve_files
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.pipeline.settings import Settings
 from freecad_fiveaxis.core.report import Figures
 
@@ -133,8 +133,8 @@ def figures_of(obj: Any, progress: Progress | None = None) -> Figures:
 
 def nc_of(obj: Any, progress: Progress | None = None) -> bytes:
     """The NC file of a Toolpath; of an Audit the file that is audited. Raises as :func:`result_of`."""
-    made = _last(obj, progress).result.made
-    return made.nc if isinstance(made, job.Posted) else obj.Proxy.task(obj).data
+    made = _last(obj, progress).result.draft
+    return made.nc if isinstance(made, job.PostedProgram) else obj.Proxy.task(obj).data
 
 
 def _last(obj: Any, progress: Progress | None) -> Last:
@@ -155,11 +155,11 @@ def _last(obj: Any, progress: Progress | None) -> Last:
 def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
     """The whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's is touched."""
     last, blocks = proxy.last, task.blocks_fingerprint
-    if last is not None and last.blocks_fingerprint == blocks and isinstance(last.result.made, Milled):
+    if last is not None and last.blocks_fingerprint == blocks and isinstance(last.result.draft, MilledProgram):
         result = change_speed(last.result, task.settings, progress)
     else:
         part = None if task.part is None else mesh_of(task.part.stl, progress)
-        result = job.prove(proxy.made(task, progress), progress, part)
+        result = job.prove(proxy.draft(task, progress), progress, part)
     figures = job.figures(result)
     _ = figures.at_part  # found here, where it does not hold up the window that draws it
     return Last(fingerprint, blocks, result, figures)

@@ -41,7 +41,7 @@ def step(doc):
 
 def contacts(path):
     """Where the ball's lowest point goes, sampled along every feed block, cuts and links, two hundred times: mm, document."""
-    made = results.result_of(path).made.path
+    made = results.result_of(path).draft.path
     begin = np.flatnonzero(made.motion[1:] != Motion.RAPID)
     end = begin + 1
     share = np.linspace(0.0, 1.0, 201)[:, None, None]
@@ -66,7 +66,7 @@ def test_no_contact_lies_on_a_face_that_is_left_alone(doc, step):
     assert on(before, step, low) > 1000, "without it the face is milled, and the count can fail"
     assert on(after, step, low) == 0 and on(after, step, high) > 0.8 * on(before, step, high)
     assert results.nc_of(some) != results.nc_of(whole)
-    assert results.result_of(some).made.keep.sum() < results.result_of(whole).made.keep.sum()
+    assert results.result_of(some).draft.keep.sum() < results.result_of(whole).draft.keep.sum()
     other = app.create_toolpath(doc, step, avoid=high, **GIVEN)
     assert on(contacts(other), step, high) == 0 < on(contacts(other), step, low)
 
@@ -83,7 +83,7 @@ def test_the_tool_keeps_the_allowance_off_a_face_that_is_left_alone(doc, step):
     assert nearest_on_floor(plain) < 12.0 + 0.05
     assert 13.0 - 0.02 <= nearest_on_floor(path) < 13.0 + 0.05, "the ball's radius and 1 mm beside the wall"
     assert on(contacts(path), step, low) > 500
-    made = results.result_of(path).made
+    made = results.result_of(path).draft
     assert [one.value for one in made.findings if one.code == "near-avoided-faces"] and made.keep_off.some.any()
     changes.change_toolpath(path, {**GIVEN, "avoid": [wall], "avoid_allowance": 2})
     assert 14.0 - 0.02 <= nearest_on_floor(path) < 14.0 + 0.05

@@ -56,7 +56,7 @@ def hits(path, low, size):
         (1, 5, 7),
         (1, 7, 3),
     ]
-    made = results.result_of(path).made
+    made = results.result_of(path).draft
     fixture = Fixture("box", from_faces(corner, face))
     return check_fixtures((fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings))
 

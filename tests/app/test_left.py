@@ -152,7 +152,7 @@ def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is
     chosen = (face_at(step, z=10.0), face_at(step, z=40.0))
     path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", left="on")
     result = results.result_of(path)
-    mesh, keep = result.made.mesh, result.made.keep
+    mesh, keep = result.draft.mesh, result.draft.keep
     assert 0 < keep.sum() < len(keep) and set(np.round(mesh.vertex[mesh.face[keep]][..., 2].ravel(), 6)) == {10.0, 40.0}
     (first, *_) = [one for one in result.findings if one.code == "holder-collision"]
     assert first.place[0] >= 20.0 - 1e-6 and first.value > 1.0, "the wall beyond x = 20 stops the holder"

@@ -22,7 +22,7 @@ def test_a_solid_and_its_path_have_the_same_passes_and_the_document_stays(doc, b
     nc = results.nc_of(path)
     again = app.preview_passes(path)
     assert (again.point == found.point).all() and (again.polyline == found.polyline).all() and again.passes == path.Passes
-    made = results.result_of(path).made.path
+    made = results.result_of(path).draft.path
     cut = made.contact[made.motion == Motion.CUT]
     assert cKDTree(again.point).query(cut)[0].max() < 1e-6, "each contact is where a pass crosses an edge of a facet"
     assert cKDTree(again.point + (0, 0, 0.01)).query(cut)[0].max() > 1e-4, "the comparison can fail"

@@ -55,7 +55,7 @@ def test_a_solid_in_metres_is_milled_a_thousand_times_as_large_where_it_stood(do
     assert tessellation.chosen(path.Mesh) == (copy, ("Face6",)) and len(path.Mesh.FacetRuns) == len(runs)
     doc.recompute()
     assert not suspected(path) and path.Blocks > 20
-    normal = results.result_of(path).made.mesh.normal[results.result_of(path).made.keep]
+    normal = results.result_of(path).draft.mesh.normal[results.result_of(path).draft.keep]
     np.testing.assert_allclose(normal, np.tile([0.0, 0.0, 1.0], (len(normal), 1)), atol=1e-6)  # the top, and only the top
 
 

@@ -194,7 +194,7 @@ def test_a_mesh_that_was_moved_is_milled_where_it_is(doc, tmp_path):
     result = results.result_of(
         app.create_toolpath(doc, mesh, **{"machine": "trunnion_ac", "stepover": 4, "work_zero": (0, 0, 5), **PLAIN})
     )
-    assert result.made.mesh.vertex.min(axis=0).tolist() == [2.0, -5.0, -10.0]
+    assert result.draft.mesh.vertex.min(axis=0).tolist() == [2.0, -5.0, -10.0]
 
 
 class Unread:

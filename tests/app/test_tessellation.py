@@ -54,7 +54,7 @@ def test_a_toolpath_of_a_face_cuts_that_face_only(doc):
     doc.recompute()
     low = next(f"Face{i + 1}" for i, face in enumerate(both.Shape.Faces) if face.BoundBox.ZMin == face.BoundBox.ZMax == 5)
     path = app.create_toolpath(doc, (both, [low]), machine="trunnion_ac", cutter="ball:2", stepover=2)
-    made = results.result_of(path).made.path
+    made = results.result_of(path).draft.path
     cut = made.tip[made.motion == Motion.CUT]
     assert len(cut) and cut[:, 0].min() >= 11.0 - 1e-6  # the ball keeps its radius off the wall at x = 10
     np.testing.assert_allclose(cut[:, 2], 5.0, atol=1e-6)

@@ -100,7 +100,7 @@ def test_the_same_solid_tessellated_again_gives_the_same_bytes(doc, ball, tmp_pa
 
 def test_the_work_zero_is_taken_off_the_mesh(doc, ball):
     plain, moved = (
-        results.result_of(app.create_toolpath(doc, ball, **FAST, work_zero=zero)).made for zero in ((0, 0, 0), "2,4,20")
+        results.result_of(app.create_toolpath(doc, ball, **FAST, work_zero=zero)).draft for zero in ((0, 0, 0), "2,4,20")
     )
     np.testing.assert_allclose(moved.mesh.vertex, plain.mesh.vertex - (2, 4, 20), atol=4e-6)
     np.testing.assert_allclose(moved.path.tip.min(axis=0), plain.path.tip.min(axis=0) - (2, 4, 20), atol=1e-3)

@@ -31,7 +31,7 @@ def folder(tmp_path):
 def pair(doc, ball, tmp_path):
     """A CL file and the program made of it."""
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8, "origin": (10, -5, 20)})
-    made = results.result_of(path).made
+    made = results.result_of(path).draft
     (tmp_path / "ball.apt").write_bytes(
         write_apt(made.path, made.settings.cutter.cutter, "ball", head=options.cl_head(made.settings))
     )

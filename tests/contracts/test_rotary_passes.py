@@ -235,11 +235,11 @@ def feed_rows(program):
 @pytest.mark.parametrize("name", SHAPES)
 def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
     result = made(name)
-    path = result.made.path
+    path = result.draft.path
     rows = np.flatnonzero(path.motion == Motion.CUT)
     outward = path.contact[rows] * (0.0, 1.0, 1.0)
     np.testing.assert_allclose(path.axis[rows], outward / np.linalg.norm(outward, axis=1)[:, None], atol=1e-6)
-    blocks = [line for line in result.made.nc.decode().splitlines() if line.startswith(("G0 ", "G1 "))]
+    blocks = [line for line in result.draft.nc.decode().splitlines() if line.startswith(("G0 ", "G1 "))]
     assert all(set(re.findall("[A-Z]", line)) <= set("GXYZAF") for line in blocks)
     assert result.deviation.bound.max() <= 0.01
     assert not [one for one in result.findings if one.severity.name == "ERROR" or one.code == "retract-below-part"]
@@ -248,7 +248,7 @@ def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
 @pytest.mark.thorough
 @pytest.mark.parametrize(("name", "by"), [("cylinder", "around"), ("cam", "around"), ("flat", "along"), ("cone", "along")])
 def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(name, by):
-    built = made(name, by).made
+    built = made(name, by).draft
     read = read_nc(built.nc, built.kinematics, built.dialect)
     np.testing.assert_allclose(read.words[-len(built.program.words) :], built.program.words, atol=1e-9)
     rows = feed_rows(built.program)
@@ -258,8 +258,8 @@ def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(
 
 def test_a_spiral_around_a_cylinder_is_the_helix_of_the_closed_form():
     """One pass: a ring, turns of one step each, and a ring; the rotary word only rises, one turn for each of them."""
-    rings = int(made("cylinder").made.contact.pass_.max()) + 1
-    built = made("cylinder", spiral="on").made
+    rings = int(made("cylinder").draft.contact.pass_.max()) + 1
+    built = made("cylinder", spiral="on").draft
     path = built.path
     assert np.ptp(built.contact.pass_) == 0
     rows = np.flatnonzero(np.isin(path.motion, (Motion.CUT, Motion.FILL)))
@@ -281,7 +281,7 @@ def test_turns_beyond_the_limits_are_wound_back_and_told(tmp_path, stl):
     linear = (Axis(a, False, "head", way, low=-500, high=500, max_rate=9000) for a, way in zip("XYZ", (X, Y, Z), strict=True))
     save_machine(Machine("few_turns", (limited, *linear), safe_start=SafeStart("none")), tmp_path / "few.fcm")
     result = job.run(settings_of(stl("cylinder"), machine=str(tmp_path / "few.fcm"), spiral="on"))
-    words = result.made.program.words[:, 3]
+    words = result.draft.program.words[:, 3]
     assert words.min() >= -540.0 - 1e-6 and words.max() <= 540.0 + 1e-6
     assert [one for one in result.findings if "rewind" in one.code]
 
@@ -299,9 +299,9 @@ def test_a_cutter_without_a_ball_end_leaves_no_more_than_the_scallop_on_a_cone(s
 
 def test_a_machine_of_five_axes_turns_the_part_about_its_longest_side(stl):
     result = job.run(settings_of(stl("cylinder"), machine="fork_head_bc", tool_length=100.0, max_axis_angle=90))
-    rows = np.flatnonzero(result.made.path.motion == Motion.CUT)
-    assert np.abs(result.made.path.axis[rows, 0]).max() < 1e-9
-    assert (result.made.path.axis[rows, 2] > -1e-3).all()
+    rows = np.flatnonzero(result.draft.path.motion == Motion.CUT)
+    assert np.abs(result.draft.path.axis[rows, 0]).max() < 1e-9
+    assert (result.draft.path.axis[rows, 2] > -1e-3).all()
 
 
 @pytest.mark.parametrize(
@@ -334,7 +334,7 @@ def test_a_word_that_is_no_choice_ends_with_code_2(capsys):
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="needs LinuxCNC")
 def test_linuxcnc_reads_a_helix_of_many_turns(tmp_path):
-    built = made("cylinder", spiral="on").made
+    built = made("cylinder", spiral="on").draft
     nc = tmp_path / "out.ngc"
     nc.write_bytes(built.nc)
     told = subprocess.run(["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=120, check=True).stdout

@@ -46,8 +46,8 @@ def test_what_gains_is_what_a_direct_run_of_it_finishes_more(block, planes):
     best, before = trials[0], advice.measure_finished(planes)
     assert best.finished == pytest.approx(TOP + SIDES, rel=0.02) and best.gain == pytest.approx(best.finished - before)
     direct = proven(block)
-    assert advice.measure_finished(direct) == pytest.approx(best.finished) and direct.made.settings.passes.passes == "scallop"
-    assert float(direct.made.program.seconds.sum()) == pytest.approx(best.seconds)
+    assert advice.measure_finished(direct) == pytest.approx(best.finished) and direct.draft.settings.passes.passes == "scallop"
+    assert float(direct.draft.program.seconds.sum()) == pytest.approx(best.seconds)
     assert [one.gain for one in trials] == sorted((one.gain for one in trials), reverse=True)
     assert any(one.changes.get("cutter", "").startswith("ball:3") for one in trials)
     found = advice.report_advice(trials, 68.0)

@@ -161,4 +161,4 @@ def test_a_file_of_holes_is_posted(tmp_path) -> None:
     options = {"machine": "linuxcnc_xyzac_trt", "cutter": "flat:3", "output": str(tmp_path / "out.ngc")}
     result = job.run(build_settings("post", str(tmp_path / "holes.ncl"), options))
     assert not [found for found in result.findings if found.severity is Severity.ERROR]
-    assert result.made.program.words[:, 2].min() == pytest.approx(-3.0)
+    assert result.draft.program.words[:, 2].min() == pytest.approx(-3.0)

@@ -122,7 +122,7 @@ def test_nx_says_the_shape_of_the_cutter() -> None:
     assert read_cl_file("TLDATA/DRILL,MILL,63.0,0.0,239.0,178.0,35.0\nGOTO/1,2,3\n").head.diameter == 63
 
 
-def _post(tmp_path, text: str, **options: str) -> tuple[job.Made, list[Finding]]:
+def _post(tmp_path, text: str, **options: str) -> tuple[job.ProgramDraft, list[Finding]]:
     (tmp_path / "in.cls").write_text(text)
     made = job.make(build_settings("post", str(tmp_path / "in.cls"), MACHINE | options))
     return made, [one for one in made.findings if one.code.startswith("cutter")]

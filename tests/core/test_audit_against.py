@@ -309,7 +309,7 @@ def test_posted_for_a_pivot_half_a_millimetre_off_is_off_by_what_the_hand_comput
     tilt = np.radians(words[1:, 4])
     ends = result.audit.path.end
     for at, row in enumerate(result.audit.path.block):
-        angle = math.radians(result.made.program.words[row, 4])
+        angle = math.radians(result.draft.program.words[row, 4])
         # to a line of the path that does not run across the error the distance is less
         assert ends[at] <= 2 * 0.5 * abs(math.sin(angle / 2)) + 2e-3
     assert ends.max() == pytest.approx(2 * 0.5 * np.sin(np.abs(tilt) / 2).max(), rel=0.05)
@@ -436,7 +436,7 @@ def test_any_cutter_is_held_against_the_part(tmp_path, cutter):
         found = [one for one in result.findings if one.code == "overcut"]
         assert len(found) == (depth > 0) and result.audit.part.depth.max() == pytest.approx(depth, rel=0.02, abs=1e-3)
         assert math.isnan(result.audit.part.clearance) and "NaN" not in as_json(job.figures(result))
-    assert "--origin" in found[0].text and found[0].line == result.made.program.line[found[0].block]
+    assert "--origin" in found[0].text and found[0].line == result.draft.program.line[found[0].block]
 
 
 def test_holder_and_rapids_of_a_program_are_checked_where_they_are_asked_for(tmp_path):

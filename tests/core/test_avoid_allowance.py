@@ -71,9 +71,9 @@ def nearest_way(result, name, many=60):
     """How near, mm, the middle of the ball comes to the avoided rectangle, by dense samples of the real way with all rapids."""
     mesh, find = PARTS[name]
     corner = mesh.vertex[mesh.face[find(mesh)]].reshape(-1, 3)
-    program = result.made.program
+    program = result.draft.program
     q, u = words_to_q(program.words), np.linspace(0.0, 1.0, many)[:, None, None]
-    tip, axis = forward(result.made.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+    tip, axis = forward(result.draft.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
     centre = tip + 3.0 * axis
     out = np.maximum(np.maximum(corner.min(axis=0) - centre, centre - corner.max(axis=0)), 0.0)
     return float(np.linalg.norm(out, axis=1).min())
@@ -108,15 +108,15 @@ def test_whatever_lays_the_passes_and_links_them_the_allowance_is_kept(made, opt
 
 def heights(result, mesh, some):
     """What is left, mm, at places far enough from the faces, and where."""
-    program, settings = result.made.program, result.made.settings
-    swept = program_motion(result.made.kinematics, program, tip_to_driven(settings))
+    program, settings = result.draft.program, result.draft.settings
+    swept = program_motion(result.draft.kinematics, program, tip_to_driven(settings))
     body = body_of(settings.cutter.cutter)
     keep_off = KeepOff.of(mesh, some, 1.0, 3.0)
 
     def counts(point, facet):
         return keep_off.allows(mesh, point, facet)
 
-    return find_rest_material(mesh, body, swept, cutting(program.motion), 0.7, result.made.keep & ~some, counts=counts).height
+    return find_rest_material(mesh, body, swept, cutting(program.motion), 0.7, result.draft.keep & ~some, counts=counts).height
 
 
 @pytest.mark.thorough
@@ -146,22 +146,22 @@ def test_shank_and_holder_keep_off_too(made):
     """A holder as wide as it is near: upright over the floor it stands beside the wall's top."""
     options = {"cutter": "ball:6:4", "holder": ((24.0, 20.0),), "tool_axis": "facet_mean", "max_axis_angle": np.radians(30.0)}
     result = made("wall", 1.0, **options)
-    made_ = result.made
+    made_ = result.draft
     assert not {"avoided-faces-near"} & set(codes(result))
     q, u = words_to_q(made_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
     tip, axis = forward(made_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
     beside = (np.abs(axis[:, 2] - 1.0) < 1e-9) & (tip[:, 2] + 4.0 < 6.0)
     assert beside.any() and tip[beside, 1].max() <= -13.0 + TOLERANCE
-    assert made("wall", 0.0, **options).made.program.words[:, 1].max() is not None
+    assert made("wall", 0.0, **options).draft.program.words[:, 1].max() is not None
 
 
 def test_the_proof_finds_a_program_that_comes_nearer(made):
     """The program without an allowance, looked at with one."""
     result = made("wall", 0.0, tool_axis="auto")
-    context = result.made.context(silent)
+    context = result.draft.context(silent)
     mesh, find = PARTS["wall"]
     object.__setattr__(context, "keep_off", KeepOff.of(mesh, find(mesh), 1.0, 3.0))
-    (found,) = check_keep_off(context, result.made.program)
+    (found,) = check_keep_off(context, result.draft.program)
     assert found.code == "avoided-faces-near" and found.severity.name == "ERROR"
     assert found.value == pytest.approx(nearest_way(result, "wall") - 3.0, abs=0.05)
     assert "1 mm are asked for" in str(found.text)
@@ -193,7 +193,7 @@ def test_bad_allowances_are_refused_in_one_line_and_leave_no_file(made, tmp_path
 
 def test_cutters_with_a_ring_keep_off_with_the_whole_of_it(made):
     result = made("wall", 1.0, cutter="bull:8:1", tool_axis="facet_mean", max_axis_angle=np.radians(30.0))
-    made_ = result.made
+    made_ = result.draft
     q, u = words_to_q(made_.program.words), np.linspace(0.0, 1.0, 40)[:, None, None]
     tip, axis = forward(made_.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
     upright = (np.abs(axis[:, 2] - 1.0) < 1e-9) & (tip[:, 2] < 5.0)

@@ -73,8 +73,8 @@ def run_beside(mesh, some, allowance, folder, **options):
 
 def centres(result, many=40):
     """The middle of the ball (n, 3) mm on the real way of all blocks, rapids too."""
-    q, u = words_to_q(result.made.program.words), np.linspace(0.0, 1.0, many)[:, None, None]
-    tip, axis = forward(result.made.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
+    q, u = words_to_q(result.draft.program.words), np.linspace(0.0, 1.0, many)[:, None, None]
+    tip, axis = forward(result.draft.kinematics, (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5))
     return tip + RADIUS * axis
 
 

@@ -379,7 +379,7 @@ def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
     found = job.run(replace_left(made(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
     assert found.left.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.left.height.max() < 0.1
     assert not [one for one in found.findings if one.code == "uncut"]
-    whole = job.run(replace_left(replace(found.made.settings, boundary=type(found.made.settings.boundary)())))
+    whole = job.run(replace_left(replace(found.draft.settings, boundary=type(found.draft.settings.boundary)())))
     assert whole.left.area.sum() == pytest.approx(40 * 30)
 
 

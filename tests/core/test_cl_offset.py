@@ -54,7 +54,7 @@ def on_part(made):
 @some_in_core("lead, tilt", [(0, 0), (5, 0), (0, 5)])
 def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, tilt, milled, points):
     """By no more than the dome's facets themselves leave the sphere (0.0085 mm), and every row touches."""
-    made = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).made
+    made = milled("dome", "trunnion_ac", cutter=cutter, lead=lead, tilt=tilt, stepover=9).draft
     deep = depth(parse_cutter(cutter), *on_part(made), points("dome"))
     assert deep.max() < 0.006
     assert np.quantile(deep, 0.02) > -0.1  # as near as the points on the facets stand to the contact
@@ -63,7 +63,7 @@ def test_on_a_dome_no_cutter_enters_the_facets_and_none_stays_off(cutter, lead, 
 @pytest.mark.slow
 @pytest.mark.parametrize("cutter", CUTTERS)
 def test_on_a_saddle_a_lead_keeps_every_cutter_out_of_the_hollow(cutter, milled, points):
-    made = milled("saddle", "trunnion_ac", cutter=cutter, lead=10).made
+    made = milled("saddle", "trunnion_ac", cutter=cutter, lead=10).draft
     assert depth(parse_cutter(cutter), *on_part(made), points("saddle")).max() < 0.004
     assert not [finding for finding in made.findings if finding.code == "heel-in-hollow"]
 
@@ -107,7 +107,7 @@ def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_
     assert bool(heels) == (gouge == "off")
     assert all(heel.value is None and "not known" in heel.text and " mm" not in heel.text for heel in heels)
     assert ("overcut" in {one.code for one in result.findings}) == (gouge == "report")
-    deep = depth(parse_cutter(cutter), *on_part(result.made), facet_points(mesh, 0.5)).max()
+    deep = depth(parse_cutter(cutter), *on_part(result.draft), facet_points(mesh, 0.5)).max()
     assert deep > 1.15 * estimated[0]
 
 
@@ -115,7 +115,7 @@ def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_
 def test_after_a_lift_nothing_says_that_the_heel_stands_in_the_part(parts):
     given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 20, "tool_length": 120, **UNCURED, "gouge": "lift"}
     result = job.prove(job.make(build_settings("mill", str(parts / "saddle.stl"), given)))
-    assert heels_of(result.made) and not heels_of(result)
+    assert heels_of(result.draft) and not heels_of(result)
     assert "lifted" in {one.code for one in result.findings}
 
 
@@ -123,12 +123,12 @@ def test_after_a_lift_nothing_says_that_the_heel_stands_in_the_part(parts):
 @pytest.mark.parametrize("cutter", CUTTERS)
 def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, lead, cutter, milled):
     result = milled(part, "trunnion_ac", cutter=cutter, lead=lead)
-    words, kinematics, path = result.made.program.words, result.made.kinematics, result.made.joints.path
-    read = read_nc(result.made.nc, kinematics, result.made.dialect)
-    own = np.isin(read.line, result.made.program.line)  # the others are those of the safe start and end
+    words, kinematics, path = result.draft.program.words, result.draft.kinematics, result.draft.joints.path
+    read = read_nc(result.draft.nc, kinematics, result.draft.dialect)
+    own = np.isin(read.line, result.draft.program.line)  # the others are those of the safe start and end
     assert (~own).sum() == 2
     tip, axis = forward(kinematics, words_to_q(read.words[own]))
-    row = result.made.program.row
+    row = result.draft.program.row
     assert np.linalg.norm(tip - path.tip[row], axis=1).max() < 2e-3 and np.linalg.norm(axis - path.axis[row], axis=1).max() < 1e-5
     block = np.argsort(result.deviation.segment)[[-1, -2, -30, -100, 40]]
     q, u = words_to_q(words), np.linspace(0, 1, 2001)[:, None]
@@ -150,8 +150,8 @@ def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, le
 def test_the_tip_follows_an_axis_that_was_led(cutter, options, milled, points):
     """The axes are others than the strategy's, and still the cutter touches the dome and does not enter it."""
     given = {"cutter": cutter, "stepover": 5, "max_axis_angle": 11}
-    made = milled("dome", "trunnion_ac", **given, **options).made
-    plain = milled("dome", "trunnion_ac", **given).made
+    made = milled("dome", "trunnion_ac", **given, **options).draft
+    plain = milled("dome", "trunnion_ac", **given).draft
     assert np.abs(on_part(made)[1] - on_part(plain)[1]).max() > 1e-3
     deep = depth(parse_cutter(cutter), *on_part(made), points("dome"))
     assert np.quantile(deep, 0.02) > -0.1 and deep.max() < 0.005
@@ -159,15 +159,15 @@ def test_the_tip_follows_an_axis_that_was_led(cutter, options, milled, points):
 
 def test_a_path_whose_tips_stayed_behind_would_be_noticed(milled, points):
     given = {"cutter": "bull:10:2", "stepover": 17, "max_axis_angle": 40}
-    tip, _ = on_part(milled("dome", "trunnion_ac", **given).made)
-    _, axis = on_part(milled("dome", "trunnion_ac", lead=3, **given).made)
+    tip, _ = on_part(milled("dome", "trunnion_ac", **given).draft)
+    _, axis = on_part(milled("dome", "trunnion_ac", lead=3, **given).draft)
     assert depth(parse_cutter("bull:10:2"), tip, axis, points("dome")).max() > 0.05
 
 
 @pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "ball:10"])
 def test_the_driven_point_of_control_point_centre_is_the_hub(cutter, milled):
-    tip = milled("dome", "trunnion_ac", cutter=cutter, lead=5, stepover=17).made.path
-    hub = milled("dome", "trunnion_ac", cutter=cutter, lead=5, stepover=17, control_point="centre").made.path
+    tip = milled("dome", "trunnion_ac", cutter=cutter, lead=5, stepover=17).draft.path
+    hub = milled("dome", "trunnion_ac", cutter=cutter, lead=5, stepover=17, control_point="centre").draft.path
     np.testing.assert_allclose(hub.tip - parse_cutter(cutter).corner * hub.axis, tip.tip, atol=1e-9)
 
 
@@ -248,12 +248,12 @@ def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(cutter, 
 
 def test_the_flank_of_a_tapered_cutter_stays_out_of_steep_walls(milled, points):
     given = {"cutter": "taperball:6:20deg", "tool_axis": "fixed"}
-    made = milled("dome", "trunnion_ac", **given).made
+    made = milled("dome", "trunnion_ac", **given).draft
     (left,) = [finding for finding in made.findings if finding.code == "flank-into-part"]
     assert left.value > 10.0
     assert depth(parse_cutter("taperball:6:20deg"), *on_part(made), points("dome")).max() < 0.004
     assert (made.offset.normal @ [0, 0, 1]).min() >= np.sin(np.radians(20)) - 1e-5
-    gentle = milled("dome", "trunnion_ac", cutter="ball:6", tool_axis="fixed").made
+    gentle = milled("dome", "trunnion_ac", cutter="ball:6", tool_axis="fixed").draft
     assert not [finding for finding in gentle.findings if finding.code == "flank-into-part"]
 
 
@@ -350,7 +350,7 @@ def test_under_a_fixed_axis_the_narrowest_stand_counts():
 
 @pytest.mark.parametrize("shape", [*CUTTERS, "ball:10", "taperbull:8:0:3deg:40"])
 def test_a_cl_file_says_the_cutter_and_gives_it_back(shape, milled):
-    path, cutter = milled("dome", "trunnion_ac", stepover=20).made.path, parse_cutter(shape)
+    path, cutter = milled("dome", "trunnion_ac", stepover=20).draft.path, parse_cutter(shape)
     text = write_apt(path, cutter, "dome")
     back = read_cl_file(text).head.cutter
     assert (back.diameter, back.corner, back.taper) == pytest.approx((cutter.diameter, cutter.corner, cutter.taper), abs=2e-4)
@@ -408,7 +408,7 @@ def test_the_tool_length_of_a_head_reaches_to_the_hub():
 
 
 def test_rows_between_lie_on_the_facet_and_turn_evenly(milled):
-    made = milled("saddle", "trunnion_ac", cutter="bull:10:2", stepover=20).made
+    made = milled("saddle", "trunnion_ac", cutter="bull:10:2", stepover=20).draft
     bent = made.axis + np.where(np.arange(len(made.axis)) % 2, 0.3, -0.3)[:, None] * np.array([0.0, 1.0, 0.0])
     bent /= np.linalg.norm(bent, axis=1)[:, None]
     sat, axis = seating.cl_offset_path(made.offset, bent, parse_cutter("bull:10:2"), 0.01)

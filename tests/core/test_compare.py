@@ -179,7 +179,9 @@ def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reaso
 
 def test_a_cure_that_leads_the_axes_needs_the_solid():
     made = milled(**COARSE)
-    posted = job.Posted(**{name: value for name, value in vars(made).items() if name in job.Posted.__dataclass_fields__})
+    posted = job.PostedProgram(
+        **{name: value for name, value in vars(made).items() if name in job.PostedProgram.__dataclass_fields__}
+    )
     row, _ = compare(made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(AxisCorrection(leaned), posted)})
     assert "STL" in row.problem
 

@@ -214,7 +214,7 @@ def test_a_rapid_that_is_clear_only_if_interpolated_has_a_marker_in_each_run():
     marked = [one for one in markers(job.figures(result)) if one.kind == "independent-rapid"]
     depth = result.gouge.ways.depth
     assert marked and marked[0].block == depth.argmax() + 1 and marked[0].finding is not None
-    assert {one.block for one in marked} <= set((independent_rapids(result.made.program) + 1).tolist())
+    assert {one.block for one in marked} <= set((independent_rapids(result.draft.program) + 1).tolist())
     assert f"{depth.max():.4g} mm in the part" in marked[0].label
 
 

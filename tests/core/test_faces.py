@@ -87,7 +87,7 @@ def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clea
     options |= {"tool_axis": "fixed", "linearize": "on"}
     settings = build_settings("mill", str(files / "part.stl"), {**options, "faces": str(files / "floor.stl")})
     result = job.run(settings)
-    made = result.made
+    made = result.draft
     assert set(made.offset.face) <= set(np.flatnonzero(made.keep)) and result.left is not None
     assert set(result.left.facet) == set(np.flatnonzero(made.keep)) and made.keep.sum() == 2
     codes = {one.code for one in result.findings}

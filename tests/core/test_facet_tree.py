@@ -8,8 +8,8 @@ import pytest
 from gouge_examples import bowl
 
 from freecad_fiveaxis.core.base import chunks
-from freecad_fiveaxis.core.collision.obstacles import _each_once
 from freecad_fiveaxis.core.geometry import facet_tree
+from freecad_fiveaxis.core.gouge.obstacles import _each_once
 from freecad_fiveaxis.core.passes.geodesic import _counted
 
 

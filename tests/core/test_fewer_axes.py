@@ -143,7 +143,7 @@ def test_inverse_is_the_way_back_and_never_near_a_pole(name):
 
 def test_a_program_of_three_axes_says_x_y_z_alone(files):
     result = posted(files, "three", "level")
-    assert blocks(result.made.nc) == [
+    assert blocks(result.draft.nc) == [
         "G0 X0.0000 Y0.0000 Z60.0000", "G1 Z10.0000 F16.0000", "G1 X30.0000 F26.6666", "G1 Y20.0000 Z5.0000 F38.8057", "G0 Z60.0000",
     ]  # fmt: skip
     assert result.deviation.bound.max() < 1e-9
@@ -152,13 +152,13 @@ def test_a_program_of_three_axes_says_x_y_z_alone(files):
 
 def test_a_program_of_four_axes_says_the_one_word_and_the_bound_holds(files):
     result = posted(files, "table_a", "leaning", linearize="off")
-    program = result.made.program
-    assert all(set(re.findall("[A-Z_]", line)) <= set("GXYZAF") for line in blocks(result.made.nc))
-    assert "A-36.8699" in result.made.nc.decode()
+    program = result.draft.program
+    assert all(set(re.findall("[A-Z_]", line)) <= set("GXYZAF") for line in blocks(result.draft.nc))
+    assert "A-36.8699" in result.draft.nc.decode()
     q, rows = words_to_q(program.words), range(1, len(program.words))
     for row in rows:
         u = np.linspace(0.0, 1.0, 2001)[:, None]
-        tip, _ = forward(result.made.kinematics, q[row - 1] + u * (q[row] - q[row - 1]))
+        tip, _ = forward(result.draft.kinematics, q[row - 1] + u * (q[row] - q[row - 1]))
         chord = tip[-1] - tip[0]
         along = np.clip((tip - tip[0]) @ chord / max(chord @ chord, 1e-30), 0.0, 1.0)[:, None]
         off = np.linalg.norm(tip - tip[0] - along * chord, axis=1).max()
@@ -174,7 +174,7 @@ def test_what_is_posted_is_read_again_by_every_controller(files, name, path, con
         (files / "aside.apt").write_text(
             LEANING_APT.replace("0,0.5,0.866025404", "0.5,0,0.866025404").replace("0,0.6,0.8", "0.6,0,0.8")
         )
-    made = posted(files, name, path, controller=controller, linearize="on").made
+    made = posted(files, name, path, controller=controller, linearize="on").draft
     read = read_nc(made.nc, made.kinematics, made.dialect)
     np.testing.assert_allclose(read.words, made.program.words, atol=1e-9)
     assert not [finding for finding in read.findings if finding.code in ("unknown-axis", "position-unknown")]
@@ -210,7 +210,7 @@ def test_a_comparison_takes_a_cl_path_that_the_first_machine_cannot_drive(files)
 
 def test_tool_axes_printed_with_four_decimals_are_within_reach(files):
     (files / "leaning.apt").write_text(LEANING_APT.replace("0,0.6,0.8", "0.0001,0.6000,0.8000"))
-    assert not posted(files, "table_a", "leaning").made.program.words[:, 4].any()
+    assert not posted(files, "table_a", "leaning").draft.program.words[:, 4].any()
 
 
 def test_a_word_of_an_axis_that_is_not_there_is_told(files):
@@ -221,7 +221,7 @@ def test_a_word_of_an_axis_that_is_not_there_is_told(files):
 
 @some_in_core(("name", "path"), [("three", "level"), ("table_a", "leaning")])
 def test_audit_and_every_output_name_the_real_axes_alone(files, name, path):
-    made = posted(files, name, path, linearize="on").made
+    made = posted(files, name, path, linearize="on").draft
     nc = files / "out.ngc"
     nc.write_bytes(made.nc)
     reports = [str(files / ("report" + kind)) for kind in (".html", ".json", ".txt")]
@@ -237,7 +237,7 @@ def test_audit_and_every_output_name_the_real_axes_alone(files, name, path):
 @pytest.mark.parametrize(("name", "path"), [("three", "level"), ("table_a", "leaning")])
 def test_play_moves_what_there_is(files, name, path):
     result = posted(files, name, path)
-    kinematics, program = result.made.kinematics, result.made.program
+    kinematics, program = result.draft.kinematics, result.draft.program
     pose = Playback(kinematics, program, result.deviation).at(float(program.seconds.sum()))
     np.testing.assert_allclose(pose.tip, forward(kinematics, words_to_q(program.words[-1:]))[0][0], atol=1e-9)
     bodies = sketch(kinematics, np.zeros(3), np.full(3, 20.0), ToolRoom(50.0, 5.0))
@@ -248,8 +248,8 @@ def test_play_moves_what_there_is(files, name, path):
 def test_the_dome_is_milled_with_the_tool_along_z(parts, files):
     options = {"machine": str(files / "three.fcm"), "tool_axis": "fixed", "stepover": 5, "spindle": 9000}
     result = job.run(build_settings("mill", str(parts / "dome.stl"), options))
-    assert result.made.keep.sum() > 0.4 * len(result.made.keep)
-    assert (result.made.path.axis == (0.0, 0.0, 1.0)).all()
+    assert result.draft.keep.sum() > 0.4 * len(result.draft.keep)
+    assert (result.draft.path.axis == (0.0, 0.0, 1.0)).all()
     assert result.deviation.bound.max() < 1e-9
 
 
@@ -294,7 +294,7 @@ def test_the_studies_that_make_no_sense_are_refused(files):
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="needs LinuxCNC")
 def test_linuxcnc_reads_the_four_axes_as_they_are_written(files):
-    made = posted(files, "table_a", "leaning", linearize="on").made
+    made = posted(files, "table_a", "leaning", linearize="on").draft
     nc = files / "out.ngc"
     nc.write_bytes(made.nc)
     told = subprocess.run(["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=60, check=True).stdout

@@ -59,7 +59,7 @@ def sampled_depth(made, low, high, many=200):
 def test_a_clamp_in_the_way_is_hit_as_deep_as_dense_samples_say(files):
     result = proved(files, "clamp.stl", gouge="report")
     (one,) = hits(result)
-    deepest = sampled_depth(result.made, np.array(LOW), np.array(HIGH))
+    deepest = sampled_depth(result.draft, np.array(LOW), np.array(HIGH))
     assert deepest == pytest.approx(1.0, abs=1e-6)  # the first pass is 1 mm inside the plate's edge: 3 - 2
     assert one.value == pytest.approx(deepest, abs=0.02)
     assert "into the fixture clamp.stl" in str(one.text) and one.line is not None
@@ -68,7 +68,7 @@ def test_a_clamp_in_the_way_is_hit_as_deep_as_dense_samples_say(files):
 
 
 def test_moved_away_by_as_much_it_is_free_and_a_tenth_nearer_it_is_not(files):
-    made = proved(files, gouge="report").made
+    made = proved(files, gouge="report").draft
     (depth,) = [one.value for one in hits(proved(files, "clamp.stl", gouge="report"))]
 
     def found(away):
@@ -87,14 +87,14 @@ def test_a_path_goes_around_the_fixture_and_still_cuts_what_is_free(files, axes)
     bare, result = proved(files, **axes), proved(files, "clamp.stl", **axes)
     assert hits_of(bare, files)
     assert not hits(result)
-    assert sampled_depth(result.made, np.array(LOW), np.array(HIGH), 50) < 0.011
+    assert sampled_depth(result.draft, np.array(LOW), np.array(HIGH), 50) < 0.011
     assert summary(job.figures(result))["cut_length"] > 0.7 * summary(job.figures(bare))["cut_length"]
-    tip, _ = forward(result.made.kinematics, words_to_q(result.made.program.words))
+    tip, _ = forward(result.draft.kinematics, words_to_q(result.draft.program.words))
     assert tip[:, 2].max() >= 30.0  # 5 mm above the clamp, where the plate alone asks for 15
 
 
 def hits_of(result, files):
-    made = result.made
+    made = result.draft
     fixture = Fixture("clamp", clamp())
     return check_fixtures((fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings))
 
@@ -118,7 +118,7 @@ def test_a_holder_that_hits_is_named_where_the_cutter_is_free(files):
 
 
 def test_a_cutter_wholly_inside_a_fixture_touches_no_facet_and_is_found(files):
-    made = proved(files, gouge="report").made
+    made = proved(files, gouge="report").draft
     whole = Fixture("stock", clamp((-500, -500, -500), (500, 500, 500)))
     (one,) = check_fixtures((whole,), tool_body(made.settings), made.kinematics, made.program, 0.01)
     assert "whole cutter is inside the fixture stock" in str(one.text)
@@ -183,7 +183,7 @@ def test_what_comes_nearer_than_the_clearance_is_told_as_near_as_dense_samples_s
     low, high = np.subtract(LOW, (0, 4, 0)), np.subtract(HIGH, (0, 4, 0))
     write_stl(clamp(low, high), files / "aside.stl")
     result = proved(files, "aside.stl", gouge="report", fixture_clearance=5.0)
-    away = nearest(result.made, low, high)
+    away = nearest(result.draft, low, high)
     assert away == pytest.approx(3.0, abs=1e-6)  # 1 mm in it, moved by 4
     (one,) = [one for one in result.findings if one.code == "fixture-near"]
     assert one.severity.name == "WARNING" and not hits(result)

@@ -95,13 +95,13 @@ def made_of(name, _):
 
 def axes_of(result):
     """The frames' axes, of what the note says."""
-    text = next(str(one.text) for one in result.made.findings if one.code == "frames")
+    text = next(str(one.text) for one in result.draft.findings if one.code == "frames")
     return np.array([[float(x) for x in one.split(",")] for one in text.rstrip(".").split(": ")[1].split("; ")])
 
 
 def rotary_of_feed(result):
     """Rotary words (b, 2) at both ends of every feed block, as our reader reads the posted text."""
-    made = result.made
+    made = result.draft
     program = read_nc(made.nc, made.kinematics, made.dialect)
     feed = np.flatnonzero(program.motion[1:] != Motion.RAPID)
     return np.asarray(program.words)[feed, 3:], np.asarray(program.words)[feed + 1, 3:]
@@ -111,7 +111,7 @@ def locked(result):
     """The distinct rotary positions of feed blocks; that they turn in none, and that the text says it once a frame."""
     before, after = rotary_of_feed(result)
     assert (before == after).all()
-    lines = result.made.nc.decode().splitlines()
+    lines = result.draft.nc.decode().splitlines()
     assert not [line for line in lines if line.startswith("G1") and re.search("[ABC]", line)]
     turns = np.flatnonzero((np.diff(after, axis=0) != 0.0).any(axis=1))
     distinct = len(np.unique(after, axis=0))
@@ -121,8 +121,8 @@ def locked(result):
 
 def centres(result, step=0.1):
     """Where the ball's centre is on feed blocks, by a forward map of the words."""
-    words, feed = result.made.program.words, result.made.program.motion[1:] != Motion.RAPID
-    tip, axis = forward(result.made.kinematics, words_to_q(words))
+    words, feed = result.draft.program.words, result.draft.program.motion[1:] != Motion.RAPID
+    tip, axis = forward(result.draft.kinematics, words_to_q(words))
     centre = tip + RADIUS * axis
     start, end = centre[:-1][feed], centre[1:][feed]  # straight: the rotary axes stand
     pieces = np.ceil(np.linalg.norm(end - start, axis=1) / step).astype(int) + 1
@@ -165,7 +165,7 @@ def test_two_frames_see_what_stands_upright_and_convex(name):
 def test_rotary_axes_are_locked_in_each_frame(name):
     result = of(name)
     assert 1 <= locked(result) <= 12
-    assert not any(len(depth) and depth.max() > TOLERANCE for _, _, depth in result.gouge.cases(result.made.program.motion[1:]))
+    assert not any(len(depth) and depth.max() > TOLERANCE for _, _, depth in result.gouge.cases(result.draft.program.motion[1:]))
 
 
 def test_a_turn_in_a_feed_block_would_be_noticed():
@@ -414,7 +414,7 @@ def test_frames_keep_clear_of_fixtures(tmp_path):
 def planar(result, angle):
     """How far (k,) mm the contacts of each pass are from one plane that contains the pass's frame's axis and the travel, and how
     far apart (j,) mm such planes of a frame are that follow one another."""
-    made = result.made
+    made = result.draft
     axes = np.unique(np.round(made.axis, 12), axis=0)  # the note rounds them
     travel = np.array([math.cos(angle), math.sin(angle), 0.0])
     across = np.cross(axes, travel)

@@ -310,9 +310,9 @@ def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, 
 def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(parts, options):
     """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row is lifted."""
     report, lift = (job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options)) for gouge in ("report", "lift"))
-    assert report.gouge.cutter.depth.max() > 1.2 * report.made.settings.proof.tolerance
+    assert report.gouge.cutter.depth.max() > 1.2 * report.draft.settings.proof.tolerance
     assert not lift.gouge.cutter.depth.any() and "lifted" not in {finding.code for finding in lift.findings}
-    assert len(lift.made.path.tip) < 1.05 * len(report.made.path.tip)
+    assert len(lift.draft.path.tip) < 1.05 * len(report.draft.path.tip)
 
 
 @pytest.mark.slow
@@ -422,4 +422,4 @@ def test_where_the_controller_guides_the_tip_its_straight_way_is_checked():
     options = {"cutter": "ball:10", "gouge": "report", "linearize": "off"}
     by_joints, guided = (job.prove(milled(round_groove(4.0), **options, rtcp=rtcp)) for rtcp in ("off", "angles"))
     worst = [max(f.value for f in result.findings if f.code == "overcut") for result in (by_joints, guided)]
-    assert guided.made.program.guided is not None and worst[1] == pytest.approx(worst[0], rel=0.03)
+    assert guided.draft.program.guided is not None and worst[1] == pytest.approx(worst[0], rel=0.03)

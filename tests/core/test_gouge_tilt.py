@@ -193,7 +193,7 @@ def test_leaving_out_looks_at_the_hub_of_a_cutter_with_a_ring(cutter):
     options = {"cutter": cutter, "direction": 90, "stepover": 8}
     before, after = (job.prove(made_of(step(6.0), gouge=gouge, **options)) for gouge in ("report", "leave-out"))
     assert "overcut" in codes(before) and "left-out" in codes(after) and "overcut" not in codes(after)
-    assert len(rows_on(after.made, -25.0, -3.5)) >= 2  # the floor away from the wall is still cut
+    assert len(rows_on(after.draft, -25.0, -3.5)) >= 2  # the floor away from the wall is still cut
 
 
 @some_in_core(("diameter", "cure"), [(20, "lift"), (60, "lift"), (20, "leave-out")])

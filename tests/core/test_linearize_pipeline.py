@@ -61,8 +61,8 @@ def walks(made, samples, above=0.0):
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_every_feed_block_is_proven_within_tolerance(part, machine, milled):
     before, result = milled(part, machine), milled(part, machine, linearize="on")
-    feed = result.made.program.motion != Motion.RAPID
-    assert before.surface.bound[before.made.program.motion != Motion.RAPID].max() > 0.1
+    feed = result.draft.program.motion != Motion.RAPID
+    assert before.surface.bound[before.draft.program.motion != Motion.RAPID].max() > 0.1
     assert result.surface.bound[feed].max() <= 0.01
     codes = {finding.code for finding in result.findings}
     assert "linearized" in codes
@@ -72,7 +72,7 @@ def test_every_feed_block_is_proven_within_tolerance(part, machine, milled):
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_the_real_centre_stays_by_the_commanded_segments_of_the_undivided_path(part, machine, milled):
     """201 points of every block of the rounded words, against the segments of the ball's centre along the CL path."""
-    whole, made = milled(part, machine).made.joints, milled(part, machine, linearize="on").made
+    whole, made = milled(part, machine).draft.joints, milled(part, machine, linearize="on").draft
     end = np.searchsorted(own_rows(made.joints, whole), made.program.row[1:])  # the undivided row that each block leads to
     radius = made.settings.cutter.cutter.radius
     centre = whole.path.tip + radius * whole.path.axis
@@ -86,7 +86,7 @@ def test_the_real_centre_stays_by_the_commanded_segments_of_the_undivided_path(p
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_contacts_tips_and_axes_are_those_of_the_undivided_path(part, machine, milled):
-    whole, divided = milled(part, machine).made.joints, milled(part, machine, linearize="on").made.joints
+    whole, divided = milled(part, machine).draft.joints, milled(part, machine, linearize="on").draft.joints
     own = own_rows(divided, whole)
     for name in ("contact", "normal", "tip", "axis", "motion", "feed", "face", "coedge", "pass_"):
         assert (getattr(divided.path, name)[own] == getattr(whole.path, name)).all()
@@ -102,7 +102,7 @@ def test_contacts_tips_and_axes_are_those_of_the_undivided_path(part, machine, m
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_rapids_are_never_divided(part, machine, milled):
-    whole, divided = milled(part, machine).made.program, milled(part, machine, linearize="on").made.program
+    whole, divided = milled(part, machine).draft.program, milled(part, machine, linearize="on").draft.program
     rapid, rapid_too = whole.motion == Motion.RAPID, divided.motion == Motion.RAPID
     assert len(divided.words) > len(whole.words)
     assert rapid.sum() == rapid_too.sum()
@@ -112,7 +112,7 @@ def test_rapids_are_never_divided(part, machine, milled):
 @pytest.mark.parametrize("mode", ["g93", "g94"])
 def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode, milled):
     """The length of a densely sampled path over the time by the F word, wherever no axis is at its limit."""
-    made = milled("saddle", "trunnion_ac", linearize="on", feed_mode=mode).made
+    made = milled("saddle", "trunnion_ac", linearize="on", feed_mode=mode).draft
     program, path = made.program, made.joints.path
     points = walks(made, 129)
     length = np.linalg.norm(np.diff(points, axis=1), axis=2).sum(1)
@@ -139,7 +139,7 @@ def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode,
 @pytest.mark.parametrize("mode", ["g93", "g94"])
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_linuxcnc_accepts_divided_programs(part, machine, mode, milled, tmp_path):
-    (tmp_path / "part.ngc").write_bytes(milled(part, machine, linearize="on", feed_mode=mode).made.nc)
+    (tmp_path / "part.ngc").write_bytes(milled(part, machine, linearize="on", feed_mode=mode).draft.nc)
     done = subprocess.run(
         ["rs274", "-g", "part.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
     )
@@ -148,21 +148,21 @@ def test_linuxcnc_accepts_divided_programs(part, machine, mode, milled, tmp_path
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
-    made = milled(part, machine).made
-    assert milled(part, machine, linearize="off", singularity="report").made.nc == made.nc
+    made = milled(part, machine).draft
+    assert milled(part, machine, linearize="off", singularity="report").draft.nc == made.nc
     settings = made.settings
     bare = solve(made.path, made.kinematics, *made.mesh.box, settings.links.clearance, settings.cutter.cutter.radius)
     program = build_program(bare, made.kinematics, made.dialect, True)
     height, _ = start_plane(made.context(silent), program)
     title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
     assert write_nc(program, made.dialect, title, options, height=height) == made.nc
-    assert milled(part, machine, linearize="on").made.nc != made.nc
+    assert milled(part, machine, linearize="on").draft.nc != made.nc
 
 
 @pytest.mark.parametrize("machine", ["trunnion_ac", "fork_head_bc"])
 def test_at_the_pole_only_blocks_that_pass_the_cone_are_divided(machine, milled):
-    result, whole = milled("saddle", machine, singularity="linearize"), milled("saddle", machine).made
-    made = result.made
+    result, whole = milled("saddle", machine, singularity="linearize"), milled("saddle", machine).draft
+    made = result.draft
     near = in_cone(made.kinematics, q_to_words(whole.joints.q), made.machine.singular_cone)
     pieces = np.diff(own_rows(made.joints, whole.joints), prepend=-1)
     assert (pieces[~near] == 1).all()
@@ -172,16 +172,16 @@ def test_at_the_pole_only_blocks_that_pass_the_cone_are_divided(machine, milled)
     assert result.surface.bound[fed & near[end]].max() <= 0.01
     assert result.surface.bound[fed & ~near[end]].max() > 0.1  # the rest is only reported
     both = milled("saddle", machine, singularity="linearize", linearize="on")
-    assert both.made.nc == milled("saddle", machine, linearize="on").made.nc
+    assert both.draft.nc == milled("saddle", machine, linearize="on").draft.nc
 
 
 def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_what_is_held(milled):
     result = milled("dome", "trunnion_ac", linearize="on", tolerance=5e-5)
-    program = result.made.program
+    program = result.draft.program
     (finding,) = (finding for finding in result.findings if finding.code == "linearize-rounding")
     assert finding.severity is Severity.WARNING and finding.limit == 5e-5 and 5e-5 < finding.value < 3e-4
     assert finding.line == program.line[finding.block]
-    assert np.linalg.norm(forward(result.made.kinematics, words_to_q(program.words[[finding.block]]))[0] - finding.place) < 1e-9
+    assert np.linalg.norm(forward(result.draft.kinematics, words_to_q(program.words[[finding.block]]))[0] - finding.place) < 1e-9
     feed = program.motion != Motion.RAPID
     assert result.surface.bound[feed].max() <= finding.value
     text = f"X{finding.place[0]:.3f} Y{finding.place[1]:.3f} Z{finding.place[2]:.3f}"
@@ -189,7 +189,7 @@ def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_wha
 
 
 def test_findings_of_the_joint_path_come_to_their_blocks_and_lines(milled):
-    made = milled("saddle", "trunnion_ac", linearize="on").made
+    made = milled("saddle", "trunnion_ac", linearize="on").draft
     row = int(made.program.row[100])
     joints = replace(made.joints, q=np.insert(made.joints.q, row, made.joints.q[row], axis=0)[: len(made.joints.q)])
     program = build_program(joints, made.kinematics, made.dialect, True)  # row + 1 has the words of row, and no block

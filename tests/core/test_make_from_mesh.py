@@ -26,7 +26,7 @@ def test_a_mesh_at_hand_gives_the_bytes_of_its_file_whatever_the_name(block, tmp
     write_stl(block, tmp_path / "a.stl")
     from_file = job.make(build_settings("mill", str(tmp_path / "a.stl"), OPTIONS))
     at_hand = job.make(build_settings("mill", "elsewhere.stl", OPTIONS), mesh=read_stl(tmp_path / "a.stl"))
-    assert isinstance(from_file, job.Posted) and isinstance(at_hand, job.Posted)
+    assert isinstance(from_file, job.PostedProgram) and isinstance(at_hand, job.PostedProgram)
     assert from_file.nc == at_hand.nc and b"a.stl" not in from_file.nc
 
 
@@ -35,7 +35,7 @@ def test_only_the_chosen_facets_are_cut(block) -> None:
     chosen = np.arange(len(block.face)) < 2
     made = job.make(settings, mesh=block, faces=chosen)
     whole = job.make(settings, mesh=block)
-    assert isinstance(made, job.Milled) and isinstance(whole, job.Milled)
+    assert isinstance(made, job.MilledProgram) and isinstance(whole, job.MilledProgram)
     assert set(np.unique(made.offset.face)) == {0, 1}
     assert set(np.unique(whole.offset.face)) > {0, 1, 2, 3}
     assert not [finding for finding in made.findings if finding.code == "facets-looking-down"]

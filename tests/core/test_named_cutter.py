@@ -53,7 +53,7 @@ def test_an_audit_without_a_cutter_takes_the_programs_and_says_so(tmp_path):
         return job.run(build_settings("audit", str(tmp_path / "a.ngc"), {"machine": "trunnion_ac", **options}))
 
     taken, given = audited(), audited(cutter="ball:8")
-    assert taken.made.settings.cutter.cutter.diameter == 6 and taken.surface.segment.max() > 0.0
+    assert taken.draft.settings.cutter.cutter.diameter == 6 and taken.surface.segment.max() > 0.0
     assert [one.code for one in taken.findings].count("cutter-from-program") == 1
-    assert given.made.settings.cutter.cutter.diameter == 8
+    assert given.draft.settings.cutter.cutter.diameter == 8
     assert "cutter-from-program" not in {one.code for one in given.findings}

@@ -231,9 +231,9 @@ def test_a_text_whose_controller_nobody_has_said_is_taken_as_its_own_signs_say(c
         job.run(build_settings("audit", str(tmp_path / "a.nc"), {"machine": "trunnion_ac"} | more))
         for more in ({}, {"controller": controller})
     )
-    assert by_text.made.dialect.name == (name or "linuxcnc")  # a Fanuc program shows nothing that others have not
+    assert by_text.draft.dialect.name == (name or "linuxcnc")  # a Fanuc program shows nothing that others have not
     assert ("read-as" in [finding.code for finding in by_text.findings]) == bool(name)
-    assert np.array_equal(by_text.made.program.seconds, by_name.made.program.seconds) == bool(name), "what F means"
+    assert np.array_equal(by_text.draft.program.seconds, by_name.draft.program.seconds) == bool(name), "what F means"
 
 
 EXAMPLES = {

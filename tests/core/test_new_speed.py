@@ -28,11 +28,11 @@ def settings(controller: str, **options):
 def test_a_new_speed_gives_the_bytes_and_the_report_of_the_whole_job(controller) -> None:
     whole = [job.prove(job.make(settings(controller, **speed), mesh=GABLE)) for speed in SPEEDS]
     told = [as_json(job.figures(one)) for one in whole]
-    assert len({one.made.nc for one in whole}) == 2 and len(set(told)) == 3
+    assert len({one.draft.nc for one in whole}) == 2 and len(set(told)) == 3
     for given in whole:
         for wanted, said in zip(whole, told, strict=True):
-            result = change_speed(given, wanted.made.settings)
-            assert result.made.nc == wanted.made.nc and result.findings == wanted.findings
+            result = change_speed(given, wanted.draft.settings)
+            assert result.draft.nc == wanted.draft.nc and result.findings == wanted.findings
             assert as_json(job.figures(result)) == said
 
 

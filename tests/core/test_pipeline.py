@@ -22,13 +22,13 @@ PARTS = ("dome", "blade", "saddle", "half_cylinder", "freeform_233")
 
 def largest_miss(result):
     """Distance mm of the re-read, forwarded words from the driven CL path, and angle rad of the axes."""
-    read = read_nc(result.made.nc, result.made.kinematics, result.made.dialect)
-    own = np.isin(read.line, result.made.program.line)  # a plane above the part is one row before them, and one after
-    assert (~own).sum() == (2 if load_machine(result.made.settings.machine.machine).safe_start.retract == "clearance" else 0)
-    np.testing.assert_allclose(read.words[own], result.made.program.words, atol=1e-9)
-    np.testing.assert_array_equal(read.line[own], result.made.program.line)
-    tip, axis = forward(result.made.kinematics, words_to_q(read.words[own]))
-    path, row = result.made.joints.path, result.made.program.row
+    read = read_nc(result.draft.nc, result.draft.kinematics, result.draft.dialect)
+    own = np.isin(read.line, result.draft.program.line)  # a plane above the part is one row before them, and one after
+    assert (~own).sum() == (2 if load_machine(result.draft.settings.machine.machine).safe_start.retract == "clearance" else 0)
+    np.testing.assert_allclose(read.words[own], result.draft.program.words, atol=1e-9)
+    np.testing.assert_array_equal(read.line[own], result.draft.program.line)
+    tip, axis = forward(result.draft.kinematics, words_to_q(read.words[own]))
+    path, row = result.draft.joints.path, result.draft.program.row
     return np.linalg.norm(tip - path.tip[row], axis=1).max(), np.linalg.norm(axis - path.axis[row], axis=1).max()
 
 
@@ -56,21 +56,21 @@ def test_every_part_comes_back_through_every_controller(part, controller, milled
 
 def test_a_wrong_sign_would_be_noticed(milled):
     result = milled("dome", "trunnion_ac")
-    words = result.made.program.words * (1, 1, 1, 1, -1)
-    tip, _ = forward(result.made.kinematics, words_to_q(words))
-    assert np.linalg.norm(tip - result.made.joints.path.tip[result.made.program.row], axis=1).max() > 1.0
+    words = result.draft.program.words * (1, 1, 1, 1, -1)
+    tip, _ = forward(result.draft.kinematics, words_to_q(words))
+    assert np.linalg.norm(tip - result.draft.joints.path.tip[result.draft.program.row], axis=1).max() > 1.0
 
 
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_the_deviation_of_the_program_is_that_of_a_dense_walk(machine, milled):
     """A random share of the blocks, 2001 points each, distance to the segment by hand; never above the bound."""
     result = milled("dome", machine)
-    words, rng = result.made.program.words, np.random.default_rng(5)
+    words, rng = result.draft.program.words, np.random.default_rng(5)
     block = rng.choice(np.arange(1, len(words)), min(400, len(words) - 1), replace=False)
     u = np.linspace(0, 1, 2001)
     q = words_to_q(words)
     for b in block:  # plain on purpose: the second route shares nothing with the first
-        tip, _ = forward(result.made.kinematics, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
+        tip, _ = forward(result.draft.kinematics, q[b - 1] + u[:, None] * (q[b] - q[b - 1]))
         chord = tip[-1] - tip[0]
         k = np.clip((tip - tip[0]) @ chord / max(chord @ chord, 1e-30), 0, 1)
         dense = np.linalg.norm(tip - tip[0] - k[:, None] * chord, axis=1).max()
@@ -99,7 +99,7 @@ def least_ball_clearance(made, radius):
 
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_the_ball_keeps_its_clearance_on_rapids(machine, milled):
-    assert least_ball_clearance(milled("dome", machine).made, 5.0) > 5.0
+    assert least_ball_clearance(milled("dome", machine).draft, 5.0) > 5.0
 
 
 @pytest.mark.thorough
@@ -120,7 +120,7 @@ def test_a_narrow_first_axis_never_swings_the_ball_beside_the_part(parts, tmp_pa
 @pytest.mark.parametrize("mode", ["g93", "g94"])
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
-    (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).made.nc)
+    (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).draft.nc)
     done = subprocess.run(
         ["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
     )
@@ -130,7 +130,7 @@ def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
 def test_linuxcnc_would_refuse_a_broken_program(milled, tmp_path):
-    text = milled("dome", "trunnion_ac").made.nc.replace(b"G1 X", b"G1 X1 X", 1)
+    text = milled("dome", "trunnion_ac").draft.nc.replace(b"G1 X", b"G1 X1 X", 1)
     (tmp_path / "dome.ngc").write_bytes(text)
     done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
     assert done.returncode != 0

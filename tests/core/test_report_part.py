@@ -40,18 +40,18 @@ def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
     told = json.loads(as_json(job.figures(result)))
     assert not {"gouge", "left"} & set(told) and "max_left" not in told["summary"]
     assert "enters the part" not in as_text(job.figures(result))
-    assert b"depth" not in blocks_csv(result.made.program, result.deviation, result.singularity, gouge=result.gouge)
+    assert b"depth" not in blocks_csv(result.draft.program, result.deviation, result.singularity, gouge=result.gouge)
 
 
 def test_the_summary_has_the_deepest_entries_and_the_judge_finds_them_too(entered):
     told = summary(job.figures(entered))
     assert told["max_overcut"] == pytest.approx(entered.gouge.cutter.depth.max()) and told["overcut_blocks"] > 0
     assert told["max_overcut"] <= told["cutter_bound"] and told["max_holder_collision"] > 1.0
-    row = entered.made.program.line.tolist().index(told["overcut_line"])
-    course = program_motion(entered.made.kinematics, entered.made.program)
+    row = entered.draft.program.line.tolist().index(told["overcut_line"])
+    course = program_motion(entered.draft.kinematics, entered.draft.program)
     pose = course.pose(np.full(200, row - 1), np.linspace(0, 1, 200))
     place = np.tile(entered.gouge.cutter.place[row - 1], (200, 1))
-    body = body_of(entered.made.settings.cutter.cutter)
+    body = body_of(entered.draft.settings.cutter.cutter)
     assert depth_of(body, pose.tip.T, pose.axis.T, place).max() == pytest.approx(told["max_overcut"], rel=0.02)
 
 
@@ -66,7 +66,7 @@ def test_json_has_the_deepest_places_and_the_histogram_holds_all_the_area(entere
     assert left["most_left"]["height"] == pytest.approx(entered.left.height.max())
     above = sum(bar["area"] for bar in left["histogram"] if bar["from"] >= left["allowed"] - 1e-12)
     assert above == pytest.approx(left["left"]["area"])
-    assert left["most_too_deep"]["line"] in entered.made.program.line
+    assert left["most_too_deep"]["line"] in entered.draft.program.line
 
 
 def test_words_tell_good_from_bad(entered, clear):
@@ -92,10 +92,10 @@ def test_markers_stand_where_the_part_is_entered_and_say_how_deep(entered):
 
 
 def test_the_table_of_blocks_has_the_depth_of_each(entered):
-    text = blocks_csv(entered.made.program, entered.deviation, entered.singularity, gouge=entered.gouge).decode()
+    text = blocks_csv(entered.draft.program, entered.deviation, entered.singularity, gouge=entered.gouge).decode()
     rows = list(csv.DictReader(io.StringIO(text)))
     depth = np.array([float(row["depth"]) for row in rows])
-    assert len(rows) == len(entered.made.program.words) and depth[0] == 0.0
+    assert len(rows) == len(entered.draft.program.words) and depth[0] == 0.0
     assert depth[1:] == pytest.approx(np.maximum(entered.gouge.cutter.depth, entered.gouge.above.depth), abs=1e-6)
 
 

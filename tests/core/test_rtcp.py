@@ -50,7 +50,7 @@ def posted(path_file, machine="trunnion_ac", **options):
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize(("name", "how"), GUIDED)
 def test_the_words_are_the_tip_and_the_axis_of_the_cl_path_within_half_a_step(path_file, machine, name, how):
-    made = posted(path_file, machine, controller=name, rtcp=how).made
+    made = posted(path_file, machine, controller=name, rtcp=how).draft
     program, path = made.program, made.joints.path
     rows = program.row
     assert np.abs(program.guided.tip - path.tip[rows]).max() <= 0.5 * 10.0**-made.dialect.linear_decimals * (1 + 1e-9)
@@ -85,7 +85,7 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
 
 
 def test_the_rounding_that_is_said_to_be_proven_is_that_of_the_words(path_file):
-    made = posted(path_file, rtcp="angles").made
+    made = posted(path_file, rtcp="angles").draft
     tip, _ = forward(made.kinematics, words_to_q(made.program.words))
     off = np.linalg.norm(tip - made.joints.path.tip[made.program.row], axis=1).max()
     said = next(one for one in made.program.findings if one.code == "tip-guided-by-controller").value
@@ -93,8 +93,8 @@ def test_the_rounding_that_is_said_to_be_proven_is_that_of_the_words(path_file):
 
 
 def test_f_is_the_feed_of_the_tip_under_g94_and_the_blocks_time_under_g93(path_file):
-    per_minute = posted(path_file, controller="fanuc", rtcp="angles", feed_mode="g94").made.program
-    inverse = posted(path_file, controller="fanuc", rtcp="angles", feed_mode="g93").made.program
+    per_minute = posted(path_file, controller="fanuc", rtcp="angles", feed_mode="g94").draft.program
+    inverse = posted(path_file, controller="fanuc", rtcp="angles", feed_mode="g93").draft.program
     chord = np.linalg.norm(np.diff(per_minute.guided.tip, axis=0), axis=1)
     rows = np.flatnonzero(per_minute.feed[1:] > 0)
     assert (per_minute.feed[1:][rows] <= 800).all() and (per_minute.feed[1:][rows] == 800).any()
@@ -156,7 +156,7 @@ def test_what_cannot_be_written_is_refused_with_its_remedy(path_file, options, s
 
 
 def test_the_high_speed_mode_stands_in_the_head(path_file):
-    made = posted(path_file, controller="heidenhain", high_speed="on", blend=0.02, rtcp="angles").made
+    made = posted(path_file, controller="heidenhain", high_speed="on", blend=0.02, rtcp="angles").draft
     nc = made.nc.decode()
     first = nc.index(nc.split("\n")[int(made.program.line[0]) - 1])
     assert nc.index("CYCL DEF 32.1 T0.0200") < nc.index("FUNCTION TCPM F TCP") < first

@@ -16,8 +16,8 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.passes import Region
 from freecad_fiveaxis.core.pipeline import job, milling
 from freecad_fiveaxis.core.pipeline.context import MillContext
-from freecad_fiveaxis.core.pipeline.made import Milled
 from freecad_fiveaxis.core.pipeline.milling import STAGES
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.pipeline.settings import MILL
 
 ROOT = Path(__file__).parents[2]
@@ -39,7 +39,7 @@ def breaks(stages):
 
 
 def test_each_stage_takes_what_the_one_before_it_gives():
-    assert breaks(STAGES) == [] and types_of(STAGES[-1])[1] is Milled
+    assert breaks(STAGES) == [] and types_of(STAGES[-1])[1] is MilledProgram
 
 
 def test_stages_in_a_wrong_order_would_be_noticed():

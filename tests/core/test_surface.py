@@ -133,7 +133,7 @@ def test_either_control_point_gives_the_same_way():
 @pytest.mark.parametrize("linearize", ["on", "off"])
 def test_the_report_judges_the_centre_and_tells_the_tip_beside_it(linearize):
     result = proven("box") if linearize == "on" else proven("box", linearize="off")
-    assert result.made.settings.cure.linearize == linearize
+    assert result.draft.settings.cure.linearize == linearize
     figures = job.figures(result)
     numbers, feeds = summary(figures), figures.feeds
     assert numbers["max_surface_deviation"] == result.surface.segment[feeds].max()
@@ -148,7 +148,7 @@ def test_the_report_judges_the_centre_and_tells_the_tip_beside_it(linearize):
     over = [finding for finding in result.findings if finding.code == "deviation-over-tolerance"]
     assert bool(over) == (linearize == "off") and all(len(one.place) == 3 for one in over)
     assert not over or ("ball's centre along a curve" in over[0].text and "RTCP" not in over[0].text)
-    table = blocks_csv(result.made.program, result.deviation, result.singularity, surface=result.surface).decode().splitlines()
+    table = blocks_csv(result.draft.program, result.deviation, result.singularity, surface=result.surface).decode().splitlines()
     assert table[0].endswith(",surface_deviation,surface_bound")
     rows = np.array([line.split(",")[-2:] for line in table[1:]], float)
     assert np.abs(rows[:, 0] - result.surface.segment).max() <= 1e-6 and (rows[:, 1] >= result.surface.bound).all()
@@ -157,9 +157,9 @@ def test_the_report_judges_the_centre_and_tells_the_tip_beside_it(linearize):
 def test_the_surface_deviation_is_that_of_dense_samples():
     """A second route: plain forward kinematics, 201 points of every block, the centre against its own chord."""
     result = proven("box", linearize="off")
-    q = words_to_q(result.made.program.words)
+    q = words_to_q(result.draft.program.words)
     way = q[:-1, None] + np.linspace(0.0, 1.0, 201)[None, :, None] * np.diff(q, axis=0)[:, None]
-    tip, axis = forward(result.made.kinematics, way.reshape(-1, 5))
+    tip, axis = forward(result.draft.kinematics, way.reshape(-1, 5))
     centre = (tip + RADIUS * axis).reshape(len(way), 201, 3)
     start, chord = centre[:, :1], centre[:, -1:] - centre[:, :1]
     share = np.clip(((centre - start) * chord).sum(2) / np.maximum((chord**2).sum(2), 1e-30), 0.0, 1.0)
@@ -229,7 +229,7 @@ def audited(path, text, **options):
 @pytest.mark.parametrize("cutter, known", [(f"ball:{2 * RADIUS:g}", True), ("bull:6:1", False), (None, False)])
 def test_an_audit_judges_the_centre_of_a_ball_that_is_given(tmp_path, cutter, known):
     result = proven("box")
-    found = audited(tmp_path / "a.ngc", result.made.nc, **({"cutter": cutter} if cutter else {}))
+    found = audited(tmp_path / "a.ngc", result.draft.nc, **({"cutter": cutter} if cutter else {}))
     assert (found.surface is not None) == known and found.deviation.segment.max() > 0.01
     over = "deviation-over-tolerance" in {one.code for one in found.findings}
     assert over == (not known), "what mill holds, the audit of the same program holds"
@@ -277,6 +277,6 @@ def test_a_program_is_compared_with_its_cl_path_by_the_centre_of_the_ball_that_t
     (tmp_path / "a.apt").write_bytes(write_apt(made.path, Cutter(2 * RADIUS), "box"))
     found = audited(tmp_path / "a.ngc", made.nc, against=str(tmp_path / "a.apt"))
     assert not {"off-cl-path", "between-cl-rows", "deviation-over-tolerance"} & {one.code for one in found.findings}
-    assert found.audit.path.off.max() <= 0.01 and found.made.settings.cutter.cutter.diameter == 2 * RADIUS
+    assert found.audit.path.off.max() <= 0.01 and found.draft.settings.cutter.cutter.diameter == 2 * RADIUS
     (tmp_path / "a.apt").write_bytes(write_apt(made.path, Cutter(2 * RADIUS, corner=1.0), "box"))
     assert audited(tmp_path / "a.ngc", made.nc, against=str(tmp_path / "a.apt")).audit.path.off.max() > 0.02

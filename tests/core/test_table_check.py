@@ -37,7 +37,7 @@ def below(result):
 
 def lowest(result, height, **given):
     """The finding of the same program over a table at this height, mm."""
-    made = result.made
+    made = result.draft
     back = tip_to_driven(made.settings)
     return check_table(height, tool_body(made.settings), made.kinematics, made.program, 0.01, back, **given)
 
@@ -76,7 +76,7 @@ def test_axes_that_are_found_freely_keep_off_the_table(monkeypatch):
 def test_bounds_that_clear_the_whole_way_lie_just_below_its_lowest_point():
     """The ball's lowest point is 3 mm below the work zero, see above: a bound that clears less would only be slow, one that clears
     more would hide a collision."""
-    made = proved(origin=ON_TABLE, gouge="report").made
+    made = proved(origin=ON_TABLE, gouge="report").draft
     body, swept = tool_body(made.settings), program_motion(made.kinematics, made.program, tip_to_driven(made.settings))
     assert stays_above(-3.1, body, swept)
     assert not stays_above(-2.99, body, swept)
@@ -85,7 +85,7 @@ def test_bounds_that_clear_the_whole_way_lie_just_below_its_lowest_point():
 
 def test_a_way_that_bends_is_cleared_only_below_its_bend():
     """On its way the tip goes lower than at both ends."""
-    made = proved(gouge="off").made
+    made = proved(gouge="off").draft
     body, back = tool_body(made.settings), tip_to_driven(made.settings)
     for program in (swung(made, side) for side in (1.0, -1.0)):
         swept = program_motion(made.kinematics, program, back)
@@ -118,7 +118,7 @@ def swung(made, side):
 
 def test_a_rapid_that_misses_the_table_interpolated_goes_below_it_where_one_axis_comes_after_the_other():
     """A turns about a line 50 mm below the work zero: with A first, or Y and Z first, the tip comes down to that height."""
-    made = proved(gouge="off").made
+    made = proved(gouge="off").draft
     back = tip_to_driven(made.settings)
     (program,) = [
         one for one in (swung(made, side) for side in (1.0, -1.0))

@@ -58,10 +58,10 @@ def test_entering_the_part_comes_before_every_proof(made):
     result = made(step, tool_axis="fixed", stepover=1, gouge="report")
     numbers, said = summary(job.figures(result)), told(result)
     assert numbers["proven"], "the path alone is proven"
-    depth = result.gouge.cutter.depth * (result.made.program.motion[1:] <= 1)
+    depth = result.gouge.cutter.depth * (result.draft.program.motion[1:] <= 1)
     places = int(((depth > 0) & ~np.append(False, depth[:-1] > 0)).sum())
     assert said.light is Light.RED and numbers["overcut_places"] == places > 1
-    line = int(result.made.program.line[depth.argmax() + 1])
+    line = int(result.draft.program.line[depth.argmax() + 1])
     assert said.text.startswith(f"NOT SAFE: enters the part at {places} places, {depth.max():.3g} mm deep (NC line {line})")
     assert not any(line.lstrip().startswith("Proven") for line in as_text(job.figures(result)).splitlines())
 
@@ -93,7 +93,7 @@ def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
     result, points = made(step, tool_axis="fixed"), dense_points(step(), 0.5)
     uncured = made(step, tool_axis="fixed", **{**UNCURED, "gouge": "report"})
     for one, most in ((result, 0.0101), (uncured, np.inf)):
-        course, body = program_motion(one.made.kinematics, one.made.program), body_of(one.made.settings.cutter.cutter)
+        course, body = program_motion(one.draft.kinematics, one.draft.program), body_of(one.draft.settings.cutter.cutter)
         deepest = max(sampled_depth(body, points, course, block, 9) for block in range(0, len(course), 5))
         assert deepest <= most
     assert deepest > 1.0, "the judge sees what the cure has cured"
@@ -101,7 +101,7 @@ def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
 
 def test_post_divides_by_default_and_says_that_no_part_was_looked_at(made, tmp_path):
     given = made(filleted, direction=90, lead=5, **UNCURED)
-    (tmp_path / "a.apt").write_bytes(write_apt(given.made.path, given.made.settings.cutter.cutter, "a"))
+    (tmp_path / "a.apt").write_bytes(write_apt(given.draft.path, given.draft.settings.cutter.cutter, "a"))
     posted = job.run(build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac"}))
     assert summary(job.figures(posted))["proven"] and summary(job.figures(given))["over_tolerance"] > 0
     said = told(posted)

@@ -52,7 +52,7 @@ def test_it_is_offered_tried_told_and_taken_over(doc, panel, field, click, pump,
 def test_esc_stops_it_and_the_panel_stays(panel, pump, monkeypatch):
     def endless(result, run):
         for _ in range(1000):
-            run(result.made.settings)
+            run(result.draft.settings)
         raise AssertionError("nobody stopped it")
 
     def escape():

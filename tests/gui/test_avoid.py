@@ -68,13 +68,13 @@ def pick_until_lit(field, row, click, pump, until):
 
 def low_cuts(path):
     """How many contacts of the path lie on the low floor, work frame and document being one."""
-    made = results.result_of(path).made.path
+    made = results.result_of(path).draft.path
     return int((made.tip[made.motion == 0][:, 2] < 7.0).sum())
 
 
 def nearest_low(path):
     """The least X, mm, of contacts on the low floor."""
-    made = results.result_of(path).made.path
+    made = results.result_of(path).draft.path
     tip = made.tip[made.motion == 0]
     return tip[np.abs(tip[:, 2] - 5.0) < 0.05, 0].min()
 

@@ -135,7 +135,7 @@ def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, 
     app.post_process(path, files["a.ngc"])
     app.tessellate(dome, files["a.stl"])
     found = results.result_of(path)
-    (tmp_path / "a.apt").write_bytes(write_apt(found.made.path, Cutter(10.0), "dome"))
+    (tmp_path / "a.apt").write_bytes(write_apt(found.draft.path, Cutter(10.0), "dome"))
     press("FiveAxis_Audit")
     type_into(field("nc_file"), files["a.ngc"])
     choose(field("machine"), "trunnion_ac")

@@ -115,7 +115,7 @@ def test_a_divided_path_is_drawn_marked_and_played_block_by_block(panel, doc, do
     path = doc.Toolpath
     assert results.nc_of(path) == command_line(path, tmp_path)
     figures = results.figures_of(path)
-    made = results.result_of(path).made
+    made = results.result_of(path).draft
     assert len(made.program.words) > len(made.path.tip), "no block was divided: this test would show nothing"
     dome.ViewObject.hide()
     tree_row(path.Label)

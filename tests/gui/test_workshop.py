@@ -52,7 +52,7 @@ def pair(window, tmp_path_factory):
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
     path = app.create_toolpath(doc, ball, **FAST)
-    made, made_in = results.result_of(path).made, tmp_path_factory.mktemp("pair")
+    made, made_in = results.result_of(path).draft, tmp_path_factory.mktemp("pair")
     (made_in / "ball.apt").write_bytes(
         write_apt(made.path, made.settings.cutter.cutter, "ball", head=options.cl_head(made.settings))
     )

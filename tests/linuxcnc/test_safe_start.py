@@ -70,7 +70,7 @@ def begun(request, tmp_path_factory):
     ]
 
 
-def begin_of(samples: np.ndarray, posted: job.Posted) -> np.ndarray:
+def begin_of(samples: np.ndarray, posted: job.PostedProgram) -> np.ndarray:
     """The samples of the lines up to block 0; line 0 is none: the controller idles."""
     return samples[(samples[:, 0] > 0) & (samples[:, 0] <= posted.program.line[0])]
 

@@ -52,9 +52,9 @@ def _package(module: str, pip: str) -> Any:
         raise SettingsError(missing, module) from error
 
 
-def _executor(made: Any) -> Executor:
+def _executor(executor: Any) -> Executor:
     """An executor of another package, which we take at its word."""
-    kept: Executor = made
+    kept: Executor = executor
     return kept
 
 

@@ -93,9 +93,9 @@ def _are_texts(parts: Any) -> TypeGuard[list[str]]:
 def _product(options: Mapping[str, Any]) -> Ways:
     """Every combination of the options' values."""
     several = {name: _values(name, value) for name, value in options.items()}
-    asked = [name for name, values in several.items() if len(values) > 1]
+    wanted = [name for name, values in several.items() if len(values) > 1]
     return [
-        (way, "".join(f".{name.replace('_', '-')}={_readable(way[name])}" for name in asked))
+        (way, "".join(f".{name.replace('_', '-')}={_readable(way[name])}" for name in wanted))
         for values in itertools.product(*several.values())
         for way in [dict(zip(several, values, strict=True))]
     ]
@@ -150,12 +150,12 @@ def _apart(path: Path, others: Iterable[Path]) -> str:
 
 def _unique_names(names: Iterable[str]) -> list[str]:
     """The same names, with a number behind one that another has, in whatever letters, or that the report over all has."""
-    made, taken = list[str](), set[str]()
+    stems, taken = list[str](), set[str]()
     for name in names:
         tries = itertools.chain([name] * (not OWN_NAME.fullmatch(name)), (f"{name}~{count}" for count in itertools.count(2)))
-        made.append(next(one for one in tries if one.casefold() not in taken))
-        taken.add(made[-1].casefold())
-    return made
+        stems.append(next(one for one in tries if one.casefold() not in taken))
+        taken.add(stems[-1].casefold())
+    return stems
 
 
 def _suffix(part: str, options: Mapping[str, Any]) -> str:

@@ -32,7 +32,7 @@ LINEAR, ANGULAR = 0.02, 15.0
 """mm, deg: the deflections of the mesh, those that the window takes where nothing is asked."""
 PROGRAM = "FIVEAXIS_FREECAD"
 NAMES = ("freecadcmd", "FreeCADCmd", "freecadcmd-python3", "FreeCADCmd.exe", "freecadcmd.exe")
-FOLDER, TASK, MESH, MADE = "FIVEAXIS_MESHER", "task.json", "mesh.stl", "made.json"
+FOLDER, TASK, MESH, OUTCOME = "FIVEAXIS_MESHER", "task.json", "mesh.stl", "made.json"
 """What :mod:`freecad_fiveaxis.app.mesher` reads and leaves."""
 LONGEST = 1800.0
 """s that one part may take."""
@@ -87,10 +87,10 @@ def mesh_solid(part: Solid, progress: Progress = silent) -> Mesh:
         ) from error
     key = part, at.st_mtime_ns, at.st_size
     if key not in _kept:
-        made = _mesh(part, progress)
+        meshed = _mesh(part, progress)
         while len(_kept) >= KEPT:
             _kept.pop(next(iter(_kept)), None)
-        _kept[key] = made
+        _kept[key] = meshed
     return _kept[key]
 
 
@@ -104,15 +104,16 @@ def _mesh(part: Solid, progress: Progress) -> Mesh:
         task = {"file": os.path.abspath(part.file), "named": part.named, "linear": LINEAR, "angular": ANGULAR}
         (Path(folder) / TASK).write_text(json.dumps(task), encoding="ascii")
         _run(program, folder, progress)
-        _check_made(Path(folder) / MADE, part)
+        _check_outcome(Path(folder) / OUTCOME, part)
         return read_stl(Path(folder) / MESH, progress)
 
 
-def _check_made(made: Path, part: Solid) -> None:
-    said = json.loads(made.read_text(encoding="ascii")) if made.is_file() else {"error": "FreeCAD ended before it was meshed"}
-    if "error" in said:
+def _check_outcome(file: Path, part: Solid) -> None:
+    ended = {"error": "FreeCAD ended before it was meshed"}
+    outcome = json.loads(file.read_text(encoding="ascii")) if file.is_file() else ended
+    if "error" in outcome:
         name = part.file + (f":{part.named}" if part.named else "")
-        raise FileError(say("part {file} cannot be meshed: {reason}", file=name, reason=str(said["error"])), part.file)
+        raise FileError(say("part {file} cannot be meshed: {reason}", file=name, reason=str(outcome["error"])), part.file)
 
 
 def script() -> str:

@@ -23,8 +23,8 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import one_line
 from freecad_fiveaxis.core.pipeline import job as pipeline
-from freecad_fiveaxis.core.pipeline.made import Posted, Result
 from freecad_fiveaxis.core.pipeline.outputs import files_read
+from freecad_fiveaxis.core.pipeline.programs import PostedProgram, Result
 from freecad_fiveaxis.core.pipeline.settings import Settings, build_settings, flat_options
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, summary
 from freecad_fiveaxis.core.report.verdict import judged_largest, verdict
@@ -59,9 +59,9 @@ def run_in_worker(job: BatchJob, progress: Progress = silent) -> JobOutcome:
 def failed(job: BatchJob, error: BaseException | str) -> JobOutcome:
     """The outcome of a job that has no program. An error that is not ours is told with its kind."""
     ours = isinstance(error, FiveAxisError | str)
-    said = one_line(" ".join(str(error).split()) if ours else f"{type(error).__name__}: {error}".strip())
-    row = dict.fromkeys(COLUMNS) | _named(job) | {"verdict": FAILED, "error": said}
-    return JobOutcome(job.stem, row, error=said)
+    message = one_line(" ".join(str(error).split()) if ours else f"{type(error).__name__}: {error}".strip())
+    row = dict.fromkeys(COLUMNS) | _named(job) | {"verdict": FAILED, "error": message}
+    return JobOutcome(job.stem, row, error=message)
 
 
 def read_finished(job: BatchJob) -> JobOutcome | None:
@@ -95,10 +95,10 @@ def check_own(job: BatchJob) -> None:
 
 def key_of(job: BatchJob, settings: Settings) -> str:
     """The hash of all that the job is made of. Raises FileError where a file cannot be read."""
-    told = flat_options(settings) | {"version": __version__, "ending": job.suffix}
+    facts = flat_options(settings) | {"version": __version__, "ending": job.suffix}
     files = [read_part(path).file if path == settings.source else path for path in files_read(settings)]
     hashes = [hashlib.sha256(read_bytes(path, "file")).hexdigest() for path in files]
-    return hashlib.sha256(json.dumps([told, hashes], sort_keys=True).encode()).hexdigest()
+    return hashlib.sha256(json.dumps([facts, hashes], sort_keys=True).encode()).hexdigest()
 
 
 def _settings(job: BatchJob) -> Settings:
@@ -122,10 +122,10 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
 
 
 def _files(job: BatchJob, result: Result, figures: Figures, progress: Progress) -> dict[str, bytes]:
-    assert isinstance(result.made, Posted)
+    assert isinstance(result.draft, PostedProgram)
     with _drawing:
         page = as_html(figures, progress)
-    return {job.nc: result.made.nc, job.html: page.encode("utf-8", "backslashreplace")}
+    return {job.nc: result.draft.nc, job.html: page.encode("utf-8", "backslashreplace")}
 
 
 def _named(job: BatchJob) -> dict[str, Any]:
@@ -137,17 +137,17 @@ def _named(job: BatchJob) -> dict[str, Any]:
 def _numbers(figures: Figures) -> dict[str, Any]:
     """The rest of a row; a number that is not known is None."""
     numbers = summary(figures)
-    told = verdict(figures, numbers)
+    facts = verdict(figures, numbers)
     deviation, bound = judged_largest(numbers)
     share = numbers.get("unfinished_share")
     return {
-        "verdict": told.light.value,
+        "verdict": facts.light.value,
         "deviation_mm": deviation, "bound_mm": bound,
         "cut_mm": numbers["cut_length"], "links_mm": numbers["link_length"], "rapids_mm": numbers["rapid_length"],
         "minutes": numbers["time_s"] / 60.0,
         "unfinished_percent": None if share is None else 100.0 * share,
         "errors": numbers["findings"][Severity.ERROR.name.lower()],
-        "says": str(told.text), "error": "",
+        "says": str(facts.text), "error": "",
     }  # fmt: skip
 
 

@@ -87,7 +87,7 @@ def facet_curvature(mesh: Mesh) -> Floats:
 
     Each co-edge turns the surface by its dihedral angle about itself; the tensor is the mean of these turns over the facet
     and its neighbours (Cohen-Steiner & Morvan 2003), exact on average for any tessellation of a sphere or a cylinder. Sharp
-    edges bend no surface and do not count. Made once, and kept as long as the mesh is: checks and strategies ask in turn.
+    edges bend no surface and do not count. ProgramDraft once, and kept as long as the mesh is: checks and strategies ask in turn.
     """
     if mesh not in _TENSORS:
         _TENSORS[mesh] = _mean_turns(mesh)

@@ -17,8 +17,8 @@ from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence,
 from freecad_fiveaxis.core.tool import cutter_text
 
 from .collision_avoidance import finished_area, unfinished_share
-from .made import Milled, Result
 from .over_table import AUTO
+from .programs import MilledProgram, Result
 from .settings import MILL, Settings, build_settings, flat_options
 
 ADVICE = "advice"
@@ -49,15 +49,15 @@ class Trial:
 
 def measure_finished(result: Result) -> float:
     """Measure the area, mm2, that a program finishes."""
-    made = result.made
-    assert isinstance(made, Milled)
-    return finished_area(result.findings, made.mesh, made.keep)
+    draft = result.draft
+    assert isinstance(draft, MilledProgram)
+    return finished_area(result.findings, draft.mesh, draft.keep)
 
 
 def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
     """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and proves a program of the
     same part, faces and fixtures. Raises Cancelled."""
-    settings = result.made.settings
+    settings = result.draft.settings
     before = measure_finished(result if result.left is not None else run(_measured(settings, {})))
     found = [_try(_measured(settings, changes), changes, before, run) for changes in find_changes(settings)]
     return tuple(sorted(found, key=lambda one: -one.gain))
@@ -91,7 +91,7 @@ def _try(settings: Settings, changes: Mapping[str, Any], before: float, run: Run
     except FiveAxisError as error:
         return Trial(changes, error=str(error))
     finished = measure_finished(result)
-    return Trial(changes, finished, finished - before, float(result.made.program.seconds.sum()))
+    return Trial(changes, finished, finished - before, float(result.draft.program.seconds.sum()))
 
 
 def is_worth(trial: Trial) -> bool:
@@ -101,10 +101,10 @@ def is_worth(trial: Trial) -> bool:
 
 def add_advice(result: Result, run: Run) -> Result:
     """Add what would finish more to the findings of a program that leaves something."""
-    made = result.made
-    if not isinstance(made, Milled) or unfinished_share(result.findings, made.mesh, made.keep) < SHARE:
+    draft = result.draft
+    if not isinstance(draft, MilledProgram) or unfinished_share(result.findings, draft.mesh, draft.keep) < SHARE:
         return result
-    found = report_advice(try_others(result, run), float(made.program.seconds.sum()))
+    found = report_advice(try_others(result, run), float(draft.program.seconds.sum()))
     return replace(result, findings=(*result.findings, found))
 
 

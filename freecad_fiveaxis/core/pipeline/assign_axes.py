@@ -48,8 +48,8 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
         offset, axis, found = framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
-    cutter, asked = settings.cutter.cutter, context.field is not None or context.frames is not None  # whether the neck is free
-    offset, axis = feasible_rows(offset, axis, context.kinematics, cutter.taper, cutter.undercut if asked else 0.0)
+    cutter, wanted = settings.cutter.cutter, context.field is not None or context.frames is not None  # whether the neck is free
+    offset, axis = feasible_rows(offset, axis, context.kinematics, cutter.taper, cutter.undercut if wanted else 0.0)
     whole = vars(passes) | {"offset": offset}
     return AssignedAxes(**whole, axis=axis, cut=offset, corrected=axis, axis_findings=found)
 

@@ -93,15 +93,15 @@ def report_places(keep_off: KeepOff | None, mesh: Mesh, facets: Bools | None, sp
     return () if keep_off is None else report_strip(keep_off, mesh, *surface_samples(mesh, spacing, facets))
 
 
-def far_enough_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+def far_enough_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
     """The rows, and their axes (n, 3), without those between which cutter, shank or holder come too near to faces to avoid.
-    ``sat``: with hubs. Raises SettingsError where nothing is left."""
+    ``seated``: with hubs. Raises SettingsError where nothing is left."""
     settings, keep_off = context.settings, context.keep_off
     if keep_off is None:
-        return sat, axis
+        return seated, axis
     body, cutter, tolerance = grow_body(tool_body(settings), keep_off.allowance), settings.cutter.cutter, settings.proof.tolerance
     tree, above = facet_tree(keep_off.faces), tip_to_surface(settings)
-    return keep_away(sat, axis, tree, body, AIM * tolerance, cutter.corner, keep_off.allowance, context.progress, above)
+    return keep_away(seated, axis, tree, body, AIM * tolerance, cutter.corner, keep_off.allowance, context.progress, above)
 
 
 def _nothing_left(keep_off: KeepOff) -> Sentence:

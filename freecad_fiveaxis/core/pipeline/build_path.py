@@ -45,35 +45,36 @@ def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLP
         clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
     )  # fmt: skip
-    sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
-    sat, axis = bounded_by_hub(context, sat, axis)
-    sat, axis = far_enough_rows(context, *left_out_rows(context, sat, axis))
+    seated, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
+    seated, axis = bounded_by_hub(context, seated, axis)
+    seated, axis = far_enough_rows(context, *left_out_rows(context, seated, axis))
     path = link_rows(
-        sat, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, sat, axis)
+        seated, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, seated, axis)
     )
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
         path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
-    return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
+    return path if seated is offset else replace(path, findings=seated.findings[len(offset.findings) :] + path.findings)
 
 
-def _retreats(context: MillContext, sat: OffsetPath, axis: Floats) -> Floats | None:
+def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats | None:
     """Find the directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes are chosen freely,
     only there rows are kept that it cannot leave along its axis."""
     if context.field is None and context.frames is None:
         return None
     reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)
-    return path_retreats(sat, axis, context.obstacles, reacher, context.progress)
+    return path_retreats(seated, axis, context.obstacles, reacher, context.progress)
 
 
-def left_out_rows(context: MillContext, sat: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``sat``: with hubs."""
+def left_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
+    """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``seated``:
+    with hubs."""
     settings = context.settings
     if settings.gouge.gouge != "leave-out":
-        return sat, axis
+        return seated, axis
     body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
     limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
     tree, above = facet_tree(context.obstacles), tip_to_surface(settings)
-    return leave_out(sat, axis, tree, body, limit, cutter.corner, context.progress, above)
+    return leave_out(seated, axis, tree, body, limit, cutter.corner, context.progress, above)
 
 
 def lift_path(context: MillContext, linked: LinkedPath) -> LinkedPath:

@@ -14,8 +14,8 @@ from freecad_fiveaxis.core.tool.body import seen_from
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .context import JobContext
-from .made import Posted
 from .options import driven_to_surface, kept_off, nc_title, post_options, tip_to_driven
+from .programs import PostedProgram
 from .safe_start import find_spindle_off, start_findings, start_plane
 
 
@@ -37,12 +37,12 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
     return linearize(joints, kinematics, context.dialect, tolerance, near, context.progress, above)
 
 
-def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]) -> Posted:
+def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]) -> PostedProgram:
     """The program and its NC file. ``found``: what the stages before have found."""
     settings, machine, kinematics, dialect = context.settings, context.machine, context.kinematics, context.dialect
     program = build_program(joints, kinematics, dialect, settings.feeds.feed_mode == "g93", context.progress)
-    height, said = start_plane(context, program)
+    height, reports = start_plane(context, program)
     nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), context.progress, height)
-    findings = found + block_findings(joints.findings, program) + program.findings + said + start_findings(context, program)
+    findings = found + block_findings(joints.findings, program) + program.findings + reports + start_findings(context, program)
     findings += find_spindle_off(settings)
-    return Posted(settings, machine, kinematics, dialect, program, findings, path, joints, nc)
+    return PostedProgram(settings, machine, kinematics, dialect, program, findings, path, joints, nc)

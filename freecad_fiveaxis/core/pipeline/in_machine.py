@@ -13,8 +13,8 @@ from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.report.standing_bodies import StandingBody, stand_bodies
 from freecad_fiveaxis.core.tool.body import Body
 
-from .made import Made, Milled
-from .options import rapids_of, stood, tip_to_driven, tool_body
+from .options import rapids_of, resolve_setup, tip_to_driven, tool_body
+from .programs import MilledProgram, ProgramDraft
 from .settings import AUDIT, Settings, is_part
 from .settings.tree import without_part
 
@@ -31,31 +31,31 @@ def check_bodies(settings: Settings, machine: Machine) -> None:
         raise without_part(against)
 
 
-def stand_up(made: Made, progress: Progress = silent) -> tuple[StandingBody, ...]:
+def stand_up(draft: ProgramDraft, progress: Progress = silent) -> tuple[StandingBody, ...]:
     """Stand up the bodies of a program's machine, to be drawn. Raises FiveAxisError for a body's file that cannot be used."""
-    machine, setup, _ = stood(made.settings, made.machine)
-    length = None if made.settings.machine.tool_length is None else setup.tool_length
-    return stand_bodies(machine, setup, made.kinematics, length, progress)
+    machine, setup, _ = resolve_setup(draft.settings, draft.machine)
+    length = None if draft.settings.machine.tool_length is None else setup.tool_length
+    return stand_bodies(machine, setup, draft.kinematics, length, progress)
 
 
-def over_tip(made: Made) -> Body:
+def over_tip(draft: ProgramDraft) -> Body:
     """Give the tool, and what the spindle carries over it where the tool's length is known; heights from the tip."""
-    machine, setup, _ = stood(made.settings, made.machine)
-    tool = tool_body(made.settings)
-    if made.settings.machine.tool_length is None:
+    machine, setup, _ = resolve_setup(draft.settings, draft.machine)
+    tool = tool_body(draft.settings)
+    if draft.settings.machine.tool_length is None:
         return tool
-    return Body((*tool.pieces, *spindle_body(machine, setup.tool_length + tip_to_driven(made.settings)).pieces))
+    return Body((*tool.pieces, *spindle_body(machine, setup.tool_length + tip_to_driven(draft.settings)).pieces))
 
 
-def look_in_machine(made: Made, against: object, progress: Progress) -> tuple[Finding, ...]:
+def look_in_machine(draft: ProgramDraft, against: object, progress: Progress) -> tuple[Finding, ...]:
     """Find what tool and spindle hit of the machine, and the spindle of the part (fixtures are looked
     at by themselves); ``against``: what an audit compares with."""
-    settings = made.settings
-    machine, setup, _ = stood(settings, made.machine)
+    settings = draft.settings
+    machine, setup, _ = resolve_setup(settings, draft.machine)
     length = None if settings.machine.tool_length is None else setup.tool_length
-    part = made.mesh if isinstance(made, Milled) else against if isinstance(against, Mesh) else None
+    part = draft.mesh if isinstance(draft, MilledProgram) else against if isinstance(against, Mesh) else None
     given = InMachine(
-        machine, setup, made.kinematics, tool_body(settings), length, tip_to_driven(settings),
-        rapids_of(settings, machine, made.dialect), settings.gouge.fixture_clearance,
+        machine, setup, draft.kinematics, tool_body(settings), length, tip_to_driven(settings),
+        rapids_of(settings, machine, draft.dialect), settings.gouge.fixture_clearance,
     )  # fmt: skip
-    return check_machine(given, made.program, part, settings.proof.tolerance, progress)
+    return check_machine(given, draft.program, part, settings.proof.tolerance, progress)

@@ -59,7 +59,6 @@ from .context import JobContext
 from .driving import drive, posted
 from .fewer_axes import suit_tool_axis
 from .in_machine import check_bodies, look_in_machine, over_tip
-from .made import Made, Milled, Posted, Result
 from .mill_context import mill_context
 from .milling import mill
 from .options import (
@@ -78,6 +77,7 @@ from .options import (
 )
 from .over_table import table_looked_at
 from .part_size import unit_suspected
+from .programs import MilledProgram, PostedProgram, ProgramDraft, Result
 from .rotary_axis import settle_rotary_axis
 from .safe_start import started
 from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
@@ -87,16 +87,16 @@ def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = Non
     """Do the task that the settings name. ``mesh``: the part, where it is at hand and ``settings.source`` only its name. Raises
     FiveAxisError for input that cannot be used; writes nothing."""
     result = prove(make(settings, progress, mesh), progress)
-    made = result.made
-    if settings.output.advise == "off" or not isinstance(made, Milled):
+    draft = result.draft
+    if settings.output.advise == "off" or not isinstance(draft, MilledProgram):
         return result
-    return add_advice(result, lambda other: prove(make(other, progress, made.mesh, fixtures=made.fixtures), progress))
+    return add_advice(result, lambda other: prove(make(other, progress, draft.mesh, fixtures=draft.fixtures), progress))
 
 
 def make(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     fixtures: tuple[Fixture, ...] | None = None,
-) -> Made:  # fmt: skip
+) -> ProgramDraft:  # fmt: skip
     """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name; facets of
     it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where
     they are at hand and the settings only name them. Raises FiveAxisError for input that cannot be used."""
@@ -105,17 +105,17 @@ def make(
     check_bodies(settings, machine)
     fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
     if settings.task in (MILL, POST):
-        dialect = _told(settings, machine, dialect)
+        dialect = _configure_dialect(settings, machine, dialect)
     if settings.task == MILL:
         find_strategy(settings.tool_axis.tool_axis)
         find_pass_strategy(settings.passes.passes)
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
-        mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
+        mesh, faces, avoided, reports = chosen_faces(settings, mesh, faces, progress)
         settings = settle_rotary_axis(settings, kinematics, mesh)
         context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided)
-        said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
+        reports += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
         milled = mill(context)
-        return replace(milled, findings=said + milled.findings, fixtures=fixtures)
+        return replace(milled, findings=reports + milled.findings, fixtures=fixtures)
     if settings.task == POST:
         return post(settings, machine, kinematics, dialect, progress, fixtures)
     text = read_bytes(settings.source, "NC file")
@@ -126,7 +126,7 @@ def make(
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
     found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program) + large_feeds(program, dialect)
-    return Made(settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures)
+    return ProgramDraft(settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures)
 
 
 def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
@@ -152,11 +152,11 @@ def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: 
     chosen = settings.faces
     avoided = None if mesh.allowance is None else mesh.allowance > 0.0
     mesh = mesh if avoided is None else replace(mesh, allowance=None)
-    said: tuple[Finding, ...] = ()
+    reports: tuple[Finding, ...] = ()
     if faces is None and chosen.faces is not None:
-        faces, said = _facets_in(settings, mesh, chosen.faces, progress)
+        faces, reports = _facets_in(settings, mesh, chosen.faces, progress)
     if chosen.avoid is None:
-        return ChosenFaces(mesh, faces, avoided, said)
+        return ChosenFaces(mesh, faces, avoided, reports)
     avoided, also = _facets_in(settings, mesh, chosen.avoid, progress, machined=False)
     left = ~avoided if faces is None else faces & ~avoided
     if not left.any():
@@ -164,7 +164,7 @@ def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: 
             "all that is to be machined lies on {name}; leave out {option}", name=Path(chosen.avoid).name, option=Option("avoid")
         )
         raise SettingsError(text, chosen.avoid)
-    return ChosenFaces(mesh, left, avoided, (*said, *also))
+    return ChosenFaces(mesh, left, avoided, (*reports, *also))
 
 
 def _facets_in(
@@ -174,7 +174,7 @@ def _facets_in(
     return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined)
 
 
-def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
+def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
     """The dialect as it is to be written: safe start, high-speed mode, tip guided. Raises SettingsError, before the long
     work, for what the controller has not, and for a head that cannot be written."""
     dialect = started(dialect, machine)
@@ -187,7 +187,7 @@ def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
 def post(
     settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent,
     fixtures: tuple[Fixture, ...] = (),
-) -> Posted:  # fmt: skip
+) -> PostedProgram:  # fmt: skip
     """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves
     and the fixtures."""
     file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
@@ -201,52 +201,52 @@ def post(
     return replace(posted(context, path, drive(context, path), found), fixtures=fixtures)
 
 
-def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> Result:
+def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = None) -> Result:
     """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is the deviation of the
     point that makes the surface: of a ball the centre. ``part``: what an audit compares with, where it is at hand and
     ``settings.audit.against`` only its name.
 
     Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
     """
-    against, settings = _compared(made.settings, progress) if part is None else (part, made.settings)
-    made = made if settings is made.settings else replace(made, settings=settings)
-    proof, words = settings.proof, made.program.words
-    deviation = measure(made.kinematics, words, proof.method, progress)
-    if (guided := made.program.guided) is not None:
+    against, settings = _compared(draft.settings, progress) if part is None else (part, draft.settings)
+    draft = draft if settings is draft.settings else replace(draft, settings=settings)
+    proof, words = settings.proof, draft.program.words
+    deviation = measure(draft.kinematics, words, proof.method, progress)
+    if (guided := draft.program.guided) is not None:
         deviation = without_guided(deviation, guided.on, guided.tip)
-    singularity = find_singular(made.kinematics, words, made.machine.singular_cone)
-    surface = surface_deviation(made, driven_to_surface(made.settings), progress)
-    judged = judge(made.kinematics, made.program, surface or deviation, singularity, proof.tolerance, surface is not None)
-    gouge, left, entries = _against_part(made, progress)
-    entries += check_keep_off(made.context(progress), made.program) if isinstance(made, Milled) else ()
-    hit = _in_fixtures(made, progress) + look_in_machine(made, against, progress)
-    found = still_true(made.findings, gouge) + deviation.findings + entries + hit + judged
-    if made.settings.task != AUDIT:
-        return Result(made, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
-    audited = _audited(made, deviation, against, progress)
+    singularity = find_singular(draft.kinematics, words, draft.machine.singular_cone)
+    surface = surface_deviation(draft, driven_to_surface(draft.settings), progress)
+    judged = judge(draft.kinematics, draft.program, surface or deviation, singularity, proof.tolerance, surface is not None)
+    gouge, left, entries = _against_part(draft, progress)
+    entries += check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
+    hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
+    found = still_true(draft.findings, gouge) + deviation.findings + entries + hit + judged
+    if draft.settings.task != AUDIT:
+        return Result(draft, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
+    audited = _audited(draft, deviation, against, progress)
     of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
-    return Result(made, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
+    return Result(draft, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
 
 
-def surface_deviation(made: Made, above: float, progress: Progress = silent) -> Deviation | None:
+def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = silent) -> Deviation | None:
     """The deviation of the point ``above`` mm over the driven one, against its own chords; ``place`` (m, 3) mm: where the driven
     point stands then. None where it is the driven point itself, and where the controller guides the tip."""
-    program = made.program
+    program = draft.program
     if above == 0.0 or program.guided is not None:
         return None
-    decimals, method = made.dialect.linear_decimals, made.settings.proof.method
-    return measure_above(made.kinematics, program.words, above, decimals, method, progress)
+    decimals, method = draft.dialect.linear_decimals, draft.settings.proof.method
+    return measure_above(draft.kinematics, program.words, above, decimals, method, progress)
 
 
-def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress) -> Audit:
+def _audited(draft: ProgramDraft, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress) -> Audit:
     """Limits and rates (of a program made here they hold by its making), and the comparison that the settings ask for."""
-    settings, proof = made.settings, made.settings.proof
+    settings, proof = draft.settings, draft.settings.proof
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
     above = driven_to_surface(settings)
-    rapids = rapids_of(settings, made.machine, made.dialect)
+    rapids = rapids_of(settings, draft.machine, draft.dialect)
     options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids)
-    return audit_program(made.kinematics, made.program, deviation, against, options, progress)
+    return audit_program(draft.kinematics, draft.program, deviation, against, options, progress)
 
 
 def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
@@ -261,61 +261,61 @@ def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | N
     return file.path, with_cutter(settings, file.head.cutter)
 
 
-def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
+def _against_part(draft: ProgramDraft, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
     """What enters the part, what is left on it, and what is to be said of both; of a program made from a mesh."""
-    if not isinstance(made, Milled):
+    if not isinstance(draft, MilledProgram):
         return None, None, ()
-    context, program = made.context(progress), made.program
+    context, program = draft.context(progress), draft.program
     gouge, low = entered(context, program), enters_table(context, program)
-    left = find_left(context, program) if made.settings.gouge.left == "on" and len(cutting(program.motion)) else None
+    left = find_left(context, program) if draft.settings.gouge.left == "on" and len(cutting(program.motion)) else None
     return gouge, left, (gouge.findings if gouge else ()) + low + rest_material_findings(left, context)
 
 
-def _in_fixtures(made: Made, progress: Progress) -> tuple[Finding, ...]:
+def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]:
     """What of tool and spindle goes into a fixture."""
-    settings, back = made.settings, tip_to_driven(made.settings)
-    rapids, tolerance = rapids_of(settings, made.machine, made.dialect), settings.proof.tolerance
-    body = over_tip(made)
+    settings, back = draft.settings, tip_to_driven(draft.settings)
+    rapids, tolerance = rapids_of(settings, draft.machine, draft.dialect), settings.proof.tolerance
+    body = over_tip(draft)
     near = settings.gouge.fixture_clearance
-    return check_fixtures(made.fixtures, body, made.kinematics, made.program, tolerance, back, progress, rapids, near)
+    return check_fixtures(draft.fixtures, body, draft.kinematics, draft.program, tolerance, back, progress, rapids, near)
 
 
-def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:
+def rest_material_of(draft: MilledProgram, progress: Progress = silent) -> RestMaterial:
     """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
-    return find_left(made.context(progress), made.program)
+    return find_left(draft.context(progress), draft.program)
 
 
-def _contacts(made: Milled) -> Contacts | None:
+def _contacts(draft: MilledProgram) -> Contacts | None:
     """Where the ball touches the part; None for any other cutter."""
-    cutter, offset = made.settings.cutter.cutter, made.offset
+    cutter, offset = draft.settings.cutter.cutter, draft.offset
     if cutter.ring > 0.0:
         return None
-    above = driven_to_hub(made.settings)
-    return contacts_of(offset.centre, offset.normal, made.axis, offset.face, made.mesh, cutter.corner, above)
+    above = driven_to_hub(draft.settings)
+    return contacts_of(offset.centre, offset.normal, draft.axis, offset.face, draft.mesh, cutter.corner, above)
 
 
-def _stand(made: Milled, contacts: Contacts | None) -> float:
+def _stand(draft: MilledProgram, contacts: Contacts | None) -> float:
     """How far from the part what is drawn of a cut may stand, mm; with ``contacts`` it is drawn where the ball touches."""
-    cutter, offset = made.settings.cutter.cutter, made.offset
+    cutter, offset = draft.settings.cutter.cutter, draft.offset
     if contacts is not None:
         return 0.0
-    return tip_to_driven(made.settings) + stand_of(cutter.ring, cutter.corner, offset.normal, made.axis)
+    return tip_to_driven(draft.settings) + stand_of(cutter.ring, cutter.corner, offset.normal, draft.axis)
 
 
 def figures(result: Result) -> Figures:
     """What the report is made from."""
-    made = result.made
-    contacts = _contacts(made) if isinstance(made, Milled) else None
+    draft = result.draft
+    contacts = _contacts(draft) if isinstance(draft, MilledProgram) else None
     return Figures(
-        title=title_of(made.settings), kind=made.settings.task, machine=made.machine, kinematics=made.kinematics,
-        program=made.program, deviation=result.deviation, singularity=result.singularity,
-        tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
+        title=title_of(draft.settings), kind=draft.settings.task, machine=draft.machine, kinematics=draft.kinematics,
+        program=draft.program, deviation=result.deviation, singularity=result.singularity,
+        tolerance=draft.settings.proof.tolerance, findings=result.findings, inputs=flat_options(draft.settings),
         surface=result.surface, audit=result.audit, gouge=result.gouge, left=result.left,
-        allowed=allowed(made.settings, made.mesh, made.keep) if result.left and isinstance(made, Milled) else 0.0,
-        mesh=made.mesh if isinstance(made, Milled) else None,
-        unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
-        contacts=contacts, stand=_stand(made, contacts) if isinstance(made, Milled) else 0.0,
-        rapids=rapids_of(made.settings, made.machine, made.dialect),
-        table=table_looked_at(made.settings, made.machine, made.mesh) if isinstance(made, Milled) else None,
-        fixtures=tuple(one.name for one in made.fixtures),
+        allowed=allowed(draft.settings, draft.mesh, draft.keep) if result.left and isinstance(draft, MilledProgram) else 0.0,
+        mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
+        unfinished=unfinished_share(result.findings, draft.mesh, draft.keep) if isinstance(draft, MilledProgram) else 0.0,
+        contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,
+        rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
+        table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft, MilledProgram) else None,
+        fixtures=tuple(one.name for one in draft.fixtures),
     )  # fmt: skip

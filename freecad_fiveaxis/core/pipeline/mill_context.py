@@ -52,18 +52,18 @@ def mill_context(
     keep_off = keep_off_of(settings, mesh, avoided)
     joined, box = obstacles_of(mesh, fixtures, keep_off)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
-    inside, said = facets_inside(settings, boundary, mesh, faces)
+    inside, reports = facets_inside(settings, boundary, mesh, faces)
     chosen = faces if boundary is None else inside
     if keep_off is not None:
         inside, near = facets_off(keep_off, mesh, inside)
-        said, chosen = said + near, inside
+        reports, chosen = reports + near, inside
     if settings.tool_axis.tool_axis == AUTO:
         standing = find_standing(settings, mesh, faces)
         faces = (~standing if faces is None else faces) & inside
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
-        about = (*said, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
+        about = (*reports, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
         if settings.passes.passes == FRAMES:
             frames, keep, left_out = find_frames(joined, to_cut, reacher, most, int(settings.passes.frames), progress)
             context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep[: len(faces)], None, joined)
@@ -77,10 +77,10 @@ def mill_context(
         stand = axis_options(settings)
         keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
         context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
-        return replace(context, keep_off=keep_off), (*said, *left_out)
+        return replace(context, keep_off=keep_off), (*reports, *left_out)
     followed = None if keeps_its_axis(settings, machine) else kinematics
     keep, left_out = facets_within_limits(mesh, followed, most, chosen)
-    left_out = (*said, *left_out)
+    left_out = (*reports, *left_out)
     context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
     return replace(context, keep_off=keep_off), left_out
 

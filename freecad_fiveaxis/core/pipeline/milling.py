@@ -13,9 +13,9 @@ from typing import Any
 from .assign_axes import assign_axes, correct_axes, tilt_axes
 from .build_path import keep_links_near, lead_in_and_out, lift_path, link_passes
 from .context import MillContext
-from .made import Milled
 from .mill_context import find_region
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
+from .programs import MilledProgram
 from .solve_joints import keep_rapids_clear, solve_joints, write_program
 
 Stage = Callable[[MillContext, Any], Any]
@@ -38,10 +38,10 @@ STAGES: tuple[Stage, ...] = (
 )
 
 
-def mill(context: MillContext) -> Milled:
+def mill(context: MillContext) -> MilledProgram:
     """Make the program: every stage, one after the other."""
     record: Any = find_region(context.settings, context.mesh, context.keep, context.progress, context.frames)
     for stage in STAGES:
         record = stage(context, record)
-    made: Milled = record
-    return made
+    program: MilledProgram = record
+    return program

@@ -12,8 +12,8 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.nc.writer import write_nc
 
-from .made import Milled, Result
 from .options import nc_title, post_options
+from .programs import MilledProgram, Result
 from .safe_start import SPINDLE_OFF, find_spindle_off, start_plane
 from .settings import Settings
 
@@ -25,22 +25,22 @@ def without_speed(settings: Settings) -> Settings:
 
 def change_speed(result: Result, settings: Settings, progress: Progress = silent) -> Result:
     """Give the milled ``result`` the spindle speed and coolant of ``settings``, which are its own but for these two."""
-    made = result.made
-    assert isinstance(made, Milled)
-    head = replace(made.settings.head, spindle=settings.head.spindle, coolant=settings.head.coolant)
-    settings = replace(made.settings, head=head)
-    made = replace(made, settings=settings)
-    height, _ = start_plane(made.context(progress), made.program)
-    nc = write_nc(made.program, made.dialect, nc_title(settings, made.machine), post_options(settings), progress, height)
-    kept = tuple(one for one in made.findings if one.code != SPINDLE_OFF)
-    made = replace(made, nc=nc, findings=kept + find_spindle_off(settings))
-    return replace(result, made=made, findings=_exchanged(result.findings, kept, find_spindle_off(settings)))
+    draft = result.draft
+    assert isinstance(draft, MilledProgram)
+    head = replace(draft.settings.head, spindle=settings.head.spindle, coolant=settings.head.coolant)
+    settings = replace(draft.settings, head=head)
+    draft = replace(draft, settings=settings)
+    height, _ = start_plane(draft.context(progress), draft.program)
+    nc = write_nc(draft.program, draft.dialect, nc_title(settings, draft.machine), post_options(settings), progress, height)
+    kept = tuple(one for one in draft.findings if one.code != SPINDLE_OFF)
+    draft = replace(draft, nc=nc, findings=kept + find_spindle_off(settings))
+    return replace(result, draft=draft, findings=_exchanged(result.findings, kept, find_spindle_off(settings)))
 
 
 def _exchanged(findings: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """Those of the whole job with the ``new`` one about the spindle, which comes last of what the making of the program has found
     (``kept``, of which the proof may have dropped some)."""
     others = [one for one in findings if one.code != SPINDLE_OFF]
-    made = {id(one) for one in kept}
-    first = next((at for at, one in enumerate(others) if id(one) not in made), len(others))
+    draft = {id(one) for one in kept}
+    first = next((at for at, one in enumerate(others) if id(one) not in draft), len(others))
     return (*others[:first], *new, *others[first:])

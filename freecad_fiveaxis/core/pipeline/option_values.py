@@ -44,7 +44,7 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
     numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
     if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
         raise SettingsError(
-            say("{name} {given} is out of range; {range}", name=name, given=_shown(given, rules), range=_range_said(rules)), given
+            say("{name} {given} is out of range; {range}", name=name, given=_shown(given, rules), range=_range_text(rules)), given
         )
     return value
 
@@ -55,7 +55,7 @@ def _shown(given: Any, rules: Mapping[str, Any]) -> Any:
     return measure(given, unit, "", bare=True) if isinstance(given, float) and unit else str(given)
 
 
-def _range_said(rules: Mapping[str, Any]) -> Sentence:
+def _range_text(rules: Mapping[str, Any]) -> Sentence:
     factor, unit = 180 / math.pi if rules["kind"] == "angle" else 1.0, UNITS.get(rules["kind"], "")
     bounds = [
         words.say(bound=measure(rules[bound] * factor, unit, IN_FULL))

@@ -68,18 +68,18 @@ def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
 
 def rapids_of(settings: Settings, machine: Machine, dialect: Dialect) -> str:
     """How rapids are driven: as the option says, else the machine file, else the controller."""
-    asked = settings.machine.rapids
-    return (machine.rapids or dialect.rapids) if asked == AS_MACHINE else asked
+    wanted = settings.machine.rapids
+    return (machine.rapids or dialect.rapids) if wanted == AS_MACHINE else wanted
 
 
 def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
     """The machine, where the part stands on it, and its dialect."""
     machine = load_machine(settings.machine.machine)
     refuse_what_needs_more_axes(settings, machine)
-    return stood(settings, machine)
+    return resolve_setup(settings, machine)
 
 
-def stood(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect]:
+def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect]:
     """The same for a machine that is known, whatever is asked of its axes. Raises SettingsError without a head's tool length."""
     given = settings.machine
     dialect = dialect_for(given.controller, machine)
@@ -225,18 +225,18 @@ def cl_reading(settings: Settings) -> ClReading:
     )
 
 
-def with_head(settings: Settings, said: ClHead) -> Settings:
+def with_head(settings: Settings, findings: ClHead) -> Settings:
     """The settings with the tool, speed, coolant and cutter of a CL file where they have none of their own.
 
     Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its corner.
     """
     given = settings.head
-    speed = (said.speed or None) if given.spindle is None else given.spindle
+    speed = (findings.speed or None) if given.spindle is None else given.spindle
     head = replace(
-        given, tool=said.tool if given.tool is None else given.tool, spindle=speed,
-        coolant="on" if said.coolant else given.coolant,
+        given, tool=findings.tool if given.tool is None else given.tool, spindle=speed,
+        coolant="on" if findings.coolant else given.coolant,
     )  # fmt: skip
-    return with_cutter(replace(settings, head=head), said.cutter)
+    return with_cutter(replace(settings, head=head), findings.cutter)
 
 
 def with_cutter(settings: Settings, cutter: Cutter | None) -> Settings:

@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, 
 from freecad_fiveaxis.core.toolpath.apt import write_apt
 
 from .job import figures
-from .made import Made, Posted, Result
 from .options import cl_head, title_of
+from .programs import PostedProgram, ProgramDraft, Result
 from .settings import Settings, option_fields
 
 REPORTS = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
@@ -92,30 +92,30 @@ def _values(settings: Settings) -> Iterator[tuple[str, Any]]:
 
 def write_outputs(result: Result, progress: Progress = silent) -> list[str]:
     """Write the files that the settings name, all or none; returns their names. Raises FileError."""
-    files = {**_program_files(result.made), **_report_files(result, progress)}
+    files = {**_program_files(result.draft), **_report_files(result, progress)}
     write_all(files)
     return list(files)
 
 
-def _program_files(made: Made) -> dict[str, bytes]:
-    output, files = made.settings.output, {}
-    if isinstance(made, Posted) and output.output:
-        files[output.output] = made.nc
-    if isinstance(made, Posted) and output.cl:
+def _program_files(draft: ProgramDraft) -> dict[str, bytes]:
+    output, files = draft.settings.output, {}
+    if isinstance(draft, PostedProgram) and output.output:
+        files[output.output] = draft.nc
+    if isinstance(draft, PostedProgram) and output.cl:
         files[output.cl] = write_apt(
-            made.path, made.settings.cutter.cutter, title_of(made.settings), head=cl_head(made.settings)
+            draft.path, draft.settings.cutter.cutter, title_of(draft.settings), head=cl_head(draft.settings)
         )  # fmt: skip
     return files
 
 
 def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
-    output, files = result.made.settings.output, {}
+    output, files = result.draft.settings.output, {}
     if output.blocks:
         files[output.blocks] = blocks_csv(
-            result.made.program, result.deviation, result.singularity, progress, result.gouge, result.surface
+            result.draft.program, result.deviation, result.singularity, progress, result.gouge, result.surface
         )
     if (rates := output.rates) and result.audit is not None:
-        files[rates] = rates_csv(result.made.kinematics, result.made.program, result.audit, progress)
+        files[rates] = rates_csv(result.draft.kinematics, result.draft.program, result.audit, progress)
     if output.report:
         sheets = figures(result)
         files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode("utf-8", "backslashreplace") for path in output.report}

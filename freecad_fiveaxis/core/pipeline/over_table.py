@@ -22,9 +22,9 @@ def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> floa
     """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
     table that is known; all round where they point at the only rotary axis; else (what is below is not known, or they follow the
     normals) no farther than level."""
-    asked, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis in (AUTO, FROM_AXIS)
-    if asked is not None:
-        return asked
+    wanted, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis in (AUTO, FROM_AXIS)
+    if wanted is not None:
+        return wanted
     if settings.tool_axis.tool_axis == FROM_AXIS and machine.rotaries == 1:
         return math.pi
     return math.pi if free and table_below(settings, machine, mesh) is not None else 0.5 * math.pi

@@ -90,13 +90,13 @@ def preview_passes(
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     find_pass_strategy(settings.passes.passes)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
+    mesh, faces, avoided, reports = chosen_faces(settings, mesh, faces, progress)
     context, left_out = _context(settings, mesh, faces, progress, keep_off_of(settings, mesh, avoided))
     context, one_in = _sparser(context)
     passes = plan_passes(context, find_region(context.settings, mesh, context.keep, progress, context.frames))
     whole = context.boundary is None and context.keep_off is None
     columns = _cut_rows(passes.contact, context.keep) if whole else _within_boundary(context, passes)
-    found = (*said, *left_out, *passes.findings)
+    found = (*reports, *left_out, *passes.findings)
     return Preview(*_without_doubles(*columns), feed=settings.feeds.feed, findings=found, one_in=one_in)
 
 
@@ -123,25 +123,25 @@ def _context(
     """As :func:`.mill_context.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
     machine, kinematics, dialect = machine_of(settings)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
-    inside, said = facets_inside(settings, boundary, mesh, faces)
+    inside, reports = facets_inside(settings, boundary, mesh, faces)
     chosen, frames = faces if boundary is None else inside, None
     joined, box = obstacles_of(mesh, (), keep_off)
     if keep_off is not None:
         inside, near = facets_off(keep_off, mesh, inside)
-        said, chosen = said + near, inside
+        reports, chosen = reports + near, inside
     if settings.tool_axis.tool_axis == AUTO:
-        asked = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
-        keep, left_out = asked & facets_under_axes(mesh, most), tuple[Finding, ...]()
+        wanted = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
+        keep, left_out = wanted & facets_under_axes(mesh, most), tuple[Finding, ...]()
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
             reacher = reacher_of(settings, machine, kinematics, mesh)
-            frames, keep, left_out = find_frames(joined, asked, reacher, most, int(settings.passes.frames), progress)
+            frames, keep, left_out = find_frames(joined, wanted, reacher, most, int(settings.passes.frames), progress)
     else:
         followed = None if keeps_its_axis(settings, machine) else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     if not keep.any():
         raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
-    made = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary)
-    return replace(made, frames=frames, keep_off=keep_off), (*said, *left_out)
+    context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary)
+    return replace(context, frames=frames, keep_off=keep_off), (*reports, *left_out)
 
 
 Columns = tuple[Floats, Ints, Ints]
@@ -162,8 +162,8 @@ def _within_boundary(context: MillContext, passes: PlannedPasses) -> Columns:
     offset = keep_off_faces(context, keep_within_boundary(context, offset_contacts(context, passes))).offset
     cutter = context.settings.cutter
     if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:
-        sat, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
-        offset, _ = bounded_by_hub(context, sat, axis)
+        seated, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
+        offset, _ = bounded_by_hub(context, seated, axis)
     return offset.point, offset.polyline, offset.pass_
 
 

@@ -20,8 +20,8 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 from .collision_avoidance import commanded_motion, uncut_by_cure
 from .context import MillContext
 from .driving import drive, posted
-from .made import Milled
 from .options import driven_to_surface, rapids_of, tip_to_driven, tool_body
+from .programs import MilledProgram
 from .records import LinkedPath, SolvedJoints
 
 HALVINGS = 6
@@ -41,25 +41,25 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
     settings, joints = context.settings, drive(context, path, entering)
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
-    asked = np.arange(len(path.tip))
+    wanted = np.arange(len(path.tip))
     for _ in range(HALVINGS):
-        rows = _entering(context, path, joints, asked)
+        rows = _entering(context, path, joints, wanted)
         if not len(rows):
             break
         path = _halved(path, rows, driven_to_surface(settings))
         joints = drive(context, path, entering)
         fresh = rows + np.arange(len(rows))
-        asked = np.union1d(fresh, fresh + 1)  # both halves; of all else the machine goes the way that was clear
+        wanted = np.union1d(fresh, fresh + 1)  # both halves; of all else the machine goes the way that was clear
     return path, joints
 
 
-def _entering(context: MillContext, path: CLPath, joints: JointPath, asked: Ints) -> Ints:
-    """Find the rows (k,) of the path, of those ``asked`` (n,) for, to which the machine leads the cutter through the part, and
+def _entering(context: MillContext, path: CLPath, joints: JointPath, wanted: Ints) -> Ints:
+    """Find the rows (k,) of the path, of those ``wanted`` (n,) for, to which the machine leads the cutter through the part, and
     the path itself does not."""
     settings, progress = context.settings, context.progress
     cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.obstacles), settings.proof.tolerance
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
-    fed = np.flatnonzero((joints.path.motion[1:] != Motion.RAPID) & np.isin(joints.row[1:], asked))  # links near the part too
+    fed = np.flatnonzero((joints.path.motion[1:] != Motion.RAPID) & np.isin(joints.row[1:], wanted))  # links near the part too
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
@@ -88,11 +88,11 @@ def keep_rapids_clear(context: MillContext, solved: SolvedJoints) -> SolvedJoint
     return replace(solved, joints=divide_rapids(solved.joints, context.kinematics, context.dialect, clearance))
 
 
-def write_program(context: MillContext, solved: SolvedJoints) -> Milled:
+def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
     program = posted(context, solved.path, solved.joints, found + uncut_by_cure(context, solved.path))
-    return Milled(
+    return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis, keep=context.keep,
         boundary=context.boundary, keep_off=context.keep_off,
     )  # fmt: skip

@@ -19,14 +19,14 @@ from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.linearize import linearize
 from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS, AxisCorrection
 from freecad_fiveaxis.core.pipeline.build_path import link_contacts
-from freecad_fiveaxis.core.pipeline.made import Milled, Posted
 from freecad_fiveaxis.core.pipeline.options import axis_corrections
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Cure, Station, solved
 
 
-def dividing(made: Posted) -> Cure:
+def dividing(made: PostedProgram) -> Cure:
     """The cure that divides feed blocks over tolerance into the fewest that hold it."""
     return partial(_divided, made.settings.proof.tolerance)
 
@@ -44,19 +44,19 @@ def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
     return tuple(names) or tuple(CURES)
 
 
-def cures(made: Posted, names: Sequence[str] = ()) -> dict[str, Cure]:
+def cures(made: PostedProgram, names: Sequence[str] = ()) -> dict[str, Cure]:
     """The cures of these names (without any: all) for what was made. Raises SettingsError for a name that is not known."""
     return {name: CURES[name](made) for name in known_cures(names)}
 
 
-def leading(correction: AxisCorrection, made: Posted) -> Cure:
+def leading(correction: AxisCorrection, made: PostedProgram) -> Cure:
     """The cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a path that was made from a
     solid."""
     return partial(_led, correction, made)
 
 
-def _led(correction: AxisCorrection, made: Posted, path: CLPath, where: Station, progress: Progress) -> JointPath:
-    if not isinstance(made, Milled):
+def _led(correction: AxisCorrection, made: PostedProgram, path: CLPath, where: Station, progress: Progress) -> JointPath:
+    if not isinstance(made, MilledProgram):
         text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
         raise SettingsError(text, made.settings.source)
     context = made.context(progress)
@@ -66,7 +66,7 @@ def _led(correction: AxisCorrection, made: Posted, path: CLPath, where: Station,
     return solved(link_contacts(context, offset, axis), where, progress)
 
 
-CURES: Mapping[str, Callable[[Posted], Cure]] = {
+CURES: Mapping[str, Callable[[PostedProgram], Cure]] = {
     "none": lambda made: solved,
     "linearize": dividing,
     **{name: partial(leading, correction) for name, correction in AXIS_CORRECTIONS.items()},

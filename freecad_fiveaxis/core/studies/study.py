@@ -31,9 +31,9 @@ from freecad_fiveaxis.core.pipeline.avoided import facets_off, keep_off_of, repo
 from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.pipeline.job import chosen_faces, make
-from freecad_fiveaxis.core.pipeline.made import Milled, Posted
-from freecad_fiveaxis.core.pipeline.options import clamped, driven_to_surface, stood, title_of
+from freecad_fiveaxis.core.pipeline.options import clamped, driven_to_surface, resolve_setup, title_of
 from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
 
@@ -51,20 +51,20 @@ WORK = 8_000_000
 
 @dataclass(frozen=True, eq=False)
 class SetupTrial:
-    """``made``: the program of the present setup; ``chart``: the map, with what is recommended."""
+    """``draft``: the program of the present setup; ``chart``: the map, with what is recommended."""
 
     settings: Settings
-    made: Posted
+    draft: PostedProgram
     chart: SetupMap
     findings: tuple[Finding, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """``made``: the program on the first machine; ``rows``: one for each machine, cure and kind of control."""
+    """``draft``: the program on the first machine; ``rows``: one for each machine, cure and kind of control."""
 
     settings: Settings
-    made: Posted
+    draft: PostedProgram
     rows: tuple[Row, ...]
     findings: tuple[Finding, ...]
 
@@ -98,7 +98,7 @@ def try_reach(
 ) -> ReachTrial:  # fmt: skip
     """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
     rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
-    machine, setup, _ = stood(settings, load_machine(settings.machine.machine))
+    machine, setup, _ = resolve_setup(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
@@ -168,7 +168,7 @@ def try_machines(
     machines = [load_machine(name) for name in names]
     suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
     each_settings = [_job_settings(suited, name) for name in names]
-    stands = [stood(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
+    stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
     refused = [what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
     made = _made_for_first(each_settings, refused, progress, mesh, faces)
     stations = [
@@ -182,7 +182,7 @@ def try_machines(
 def _made_for_first(
     each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
     faces: Bools | None,
-) -> Posted:  # fmt: skip
+) -> PostedProgram:  # fmt: skip
     """The path and its program on the first machine that can take up all of its axes. Raises what the first machine says where
     there is none."""
     problems: list[FiveAxisError] = []
@@ -203,17 +203,17 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
     return replace(settings, task=task, machine=given)
 
 
-def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> Posted:
+def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> PostedProgram:
     if mesh is not None:
         job = replace(job, task=MILL)
     made = make(job, progress, mesh, faces)
-    if not isinstance(made, Posted):
+    if not isinstance(made, PostedProgram):
         raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source)
     return made
 
 
-def _posting(settings: Settings, made: Posted, dialect: Dialect) -> Posting:
-    part = made.mesh.vertex if isinstance(made, Milled) else None
+def _posting(settings: Settings, made: PostedProgram, dialect: Dialect) -> Posting:
+    part = made.mesh.vertex if isinstance(made, MilledProgram) else None
     inverse_time = settings.feeds.feed_mode == "g93"
     return Posting(
         dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part, driven_to_surface(made.settings)

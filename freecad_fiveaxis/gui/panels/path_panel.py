@@ -43,7 +43,7 @@ class PathPanel:
 
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
         self.doc, self.title, self.options, self.obj = doc, title, form, obj
-        self.made = obj is None
+        self.draft = obj is None
         self.step, self.calculated = OpenStep(doc, title), None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
@@ -60,7 +60,7 @@ class PathPanel:
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
         self.options.show_options(values)
-        self.calculated = self.options.said() if not self.made and self.is_current() else None
+        self.calculated = self.options.said() if not self.draft and self.is_current() else None
         self._edited()
 
     def is_current(self) -> bool:
@@ -100,7 +100,7 @@ class PathPanel:
 
     def _undone(self) -> None:
         self.step.take_back()
-        self.obj, self.calculated = None if self.made else self.obj, None
+        self.obj, self.calculated = None if self.draft else self.obj, None
         self.summary.forget()
 
     def _tell(self, error: BaseException) -> None:

@@ -220,7 +220,7 @@ class ToolpathPanel(PathPanel):
 
 def _box(path: Any) -> Any:
     """The box of the part that a path was computed over, document coordinates."""
-    vertex, zero = path.Proxy.last.result.made.mesh.vertex, path.WorkZero
+    vertex, zero = path.Proxy.last.result.draft.mesh.vertex, path.WorkZero
     low, high = (zero + FreeCAD.Vector(*side.tolist()) for side in (vertex.min(axis=0), vertex.max(axis=0)))
     return FreeCAD.BoundBox(low.x, low.y, low.z, high.x, high.y, high.z)
 

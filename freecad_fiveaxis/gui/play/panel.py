@@ -18,7 +18,7 @@ from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.pipeline.in_machine import stand_up
-from freecad_fiveaxis.core.pipeline.made import Milled
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.report.playback import NCLines
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status
@@ -128,13 +128,13 @@ class PlayPanel:
             self.controls.follow.setChecked(False)
 
     def _new_stage(self) -> Stage:
-        figures, settings = self.player.figures, results.result_of(self.obj).made.settings
+        figures, settings = self.player.figures, results.result_of(self.obj).draft.settings
         low, high = figures.tip.min(axis=0), figures.tip.max(axis=0)
         tool = tool_of(self.obj, settings.machine.control_point == "centre")
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
         zero, words = np.array(self.obj.WorkZero), figures.program.letters
         letters = "".join(words[at] for at in fitted_columns(words)[3:])
-        made = results.result_of(self.obj).made
+        made = results.result_of(self.obj).draft
         origin = made.settings.machine.origin or made.machine.origin
         table = None if made.machine.table is None else made.machine.table - origin[2]
         box, held = self._part_box(), bool(made.fixtures)
@@ -144,10 +144,9 @@ class PlayPanel:
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
         """The corners (3,) mm of the part's box, work frame; those of the path where no part is known."""
-        made, figures = results.result_of(self.obj).made, self.player.figures
-        points = (
-            made.mesh.vertex if isinstance(made, Milled) else figures.tip[figures.feeds] if len(figures.feeds) else figures.tip
-        )
+        draft, figures = results.result_of(self.obj).draft, self.player.figures
+        cut = figures.tip[figures.feeds] if len(figures.feeds) else figures.tip
+        points = draft.mesh.vertex if isinstance(draft, MilledProgram) else cut
         return points.min(axis=0), points.max(axis=0)
 
     # ------------------------------------------------------------------------------------------ changes from outside

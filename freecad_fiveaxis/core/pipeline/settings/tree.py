@@ -111,9 +111,9 @@ def _in_task(leaf: dataclasses.Field[Any], task: str | None) -> dataclasses.Fiel
     own = leaf.metadata["by_task"]
     if task not in own:
         return leaf
-    made = copy(leaf)
-    made.default = own[task]
-    return made
+    built = copy(leaf)
+    built.default = own[task]
+    return built
 
 
 def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settings:

@@ -30,7 +30,7 @@ from .settings import Settings
 
 
 @dataclass(frozen=True, eq=False)
-class Made:
+class ProgramDraft:
     """A program of rounded words, not yet proven, with the machine that it is for, and the fixtures that the tool is to keep out
     of."""
 
@@ -44,7 +44,7 @@ class Made:
 
 
 @dataclass(frozen=True, eq=False)
-class Posted(Made):
+class PostedProgram(ProgramDraft):
     """A program made here: the CL path, the joints and the NC file's bytes."""
 
     path: CLPath
@@ -53,7 +53,7 @@ class Posted(Made):
 
 
 @dataclass(frozen=True, eq=False)
-class Milled(Posted):
+class MilledProgram(PostedProgram):
     """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``;
     ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is one; ``keep_off``: faces to avoid on
     which there is an allowance."""
@@ -92,7 +92,7 @@ class Result:
     a program not made here; ``gouge`` and ``left``: what enters the part on the real way, and what stays on it, where the
     settings ask for that."""
 
-    made: Made
+    draft: ProgramDraft
     deviation: Deviation
     singularity: Singularity
     findings: tuple[Finding, ...]
