@@ -12,7 +12,7 @@ import numpy as np
 from timing import median_seconds, print_table
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.apt import read_apt
+from freecad_fiveaxis.core.toolpath.apt import read_apt
 
 TARGET = 10.0
 

@@ -19,10 +19,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks.timing import median_seconds, print_table
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, inverse
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_html
 
 LINES, BLADES, STEPS = 100_000, 9, 75

@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.base.crew import at_work, process_crew
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.geometry.mesh import write_stl
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.studies import study
 
 ROUNDS = 5

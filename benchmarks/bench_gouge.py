@@ -22,13 +22,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks.parts import bumpy
 from benchmarks.timing import print_table
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import find_entries, real_motion, straight_motion
-from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
-from freecad_fiveaxis.core.collision.swept_motion import still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree, planted
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.gouge import find_entries, real_motion, straight_motion
+from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
+from freecad_fiveaxis.core.gouge.swept_motion import still_positions
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
 

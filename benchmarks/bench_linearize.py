@@ -26,7 +26,6 @@ from five_kinds import interleaved, kinematics_of, random_blocks
 
 from benchmarks.timing import print_table
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.corrections.linearize import linearize_words
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import (
     Chain,
@@ -39,6 +38,7 @@ from freecad_fiveaxis.core.machine.kinematics import (
     words_to_q,
 )
 from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.motion.linearize import linearize_words
 
 BLOCKS = 10_000
 DECIMALS = 4

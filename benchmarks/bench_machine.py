@@ -20,8 +20,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from benchmarks.timing import print_table
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision.machine_bodies import make_mesh, spindle_body
-from freecad_fiveaxis.core.collision.machine_check import InMachine, check_machine, lock_words
+from freecad_fiveaxis.core.gouge.machine_bodies import make_mesh, spindle_body
+from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, lock_words
 from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.machine.bodies import BASE, BOX, CYLINDER, SPINDLE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
@@ -88,7 +88,7 @@ def program_of(kinematics: Chain, words: Floats) -> Program:
 
 def sampled_poses(machine: Machine, setup: Setup, kinematics: Chain, words: Floats, body: MachineBody) -> tuple[Floats, Floats]:
     """Tips (n, 3) mm and axes (n, 3) at SAMPLES moments of each block, as the axis that carries a body sees them."""
-    from freecad_fiveaxis.core.collision.machine_check import _locked_letters
+    from freecad_fiveaxis.core.gouge.machine_check import _locked_letters
 
     locked = lock_words(machine, setup, kinematics, words, _locked_letters(machine, body))
     share = np.linspace(0.0, 1.0, SAMPLES)[:, None]

@@ -19,11 +19,11 @@ import lin_ye_parts as parts
 import lin_ye_profiles as profiles
 
 from benchmarks.timing import print_table, run_seconds
-from freecad_fiveaxis.core.cl.coedge import OffsetPath
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
-from freecad_fiveaxis.core.corrections.minimax import minimax_axes
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.orientation.minimax import minimax_axes
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
+from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 PASSES = 40
 TILT = np.radians(5.0)

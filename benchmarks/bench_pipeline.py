@@ -20,8 +20,8 @@ from timing import print_table
 from freecad_fiveaxis.core.base.files import write_whole
 from freecad_fiveaxis.core.base.memory import keep_freed_memory
 from freecad_fiveaxis.core.geometry.mesh import write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import Settings, build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import Settings, build_settings
 
 GROWTH = (20_000, 60_000, 200_000, 600_000, 2_000_000)
 ROWS_FOR_PERCENT = 200_000

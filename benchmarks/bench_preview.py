@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The passes alone beside the whole path that they become, of the same part and settings in one process.
 
-*Preview*: :func:`freecad_fiveaxis.core.jobs.preview.preview_passes`; *path*: the program, not yet proven, tool axes along the
+*Preview*: :func:`freecad_fiveaxis.core.pipeline.preview.preview_passes`; *path*: the program, not yet proven, tool axes along the
 normals and without a cure of gouges, so that the ratio is a lower bound. The part is a bumpy block of SIDE mm; with the stepover
 its passes are only cut, with the scallop their distances are measured first.
 """
@@ -16,9 +16,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks.parts import bumpy
 from benchmarks.timing import median_seconds, print_table
 from freecad_fiveaxis.core.base.memory import keep_freed_memory
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.preview import preview_passes
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.preview import preview_passes
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 FACETS = 20_000
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:10", "tool_axis": "facet_mean", "gouge": "off", "linearize": "off"}

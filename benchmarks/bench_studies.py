@@ -19,7 +19,7 @@ from benchmarks.timing import median_seconds, print_table
 from freecad_fiveaxis.core.base.crew import process_crew
 from freecad_fiveaxis.core.base.memory import keep_freed_memory
 from freecad_fiveaxis.core.geometry.mesh import write_stl
-from freecad_fiveaxis.core.jobs.settings import Settings, build_settings
+from freecad_fiveaxis.core.pipeline.settings import Settings, build_settings
 from freecad_fiveaxis.core.studies import study
 
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:6"}

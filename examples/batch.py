@@ -92,7 +92,7 @@ def main(words, environment, say):
 def read_order(words, environment, say):
     """The order from the environment and the words after ``--``. Raises SettingsError that names what is wrong."""
     from freecad_fiveaxis.core.base.errors import SettingsError
-    from freecad_fiveaxis.core.jobs.settings import build_settings, option_fields
+    from freecad_fiveaxis.core.pipeline.settings import build_settings, option_fields
 
     known = {leaf.name for _, leaf in option_fields("mill")}.difference(NOT_OURS).union(OWN, TESSELLATION)
     given = from_environment(environment, known, say) | from_words(words)

@@ -15,8 +15,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import Figures, summary
 from freecad_fiveaxis.core.report.raster import owners, view_from
 from freecad_fiveaxis.core.report.rest_material_map import (

@@ -24,11 +24,11 @@ import numpy as np
 from lin_ye_arc import MACHINE
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import read_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import Machine, save_machine
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ROOT = Path(__file__).resolve().parents[2]
 PART = "freeform_233"

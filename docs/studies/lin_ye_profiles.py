@@ -18,13 +18,13 @@ import numpy as np
 from lin_ye_arc import ARC, BALL, trunnion
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.coedge import OffsetPath, close_gaps
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, linear_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
 from freecad_fiveaxis.core.passes import ContactPath
+from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, close_gaps
 
 METHODS = ("facet_mean", "step_weighted")
 DEPTHS = (None, 60.0, 150.0, 300.0)

@@ -17,11 +17,11 @@ import lin_ye_profiles as profiles
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.coedge import OffsetPath
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
-from freecad_fiveaxis.core.corrections.minimax import minimax_axes
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, linear_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.orientation.minimax import minimax_axes
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
+from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 TILT = 5.0
 """deg, the default of ``--max-tilt``."""

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report.text import duration
 from freecad_fiveaxis.core.studies.setup_map import pictures
 from freecad_fiveaxis.core.studies.study import SetupTrial, try_machines, try_setups

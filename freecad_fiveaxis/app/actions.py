@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_length, parse_stack, parse_triple, stack_text
 from freecad_fiveaxis.core.base.sentences import Number, say
-from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, build_settings
 
 from . import auditing, compared, convert, guides, job_setup, markers, previewing, selection, tessellation, toolpath
 from .arguments import names

@@ -7,8 +7,8 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.advice import SHARE, Trial, report_advice, try_others
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.advice import SHARE, Trial, report_advice, try_others
 from freecad_fiveaxis.core.report.figures import Figures
 
 from . import results, wording

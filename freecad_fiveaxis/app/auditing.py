@@ -12,9 +12,9 @@ from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError
 from freecad_fiveaxis.core.base.files import check_readable, read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import AUDIT, build_settings, is_part
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, build_settings, is_part
 
 from . import compared, convert, results
 from .plain_errors import hide_trace

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.sentences import joined, say
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.tool import kind_of
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from . import results
 from .plain_errors import hide_trace

@@ -10,7 +10,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core.base.quantity import LENGTHS, parse_triple
-from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, build_settings
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text
 
 from . import convert, guides, properties, tessellation, toolpath

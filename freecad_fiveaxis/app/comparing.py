@@ -14,7 +14,7 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.jobs.settings import COMPARE, CureSettings, Settings, build_settings
+from freecad_fiveaxis.core.pipeline.settings import COMPARE, CureSettings, Settings, build_settings
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.corrections import CURES
 

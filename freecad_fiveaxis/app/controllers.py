@@ -7,8 +7,8 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.controllers import Dialect
-from freecad_fiveaxis.core.jobs.options import dialect_for
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline.options import dialect_for
 
 from .properties import MACHINES_OWN
 

@@ -24,8 +24,8 @@ from freecad_fiveaxis.core.base.quantity import parse_stack
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.jobs.option_values import read_option
-from freecad_fiveaxis.core.jobs.settings import AUDIT, Settings, build_settings
+from freecad_fiveaxis.core.pipeline.option_values import read_option
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, Settings, build_settings
 from freecad_fiveaxis.core.report import Figures, judged_largest, summary, verdict
 from freecad_fiveaxis.core.tool import SIZES, Cutter, parse_cutter, sizes_text
 from freecad_fiveaxis.core.tool.body import Body, body_of

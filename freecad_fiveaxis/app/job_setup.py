@@ -14,8 +14,8 @@ import FreeCAD
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 from freecad_fiveaxis.core.tool import cutter_text, parse_cutter
 
 from . import cam, convert, tool_bit, wording

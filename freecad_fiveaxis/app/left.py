@@ -16,10 +16,10 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Area, Length, joined, say
-from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.collision_avoidance import allowed
+from freecad_fiveaxis.core.gouge import RestMaterial
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.collision_avoidance import allowed
 from freecad_fiveaxis.core.report import Figures
 
 from . import results, wording

@@ -10,7 +10,7 @@ import FreeCAD
 
 from freecad_fiveaxis.core import report
 from freecad_fiveaxis.core.base.sentences import Area, say
-from freecad_fiveaxis.core.collision import GOUGES
+from freecad_fiveaxis.core.gouge import GOUGES
 
 from .plain_errors import hide_trace
 from .properties import QT_TRANSLATE_NOOP, READ_ONLY, Property

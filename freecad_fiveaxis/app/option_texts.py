@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What each option is for, as the window says it: the tool tips of the panels and the texts of the property editor.
 
-The command line has help of its own (core/jobs/settings/groups.py), with its names and ways of writing values. An option that
+The command line has help of its own (core/pipeline/settings/groups.py), with its names and ways of writing values. An option that
 is not here shows that help.
 """
 

@@ -14,8 +14,8 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
-from freecad_fiveaxis.core.jobs import preview
-from freecad_fiveaxis.core.jobs.settings import MILL, Settings, build_settings
+from freecad_fiveaxis.core.pipeline import preview
+from freecad_fiveaxis.core.pipeline.settings import MILL, Settings, build_settings
 
 from . import convert, results, selection, tessellation, toolpath
 from .long_work import check_open, listening, run

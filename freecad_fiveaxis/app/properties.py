@@ -23,10 +23,10 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core.base.quantity import stack_text
-from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.jobs.settings import MILL, FacesSettings, OutputSettings, option_fields
+from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
 from freecad_fiveaxis.core.passes import PASS_STRATEGIES
+from freecad_fiveaxis.core.pipeline.settings import MILL, FacesSettings, OutputSettings, option_fields
 from freecad_fiveaxis.core.tool import KINDS as CUTTER_KINDS
 from freecad_fiveaxis.core.tool import SIZES as CUTTER_SIZES
 from freecad_fiveaxis.core.tool import Cutter, kind_of

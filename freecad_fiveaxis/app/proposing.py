@@ -10,7 +10,7 @@ import os
 from collections.abc import Collection
 from typing import Any
 
-from freecad_fiveaxis.core.jobs.settings import MILL
+from freecad_fiveaxis.core.pipeline.settings import MILL
 
 from . import changes
 from .nc_output import outputs_of

@@ -24,11 +24,11 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_triple
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
-from freecad_fiveaxis.core.collision.fixtures import Fixture
-from freecad_fiveaxis.core.collision.obstacles import Obstacle
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.jobs.settings import REACH, build_settings
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline.settings import REACH, build_settings
 from freecad_fiveaxis.core.studies import study
 from freecad_fiveaxis.core.studies.reach_map import ReachMap as Chart
 from freecad_fiveaxis.core.studies.reach_report import share_reached, verdict

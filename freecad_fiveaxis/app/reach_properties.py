@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from freecad_fiveaxis.core.jobs.settings import REACH
+from freecad_fiveaxis.core.pipeline.settings import REACH
 
 from .properties import FINGERPRINT, QT_TRANSLATE_NOOP, RESULT, WORK_ZERO, Property, setting_properties
 

@@ -15,9 +15,9 @@ from freecad_fiveaxis.core.base.errors import FileError
 from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.calibration import calibration as workshop
-from freecad_fiveaxis.core.jobs import outputs
-from freecad_fiveaxis.core.jobs.settings import RECOVER, Settings, build_settings
+from freecad_fiveaxis.core.calibration import tasks as workshop
+from freecad_fiveaxis.core.pipeline import outputs
+from freecad_fiveaxis.core.pipeline.settings import RECOVER, Settings, build_settings
 
 from . import machines
 from .long_work import run

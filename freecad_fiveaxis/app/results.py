@@ -18,14 +18,14 @@ from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.made import Milled
-from freecad_fiveaxis.core.jobs.new_speed import change_speed, without_speed
-from freecad_fiveaxis.core.jobs.outputs import curve_files
-from freecad_fiveaxis.core.jobs.settings import Settings
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.made import Milled
+from freecad_fiveaxis.core.pipeline.new_speed import change_speed, without_speed
+from freecad_fiveaxis.core.pipeline.outputs import curve_files
+from freecad_fiveaxis.core.pipeline.settings import Settings
 from freecad_fiveaxis.core.report import Figures
 
 from . import convert, wording

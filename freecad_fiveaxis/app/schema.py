@@ -16,7 +16,7 @@ from typing import Any
 import FreeCAD
 
 from freecad_fiveaxis.core.base.quantity import stack_text
-from freecad_fiveaxis.core.jobs.settings import MILL
+from freecad_fiveaxis.core.pipeline.settings import MILL
 
 from . import feed_per_minute
 from .properties import CUTTER, HIDDEN, Property, add_missing, drawn_tool, setting_properties, show_sizes

@@ -25,9 +25,9 @@ from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, Settings
 from freecad_fiveaxis.core.base.files import check_writable, write_whole
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Angle, say
-from freecad_fiveaxis.core.jobs.options import clamped
-from freecad_fiveaxis.core.jobs.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
 from freecad_fiveaxis.core.machine import Vector
+from freecad_fiveaxis.core.pipeline.options import clamped
+from freecad_fiveaxis.core.pipeline.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict

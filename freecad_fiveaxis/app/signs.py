@@ -10,9 +10,9 @@ from typing import Any
 from freecad_fiveaxis.core.base.errors import FileError
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.calibration import calibration as workshop
-from freecad_fiveaxis.core.jobs import outputs
-from freecad_fiveaxis.core.jobs.settings import PROVE, Settings, build_settings
+from freecad_fiveaxis.core.calibration import tasks as workshop
+from freecad_fiveaxis.core.pipeline import outputs
+from freecad_fiveaxis.core.pipeline.settings import PROVE, Settings, build_settings
 
 from . import selection
 from .long_work import run

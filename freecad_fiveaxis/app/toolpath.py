@@ -10,10 +10,10 @@ import FreeCAD
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
-from freecad_fiveaxis.core.jobs.settings import MILL, build_settings
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis
+from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 
 from . import compared, convert, guides, job_setup, results
 from .plain_errors import hide_trace

@@ -34,7 +34,7 @@ from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.base.terminal import bars, show
 
 if TYPE_CHECKING:
-    from freecad_fiveaxis.core.jobs.settings import Settings
+    from freecad_fiveaxis.core.pipeline.settings import Settings
 
 DONE, DONE_WITH_ERRORS, UNUSABLE, FAULT, STOPPED = 0, 1, 2, 3, 130
 REQUIRED = ("numpy", "scipy")
@@ -127,7 +127,7 @@ def _failed(fault: Exception) -> int:
 
 def _bare_said(argv: Sequence[str]) -> list[str]:
     """Options that may stand without a value, followed by something that is none: with the value that they then mean."""
-    from freecad_fiveaxis.core.jobs.settings import option_fields
+    from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     bare = {flag_of(leaf.name): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
     following = [*argv[1:], ""]
@@ -199,7 +199,7 @@ def _add_batch(commands: Any) -> None:
 
 
 def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
-    from freecad_fiveaxis.core.jobs.settings import TRIALS
+    from freecad_fiveaxis.core.pipeline.settings import TRIALS
 
     if what:
         parser.add_argument("source", metavar=what)
@@ -210,7 +210,7 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
 
 
 def _add_options(parser: argparse.ArgumentParser, task: str, without: Sequence[str] = ()) -> None:
-    from freecad_fiveaxis.core.jobs.settings import option_fields
+    from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     for cls, leaf in option_fields(task):
         if leaf.name in without:
@@ -267,7 +267,7 @@ def _help(leaf: Any) -> str:
 
 
 def _run_task(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.jobs.settings import build_settings
+    from freecad_fiveaxis.core.pipeline.settings import build_settings
 
     settings = build_settings(arguments.task, getattr(arguments, "source", ""), _options_given(arguments))
     return _run(settings, arguments.quiet, workers=_workers(arguments))
@@ -282,7 +282,7 @@ def _workers(arguments: argparse.Namespace) -> int:
 
 
 def _options_given(arguments: argparse.Namespace) -> dict[str, Any]:
-    from freecad_fiveaxis.core.jobs.settings import option_fields
+    from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     names = {leaf.name for _, leaf in option_fields(arguments.task)}
     return {name.rstrip("_"): value for name, value in vars(arguments).items() if name in names and value is not None}
@@ -299,15 +299,15 @@ def _batch(arguments: argparse.Namespace) -> int:
 
 
 def _run_file(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.jobs.job_file import read_job
+    from freecad_fiveaxis.core.pipeline.job_file import read_job
 
     return _run(read_job(arguments.source), arguments.quiet, (arguments.source,))
 
 
 def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int = 1) -> int:
     """Do what is asked; ``read``: files that are read already, which no output may be; ``workers``: processes for trials."""
-    from freecad_fiveaxis.core.jobs import job, outputs
-    from freecad_fiveaxis.core.jobs.settings import TRIALS, WORKSHOP
+    from freecad_fiveaxis.core.pipeline import job, outputs
+    from freecad_fiveaxis.core.pipeline.settings import TRIALS, WORKSHOP
     from freecad_fiveaxis.core.report import as_text
 
     outputs.check_outputs(settings, read)
@@ -340,7 +340,7 @@ def _try(settings: Settings, quiet: bool, workers: int) -> int:
 
 
 def _work(settings: Settings, quiet: bool) -> int:
-    from freecad_fiveaxis.core.calibration import calibration as workshop
+    from freecad_fiveaxis.core.calibration import tasks as workshop
 
     with bars(quiet) as progress:
         done = workshop.run(settings, progress)
@@ -392,7 +392,7 @@ def _controllers(arguments: argparse.Namespace) -> int:
 
 
 def _strategies(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
+    from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
     from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 
     told = {

@@ -14,7 +14,7 @@ import FreeCADGui
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.jobs.preview import Preview
+from freecad_fiveaxis.core.pipeline.preview import Preview
 
 from .failures import guards
 from .qt import later

@@ -9,7 +9,7 @@ import numpy as np
 from pivy import coin
 
 from freecad_fiveaxis.app import reach
-from freecad_fiveaxis.core.collision.obstacles import Obstacle
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 
 from .qt import translate
 from .scene import nodes, overlay

@@ -17,7 +17,7 @@ WAIT = 1000
 FREECADS = ("MeshPart",)
 """Modules of FreeCAD that are not loaded with it."""
 NEEDED = (
-    "core.jobs.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers", "app.tessellation",
+    "core.pipeline.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers", "app.tessellation",
     "app.changes", "app.job_setup", "gui.panels.toolpath",
 )  # fmt: skip
 """Modules of the package, in the order in which they are imported."""

@@ -7008,6 +7008,10 @@
         <translation>die Wörter haben die Form {shape}; je NC-Satz eine Zeile von fünf Wörtern angeben</translation>
     </message>
     <message>
+        <source>words that begin with a small letter within a sentence: all</source>
+        <translation>der die das den dem des ein eine einen einem einer eines kein keine keinen alle alles am an angenommen auf aufstellen bei beim bevor bewiesen dort er es für geringste geschwenkte größter hier im in kragt kürzere lassen mehr mit nach nicht nichts noch nur ohne positive rechts sind sie so spannen über um unter versucht vom von vor während was weil wenn wo zu zum zur zwischen</translation>
+    </message>
+    <message>
         <source>work offset is {offset}; give G54 to G59, or another that the controller has</source>
         <translation>die Nullpunktverschiebung ist {offset}; G54 bis G59 angeben oder eine andere, die die Steuerung hat</translation>
     </message>

@@ -10,7 +10,7 @@ from conftest import FAST, UNCURED
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import advising, results
 from freecad_fiveaxis.app.selection import SelectionError
-from freecad_fiveaxis.core.jobs import advice
+from freecad_fiveaxis.core.pipeline import advice
 
 
 def test_it_is_what_the_path_of_these_settings_finishes_more_and_the_document_stays(doc, monkeypatch):

@@ -10,8 +10,8 @@ from conftest import PLAIN, UNCURED
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import changes, markers, results
 from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError, MachineError, SettingsError
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import markers as core_markers
 
 TABLE_2 = (

@@ -13,7 +13,7 @@ from freecad_fiveaxis.app import changes, convert, previewing, results, selectio
 from freecad_fiveaxis.app.scaling import scale_part
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:4", "stepover": 1.5, "max_axis_angle": 30, **PLAIN}
 RADIUS, WIDE = 2.0, 20.0

@@ -14,8 +14,8 @@ from freecad_fiveaxis.app import cam
 from freecad_fiveaxis.app.results import figures_of
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.app.tool_bit import JobTool
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 pytestmark = pytest.mark.usefixtures("kept")
 

@@ -6,8 +6,8 @@ import pytest
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import changes, results
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.collision.fixtures import Fixture, check_fixtures
-from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, check_fixtures
+from freecad_fiveaxis.core.pipeline.options import tip_to_driven, tool_body
 
 GIVEN = {
     "machine": "trunnion_ac",

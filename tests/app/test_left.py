@@ -10,8 +10,8 @@ from conftest import UNCURED
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import left, results
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
 """Passes along the groove, the tool upright."""

@@ -9,9 +9,9 @@ import pytest
 
 pytest.importorskip("FreeCAD")
 from freecad_fiveaxis.app import preferences
-from freecad_fiveaxis.core.jobs.options import DEFAULT_SCALLOP
-from freecad_fiveaxis.core.jobs.settings import option_fields
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline.options import DEFAULT_SCALLOP
+from freecad_fiveaxis.core.pipeline.settings import option_fields
 from freecad_fiveaxis.core.tool import parse_cutter
 
 FORM = Path(__file__).parents[2] / "resources" / "ui" / "preferences.ui"

@@ -10,7 +10,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import results
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.cl.cl_path import Motion
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ABOUT = {"max_axis_angle": 50, "cutter": "ball:6", "work_zero": (3.0, -2.0, 5.0)}
 

@@ -11,10 +11,10 @@ from conftest import FAST
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import auditing, convert, option_texts, properties, toolpath
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.jobs import collision_avoidance
-from freecad_fiveaxis.core.jobs.settings import AUDIT, MILL, OutputSettings, build_settings, option_fields
+from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
+from freecad_fiveaxis.core.pipeline import options
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, OutputSettings, build_settings, option_fields
 from freecad_fiveaxis.core.tool import KINDS, Cutter, kind_of, parse_cutter
 from freecad_fiveaxis.core.tool.body import body_of
 
@@ -219,8 +219,8 @@ def test_sizes_that_the_kind_has_not_are_not_looked_at(path):
 def test_the_tool_that_is_drawn_is_the_body_that_is_checked(path, text):
     convert.put_options(path, MILL, {"cutter": text, "shank": "8x20,12x30", "holder": "40x25"})
     drawn, settings = convert.tool_of(path), convert.settings_of(path, MILL, "x")
-    assert drawn.body == collision_avoidance.tool_body(settings) and drawn.cutter == settings.cutter.cutter
-    assert drawn.body != collision_avoidance.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
+    assert drawn.body == options.tool_body(settings) and drawn.cutter == settings.cutter.cutter
+    assert drawn.body != options.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
 
 
 def test_an_audit_draws_shank_and_holder_too(doc, tmp_path):
@@ -271,7 +271,7 @@ def test_choices_of_an_older_document_are_renewed_and_its_own_is_kept(path):
 def test_files_that_settings_name_are_part_of_what_a_result_is_of(tmp_path):
     """No document object has such a setting yet but the audited file itself; the task ``recover`` has."""
     from freecad_fiveaxis.app import results
-    from freecad_fiveaxis.core.jobs.settings import RECOVER, build_settings
+    from freecad_fiveaxis.core.pipeline.settings import RECOVER, build_settings
 
     (tmp_path / "a.ngc").write_text("G1 X1")
     settings = build_settings(RECOVER, "a.apt", {"program": str(tmp_path / "a.ngc"), "machine": "trunnion_ac"})

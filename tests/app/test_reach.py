@@ -13,7 +13,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import reach, results
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
-from freecad_fiveaxis.core.collision.obstacles import Obstacle
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.studies import reach_map as module
 
 TOOL = {"machine": "trunnion_ac", "cutter": "ball:6:20", "holder": "40x30", "tolerance": 0.02}
@@ -179,7 +179,7 @@ def test_what_cannot_be_leaves_nothing_behind(doc, slot):
 
 
 def test_the_places_of_the_picture_are_those_of_the_map(slot):
-    from freecad_fiveaxis.core.collision.rest_material import surface_parts
+    from freecad_fiveaxis.core.gouge.rest_material import surface_parts
 
     found = reach.found_of(app.reach_map(floor(slot), **TOOL))
     corner, _ = surface_parts(found.mesh, found.chart.spacing, reach.chosen_facets(found))

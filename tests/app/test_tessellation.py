@@ -12,8 +12,8 @@ from conftest import half_ball
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import convert, long_work, results
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, SettingsError
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, read_stl
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 
 def corners(stl):

@@ -14,8 +14,8 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import long_work, results, wording
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine import load_machine, save_machine
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report import summary
 
 PYTHON = os.path.join(sys.exec_prefix, "bin", "python3")

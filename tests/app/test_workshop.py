@@ -11,9 +11,9 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import importing, machines, preferences, recovering, results, signs
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
-from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.jobs import options
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline import options
+from freecad_fiveaxis.core.toolpath.apt import write_apt
 
 ROOT = Path(__file__).resolve().parents[2]
 

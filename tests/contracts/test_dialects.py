@@ -14,7 +14,6 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers import DIALECTS, Dialect, find_dialect
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
 from freecad_fiveaxis.core.machine import (  # fmt: skip
@@ -34,6 +33,7 @@ from freecad_fiveaxis.core.nc.head import SLOTS, PostOptions
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.nc.start import by_reference, with_start
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 EVERY = pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
 MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]

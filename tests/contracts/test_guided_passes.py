@@ -11,8 +11,8 @@ from test_pass_strategies import FLAT_STEP, SCALLOP, ball, box, grid, left, pass
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
-from freecad_fiveaxis.core.jobs.settings import settings
 from freecad_fiveaxis.core.passes import PASS_STRATEGIES, PassOptions, even_steps, flat_interval
+from freecad_fiveaxis.core.pipeline.settings import tree as settings
 
 MORPH, RADIAL = PASS_STRATEGIES["morph"], PASS_STRATEGIES["radial"]
 

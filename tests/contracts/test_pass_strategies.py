@@ -13,10 +13,7 @@ from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.coedge import close_gaps
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
-from freecad_fiveaxis.core.jobs import job, milling
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import (
     PASS_STRATEGIES,
     Division,
@@ -34,6 +31,9 @@ from freecad_fiveaxis.core.passes import (
 )
 from freecad_fiveaxis.core.passes.scallop_passes import AIM
 from freecad_fiveaxis.core.passes.spirals import take_lines
+from freecad_fiveaxis.core.pipeline import job, mill_context
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 
 RADIUS, SCALLOP = 3.0, 0.03
 STEP = flat_interval(RADIUS, SCALLOP)
@@ -576,7 +576,7 @@ def no_axis_field(monkeypatch):
     def begin(*given):
         raise Begun
 
-    monkeypatch.setattr(milling, "find_axis_field", begin)
+    monkeypatch.setattr(mill_context, "find_axis_field", begin)
 
 
 @pytest.mark.parametrize("tool_axis", ["auto", "facet_mean"])

@@ -16,15 +16,15 @@ from test_pass_strategies import passes as laid
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import FiveAxisError, SettingsError
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.rotary_axis import own_axis, settle_rotary_axis
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import Axis, Machine, SafeStart, load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.passes import PASS_STRATEGIES, PassOptions, cut, flat_interval
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.rotary_axis import own_axis, settle_rotary_axis
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 ROTARY = PASS_STRATEGIES["rotary"]

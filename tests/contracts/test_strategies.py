@@ -6,10 +6,10 @@ from functools import lru_cache
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.cl.coedge import close_gaps
-from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES, AxisOptions, tool_axes
 from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.orientation.strategies import STRATEGIES, AxisOptions, tool_axes
 from freecad_fiveaxis.core.passes import slice_mesh
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 
 FIXED = np.array([0.3, -0.2, 0.9])
 LEANS = [(0.0, 0.0), (0.2, 0.0), (0.0, -0.3), (-0.1, 0.25)]

@@ -10,7 +10,7 @@ import pytest
 from plain import build_settings
 from uncured import UNCURED
 
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 
 ROOT = Path(__file__).parents[2]
 

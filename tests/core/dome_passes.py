@@ -10,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl.coedge import close_gaps
-from freecad_fiveaxis.core.cl.feasible import feasible_rows
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
 from freecad_fiveaxis.core.passes import facets_within_limits, prepare_planes, slice_mesh
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
+from freecad_fiveaxis.core.toolpath.feasible import feasible_rows
 
 SCRIPT = Path(__file__).parents[2] / "resources" / "examples" / "make_parts.py"
 spec = importlib.util.spec_from_file_location("make_parts", SCRIPT)

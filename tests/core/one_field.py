@@ -3,12 +3,12 @@
 
 import pickle
 
-from freecad_fiveaxis.core.jobs import milling
+from freecad_fiveaxis.core.pipeline import mill_context
 
 
 def keep_fields(monkeypatch, kept=None):
     """Let `mill` take the field found before for the same part, facets and tool. ``kept``: where fields of other tests are too."""
-    found, kept = milling.find_axis_field, {} if kept is None else kept
+    found, kept = mill_context.find_axis_field, {} if kept is None else kept
 
     def find(mesh, facets, reacher, *more):
         asked = pickle.dumps((mesh.vertex, mesh.face, facets, reacher))
@@ -16,4 +16,4 @@ def keep_fields(monkeypatch, kept=None):
             kept[asked] = found(mesh, facets, reacher, *more)
         return kept[asked]
 
-    monkeypatch.setattr(milling, "find_axis_field", find)
+    monkeypatch.setattr(mill_context, "find_axis_field", find)

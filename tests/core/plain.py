@@ -2,7 +2,7 @@
 """What tests ask for that look at something else than passes and tool axes: parallel planes, the tool on the facets' normals, as
 Lin & Ye. That is quick, and known in closed form."""
 
-from freecad_fiveaxis.core.jobs import settings
+from freecad_fiveaxis.core.pipeline import settings
 
 PLAIN = {"passes": "planes", "tool_axis": "facet_mean"}
 PLAIN_WORDS = ("--passes", "planes", "--tool-axis", "facet_mean")

@@ -3,10 +3,10 @@
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, inverse
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 SETUP = Setup((10.0, -5.0, 20.0), 80.0)
 TABLE_2 = (

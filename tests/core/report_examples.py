@@ -7,7 +7,6 @@ import math
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, inverse
 from freecad_fiveaxis.core.motion.deviation import Deviation
@@ -15,6 +14,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.singularity import Singularity
 from freecad_fiveaxis.core.report.figures import Figures
 from freecad_fiveaxis.core.report.judgement import judge
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 X, Y, Z = (Axis(name, False, "head", tuple(row), max_rate=20e3) for name, row in zip("XYZ", np.eye(3).tolist(), strict=True))
 C = Axis("C", True, "table", (0, 0, 1), max_rate=math.radians(14400))

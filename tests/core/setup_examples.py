@@ -8,7 +8,7 @@ from plain import build_settings
 from uncured import UNCURED
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.studies.setup_map import Posting
 
 RADIUS, CENTRE = 40.0, -10.0

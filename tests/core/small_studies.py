@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The three studies on a small roof, and what they tell."""
 
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.studies import study
 
 WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", "stepover": 9}

@@ -10,8 +10,8 @@ from mesh_shapes import box
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import advice, job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import advice, job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 SIZE = np.array([24.0, 16.0, 10.0])
 TOP, SIDES = SIZE[0] * SIZE[1], 2.0 * (SIZE[0] + SIZE[1]) * SIZE[2]

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from gouge_examples import bowl, step
 
-from freecad_fiveaxis.core.collision import find_entries, straight_motion
-from freecad_fiveaxis.core.collision.joint_box import JointSpace
-from freecad_fiveaxis.core.collision.rapid_ways import find_way_entries
-from freecad_fiveaxis.core.collision.search import find_demanded_lift
-from freecad_fiveaxis.core.collision.swept_motion import still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.gouge import find_entries, straight_motion
+from freecad_fiveaxis.core.gouge.joint_box import JointSpace
+from freecad_fiveaxis.core.gouge.rapid_ways import find_way_entries
+from freecad_fiveaxis.core.gouge.search import find_demanded_lift
+from freecad_fiveaxis.core.gouge.swept_motion import still_positions
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.tool import Cutter

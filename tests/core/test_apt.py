@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.apt import ClReading, read_apt, write_apt
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt, write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 RAPID, LINK, CUT, FILL = Motion.RAPID, Motion.LINK, Motion.CUT, Motion.FILL
 

@@ -8,10 +8,10 @@ import pytest
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.apt import ClReading, read_apt
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.jobs.options import cl_reading
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline.options import cl_reading
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 RISE = np.sqrt(0.5)
 # A quarter from (10, 0) to (0, 10) about the zero, against the clock seen from above: its middle is (10, 10) / sqrt(2).

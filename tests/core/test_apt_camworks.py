@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.apt import ClReading, read_apt, read_cl_file
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
+from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt, read_cl_file
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 R, C = int(Motion.RAPID), int(Motion.CUT)
 HEAD = """PARTNO/1

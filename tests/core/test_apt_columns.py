@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.cl.apt import read_apt
+from freecad_fiveaxis.core.toolpath.apt import read_apt
 
 LINES = [
     ("FEDRAT/ 300.0000,MMPM", "FED    1"),

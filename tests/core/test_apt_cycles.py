@@ -8,11 +8,11 @@ import pytest
 
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.apt import ClReading, read_apt
-from freecad_fiveaxis.core.cl.apt.cycles import GAP, cycle_of
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt
+from freecad_fiveaxis.core.toolpath.apt.cycles import GAP, cycle_of
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 R, C = int(Motion.RAPID), int(Motion.CUT)
 

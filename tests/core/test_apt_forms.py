@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.apt import ClHead, ClReading, read_apt, read_cl_file, write_apt
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.apt import ClHead, ClReading, read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 RAPID, CUT = Motion.RAPID, Motion.CUT
 

@@ -11,10 +11,10 @@ import pytest
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import ProgramError, SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
-from freecad_fiveaxis.core.cl.apt import ClReading, read_apt, read_cl_file
-from freecad_fiveaxis.core.cl.cl_path import CLPath
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt, read_cl_file
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 NX = """TOOL PATH/A,TOOL,T10
 TLDATA/MILL,10.0000,0.0000,50.0000,0.0000,0.0000

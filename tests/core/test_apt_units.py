@@ -8,9 +8,9 @@ import pytest
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.apt import ClReading, read_apt, read_cl_file
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt, read_cl_file
 
 SILENT = "PARTNO X\nGOTO/0,0,1\nFEDRAT/10.0,IPM\nGOTO/1,2,1\nFINI\n"
 """CAMWorks prints such files."""

@@ -9,10 +9,10 @@ from dome_passes import kinematics_of
 from gouge_examples import prism
 from one_field import keep_fields
 
-from freecad_fiveaxis.core.corrections import auto_axis
-from freecad_fiveaxis.core.corrections.at_pole import CONE, WIDE, find_near_rows, take_pole
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.orientation import auto_axis
+from freecad_fiveaxis.core.orientation.at_pole import CONE, WIDE, find_near_rows, take_pole
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 Z = np.array([0.0, 0.0, 1.0])
 

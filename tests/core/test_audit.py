@@ -13,15 +13,15 @@ from five_kinds import KINDS, kinematics_of, random_blocks
 from freecad_fiveaxis.core.audit import check_limits, commanded_rates, feed_findings, rate_findings
 from freecad_fiveaxis.core.audit.rates import DEGREES
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import find_dialect
-from freecad_fiveaxis.core.jobs import job, outputs
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.pipeline import job, outputs
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, summary
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 X, Y, Z = (Axis(n, False, "head", tuple(r), (0, 0, 0), -100, 100, 6000.0) for n, r in zip("XYZ", np.eye(3).tolist(), strict=True))
 A = Axis("A", True, "table", (1, 0, 0), (0, 0, -50), math.radians(-30), math.radians(120), math.radians(3600))

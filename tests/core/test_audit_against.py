@@ -11,17 +11,17 @@ from mesh_shapes import box, sphere
 from freecad_fiveaxis.core.audit import against_part, against_path
 from freecad_fiveaxis.core.audit.against_part import _distance
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.geometry.nearest import Facets, Segments, nearest, search
-from freecad_fiveaxis.core.jobs import job, outputs
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, inverse
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.program import Guided, Program
 from freecad_fiveaxis.core.motion.trajectory import axis_at, tip_at
+from freecad_fiveaxis.core.pipeline import job, outputs
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_json
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 MACHINE = load_machine("trunnion_ac")
 LINKS = chain(MACHINE, Setup(MACHINE.origin))

@@ -3,8 +3,8 @@
 
 import pytest
 
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 MOVES = "G21 G90\nG0 X0 Y0 Z10 A0 C0\n{before}\nG1 Z0 F100\nX5\n{after}\n{end}\n"
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.calibration import calibration
-from freecad_fiveaxis.core.jobs import job, outputs
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.calibration import tasks as calibration
+from freecad_fiveaxis.core.pipeline import job, outputs
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 LEAN = np.linspace(0.0, 0.5, 40)
 TURN = np.linspace(0.2, 1.4, 40)

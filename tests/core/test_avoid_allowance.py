@@ -11,14 +11,14 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.progress import silent
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision import find_rest_material, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.avoided import check_keep_off
-from freecad_fiveaxis.core.jobs.collision_avoidance import cutting
-from freecad_fiveaxis.core.jobs.options import tip_to_driven
+from freecad_fiveaxis.core.gouge import find_rest_material, program_motion
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.avoided import check_keep_off
+from freecad_fiveaxis.core.pipeline.collision_avoidance import cutting
+from freecad_fiveaxis.core.pipeline.options import tip_to_driven
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.report.scope import scope
 from freecad_fiveaxis.core.report.verdict import verdict

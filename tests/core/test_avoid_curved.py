@@ -12,8 +12,8 @@ from plain import build_settings
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, read_stl, write_stl
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.pipeline import job
 
 RADIUS, ROUND, TOLERANCE, COLUMNS = 3.0, 8.0, 0.01, 64
 SAG = ROUND * (1.0 - math.cos(math.pi / COLUMNS))

@@ -13,21 +13,21 @@ from test_reach_map import BALL, block, profile, slot
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.coedge import close_gaps
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, facet_mean
-from freecad_fiveaxis.core.collision import obstacles as obstacles_module
-from freecad_fiveaxis.core.collision.obstacles import Reacher, obstacles, part_heights, tip_at
-from freecad_fiveaxis.core.corrections import auto_axis, facets_with_axis
-from freecad_fiveaxis.core.corrections import axis_field as module
-from freecad_fiveaxis.core.corrections.auto_axis import Free, auto_axes, divided, refine_field
-from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles
+from freecad_fiveaxis.core.gouge import obstacles as obstacles_module
+from freecad_fiveaxis.core.gouge.obstacles import Reacher, obstacles, part_heights, tip_at
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.orientation import auto_axis, facets_with_axis
+from freecad_fiveaxis.core.orientation import axis_field as module
+from freecad_fiveaxis.core.orientation.auto_axis import Free, auto_axes, divided, refine_field
+from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean
 from freecad_fiveaxis.core.passes import axes_within_limits, slice_mesh
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import depth_of
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 
 SHORT = Cutter(6.0, 12.0)
 HOLDER = ((24.0, 30.0),)

@@ -16,16 +16,16 @@ from plain import PLAIN_WORDS, build_settings
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.cl.coedge import close_gaps
-from freecad_fiveaxis.core.cl.cut_at_boundary import cut_at_boundary
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.passes import slice_mesh
 from freecad_fiveaxis.core.passes.boundary import facets_within, read_boundary
 from freecad_fiveaxis.core.passes.plane_curves import PlaneCurves
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.studies import reach_map
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
+from freecad_fiveaxis.core.toolpath.cut_at_boundary import cut_at_boundary
 
 PLATE = np.array([[[0, 0, 0], [40, 0, 0], [40, 30, 0]], [[0, 0, 0], [40, 30, 0], [0, 30, 0]]], float)
 JOB = {"machine": "trunnion_ac", "cutter": "ball:6", "stepover": 1}
@@ -229,7 +229,7 @@ def test_the_comparison_notices_a_boundary_that_is_a_little_off(tmp_path, by):
 
 def replace_rows(path):
     """The path without its longest polyline."""
-    from freecad_fiveaxis.core.cl.coedge import take_path_rows
+    from freecad_fiveaxis.core.toolpath.coedge import take_path_rows
 
     return take_path_rows(path, np.flatnonzero(path.polyline != np.bincount(path.polyline).argmax()))
 

@@ -105,6 +105,6 @@ def test_the_graph_of_this_project_leads_from_a_module_to_its_tests():
     core = ROOT / "freecad_fiveaxis/core"
     files = [*core.rglob("*.py"), ROOT / "tests/core/test_vectors.py", ROOT / "tests/core/test_quantity.py"]
     steps = distances(build_graph(files, [ROOT, ROOT / "tests", ROOT / "tests/core"]), [core / "base/vectors.py"])
-    assert steps[ROOT / "tests/core/test_vectors.py"] == 1 and steps[core / "jobs/job.py"] > 1
+    assert steps[ROOT / "tests/core/test_vectors.py"] == 1 and steps[core / "pipeline/job.py"] > 1
     assert core / "base/errors.py" not in steps and ROOT / "tests/core/test_quantity.py" not in steps
     assert core / "base/vectors.py" in set(imports_of(ROOT / "tests/core/test_vectors.py", [ROOT]))

@@ -14,8 +14,8 @@ from freecad_fiveaxis.core.base import chunks as chunks_module
 from freecad_fiveaxis.core.base import number_text
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads, meanwhile
 from freecad_fiveaxis.core.base.errors import Cancelled
-from freecad_fiveaxis.core.cl.coedge import junction
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.toolpath.coedge import junction
 
 
 @pytest.fixture(autouse=True)

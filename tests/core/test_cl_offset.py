@@ -12,17 +12,18 @@ from plain import build_settings
 from thorough import some_in_core
 from uncured import UNCURED
 
-from freecad_fiveaxis.core.cl import cl_offset as seating
-from freecad_fiveaxis.core.cl.apt import read_apt, read_cl_file, write_apt
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl, write_stl
-from freecad_fiveaxis.core.jobs import job, outputs
-from freecad_fiveaxis.core.jobs import options as asked
-from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.orientation.spacing_radius import spacing_radius
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions
+from freecad_fiveaxis.core.pipeline import job, outputs
+from freecad_fiveaxis.core.pipeline import options as asked
+from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
+from freecad_fiveaxis.core.toolpath import cl_offset as seating
+from freecad_fiveaxis.core.toolpath.apt import read_apt, read_cl_file, write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 CUTTERS = ("flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:8:1:5deg")
 
@@ -334,7 +335,7 @@ def test_under_a_fixed_axis_the_narrowest_stand_counts():
     level, every = mesh.normal[:, 2] > 0.999, np.ones(len(mesh.normal), bool)
 
     def radius(cutter, keep, strategy):
-        return seating.spacing_radius(cutter, mesh, keep, 0.0, strategy, AxisOptions(), 0.01)
+        return spacing_radius(cutter, mesh, keep, 0.0, strategy, AxisOptions(), 0.01)
 
     flat = parse_cutter("flat:10")
     wide, narrow = (radius(flat, keep, "fixed") for keep in (level, ~level))

@@ -9,13 +9,13 @@ from offset_examples import ball, field, hull, joined, prism
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import LinkOptions, Motion, link_passes
-from freecad_fiveaxis.core.cl.cl_path.linking import keepout, way_out
-from freecad_fiveaxis.core.cl.coedge import close_gaps
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes
 from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
 from freecad_fiveaxis.core.passes import slice_mesh
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.cl_path import LinkOptions, Motion, link_passes
+from freecad_fiveaxis.core.toolpath.cl_path.linking import keepout, way_out
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 
 CUTTER = Cutter(10.0)
 UP = AxisOptions()

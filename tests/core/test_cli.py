@@ -19,8 +19,8 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import terminal
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine import shipped_machines
+from freecad_fiveaxis.core.pipeline import job
 
 TABLE_2 = (
     "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
@@ -345,7 +345,7 @@ sys.meta_path.insert(0, Stop())
 """
 
 
-@some_in_core("name", ["numpy", "freecad_fiveaxis.core.jobs.settings", "freecad_fiveaxis.core.jobs.job"])
+@some_in_core("name", ["numpy", "freecad_fiveaxis.core.pipeline.settings", "freecad_fiveaxis.core.pipeline.job"])
 def test_an_interrupt_while_the_core_is_loaded_stops_quietly(name, roof, tmp_path):
     words = ("mill", roof, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
     done = program(*words, head=STOP_AT.format(name=name))

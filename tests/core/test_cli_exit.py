@@ -18,7 +18,7 @@ from thorough import some_in_core
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import files
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job, job_file
+from freecad_fiveaxis.core.pipeline import job, job_file
 
 ROOT = Path(__file__).parents[2]
 posix = pytest.mark.skipif(os.name != "posix", reason="signals and pipes of POSIX")
@@ -101,7 +101,7 @@ def test_a_module_of_our_own_that_is_missing_is_a_fault(nc, tmp_path, monkeypatc
     def lost(*_):
         raise ModuleNotFoundError("No module named 'freecad_fiveaxis.lost'", name="freecad_fiveaxis.lost")
 
-    monkeypatch.setattr("freecad_fiveaxis.core.jobs.job.make", lost)
+    monkeypatch.setattr("freecad_fiveaxis.core.pipeline.job.make", lost)
     assert run("audit", str(nc), "--machine", "trunnion_ac") == cli.FAULT
     assert cli.REPORT_TO in capsys.readouterr().err
 
@@ -154,7 +154,7 @@ def mill(dome, stepover, head=""):
 @some_in_core(("name", "code"), STOPS)
 def test_a_signal_during_the_work_leaves_nothing(name, code, dome, tmp_path):
     mark = tmp_path / "mark"  # made when the work has begun
-    head = f"from freecad_fiveaxis.core.jobs import job; old = job.run\ndef run(*given):\n    open({str(mark)!r}, 'w'); return old(*given)\njob.run = run"
+    head = f"from freecad_fiveaxis.core.pipeline import job; old = job.run\ndef run(*given):\n    open({str(mark)!r}, 'w'); return old(*given)\njob.run = run"
     done = mill(dome, "0.05", head)  # seconds of work, also for whoever sees the mark late
     until(mark.exists)
     done.send_signal(getattr(signal, name))
@@ -165,7 +165,7 @@ def test_a_signal_during_the_work_leaves_nothing(name, code, dome, tmp_path):
 
 DELETED = """
 import signal
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 class Last:
     def __del__(self):
         signal.raise_signal(signal.SIGINT)
@@ -212,7 +212,7 @@ def test_a_signal_while_files_take_their_place_waits_for_them(name, code, dome, 
 def test_a_second_signal_ends_at_once_and_a_signal_that_is_ignored_stays_so(tmp_path, nc):
     head = """
 import os, signal
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 signal.signal(signal.SIGHUP, signal.SIG_IGN)
 def run(*given):
     os.kill(os.getpid(), signal.SIGHUP)
@@ -232,7 +232,7 @@ job.run = run
 def test_a_signal_that_a_module_makes_another_error_of_is_still_a_signal(nc):
     head = """
 import os, signal
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 def run(*given):
     try:
         os.kill(os.getpid(), signal.SIGINT)
@@ -382,7 +382,7 @@ def test_numbers_beyond_all_bounds_make_no_warnings(line, code, tmp_path, capsys
 
 @pytest.mark.thorough
 def test_a_warning_of_numpys_does_not_reach_the_terminal(nc):
-    head = "import numpy as np\nfrom freecad_fiveaxis.core.jobs import job\nold = job.run\ndef run(*given):\n    np.array(1e300) * 1e300\n    return old(*given)\njob.run = run"
+    head = "import numpy as np\nfrom freecad_fiveaxis.core.pipeline import job\nold = job.run\ndef run(*given):\n    np.array(1e300) * 1e300\n    return old(*given)\njob.run = run"
     done = start("audit", nc, *AUDIT, head=head)
     assert done.communicate(timeout=300)[1] == b"" and done.returncode == 1
 

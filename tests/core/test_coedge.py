@@ -8,9 +8,9 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.coedge import close_gaps, coedge, columns, junction, trimming
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import slice_mesh
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps, columns, gaps, junction, trimming
 
 ROOF = [(0, 0), (10, 5), (20, 0)]
 ANGLE = np.radians(17.0)
@@ -28,13 +28,13 @@ def codes(path):
 @pytest.fixture
 def worst(monkeypatch):
     """A list of the worst depth and the worst height, mm, that are behind the findings of each path closed (None: none notable)."""
-    seen, over = [], coedge._over
+    seen, over = [], gaps._over
 
     def spied(*given):
         seen.append(over(*given))
         return seen[-1]
 
-    monkeypatch.setattr(coedge, "_over", spied)
+    monkeypatch.setattr(gaps, "_over", spied)
     return seen
 
 

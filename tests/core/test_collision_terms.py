@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from gouge_examples import prism, round_groove
 
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.collision import find_entries
-from freecad_fiveaxis.core.collision.deepest import deepest, toward
-from freecad_fiveaxis.core.collision.inside import buried_blocks
-from freecad_fiveaxis.core.collision.swept_motion import (
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.gouge import find_entries
+from freecad_fiveaxis.core.gouge.deepest import deepest, toward
+from freecad_fiveaxis.core.gouge.inside import buried_blocks
+from freecad_fiveaxis.core.gouge.lift import lift_path
+from freecad_fiveaxis.core.gouge.swept_motion import (
     MOST_PARTS,
     MotionSegments,
     Poses,
@@ -20,10 +21,9 @@ from freecad_fiveaxis.core.collision.swept_motion import (
     clusters_of,
     straight_motion,
 )
-from freecad_fiveaxis.core.corrections.lift import lift_path
-from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, Piece, body_of, frustum_piece, round_piece
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 TOLERANCE, GROOVE, RADIUS = 0.01, 4.0, 5.0
 UP = np.array([[0.0], [0.0], [1.0]])

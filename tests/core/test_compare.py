@@ -12,25 +12,25 @@ from setup_examples import cap, milled, posting
 from uncured import UNCURED, UNDIVIDED
 
 from freecad_fiveaxis.core.base.errors import Cancelled, MachineError, ReachError, SettingsError
-from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import find_dialect
-from freecad_fiveaxis.core.corrections.axis_corrections import AxisCorrection
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import DEFAULT_CONTROLLER
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import build_program
+from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrection
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.options import DEFAULT_CONTROLLER
 from freecad_fiveaxis.core.report import summary
 from freecad_fiveaxis.core.report.figures import axis_rates, feed_blocks
 from freecad_fiveaxis.core.report.text import duration
 from freecad_fiveaxis.core.studies import corrections as cure_table
 from freecad_fiveaxis.core.studies.compare import compare, compare_html, compare_json, compare_text, guide, solved, station
-from freecad_fiveaxis.core.studies.compare.compare import Share
+from freecad_fiveaxis.core.studies.compare.stations import Share
 from freecad_fiveaxis.core.studies.compare.words import verdict
 from freecad_fiveaxis.core.studies.corrections import CURES, cures, leading
 from freecad_fiveaxis.core.studies.study import try_machines
+from freecad_fiveaxis.core.toolpath.apt import write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 COARSE = {"stepover": 12.0, "rings": 8}
 MACHINES = ("trunnion_ac", "mikron_ucp710", "head_b_table_c")

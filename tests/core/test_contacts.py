@@ -6,13 +6,13 @@ from test_axis_field import NODES, take_nodes
 from thorough import some_in_core
 from underside_parts import PARTS
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.contacts import contacts_of
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 FLOOR = from_triangles(np.array([[(-50.0, -50.0, 0.0), (50.0, -50.0, 0.0), (0.0, 80.0, 0.0)]]))
 

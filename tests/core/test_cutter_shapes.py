@@ -8,7 +8,7 @@ import pytest
 from cutter_body import body, meridian, placed, support
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.tool_axis import leaned
+from freecad_fiveaxis.core.orientation.strategies import leaned
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, cutter_text, parse_cutter
 from freecad_fiveaxis.core.tool.contact import ring_direction
 from freecad_fiveaxis.core.tool.silhouette import width_at

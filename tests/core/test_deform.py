@@ -12,17 +12,17 @@ from plain import build_settings
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.cl.coedge import take_path_rows
-from freecad_fiveaxis.core.corrections.deform import deform_axes, rerouted_axes, trade_findings, trade_off
-from freecad_fiveaxis.core.corrections.deform.drive import drive
-from freecad_fiveaxis.core.corrections.deform.meridian import angle_between
 from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine.kinematics import inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.orientation.past_pole import deform_axes, rerouted_axes, trade_findings, trade_off
+from freecad_fiveaxis.core.orientation.past_pole.drive import drive
+from freecad_fiveaxis.core.orientation.past_pole.meridian import angle_between
 from freecad_fiveaxis.core.passes import axes_within_limits
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
+from freecad_fiveaxis.core.toolpath.coedge import take_path_rows
 
 CHANGE = np.radians(2.0)
 QUIET = np.radians(1.0)  # a pass on which C turns less has nothing to be cured

@@ -4,11 +4,11 @@
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.collision import search
-from freecad_fiveaxis.core.collision.search import find_demanded_lift
-from freecad_fiveaxis.core.collision.swept_motion import still_positions, ways_up
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.gouge import search
+from freecad_fiveaxis.core.gouge.search import find_demanded_lift
+from freecad_fiveaxis.core.gouge.swept_motion import still_positions, ways_up
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of, depth_of, way_out
 

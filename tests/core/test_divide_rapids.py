@@ -12,22 +12,23 @@ from plain import build_settings
 from rapid_simulation import points_of, simulated
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.collision.joint_box import JointSpace
-from freecad_fiveaxis.core.collision.rapid_check import independent_rapids
 from freecad_fiveaxis.core.controllers import find_dialect
-from freecad_fiveaxis.core.corrections import divide_rapids as stage
-from freecad_fiveaxis.core.corrections.divide_rapids import RapidClearance, RapidWays, divide_rapids, find_cuts, rapid_ways
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job, milling
-from freecad_fiveaxis.core.jobs.options import tool_body
+from freecad_fiveaxis.core.gouge.joint_box import JointSpace
+from freecad_fiveaxis.core.gouge.rapid_check import independent_rapids
+from freecad_fiveaxis.core.links import divide_rapids as stage
+from freecad_fiveaxis.core.links.divide_rapids import RapidClearance, RapidWays, divide_rapids, find_cuts, rapid_ways
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.pipeline import job, milling
+from freecad_fiveaxis.core.pipeline.options import tool_body
+from freecad_fiveaxis.core.pipeline.solve_joints import keep_rapids_clear
 from freecad_fiveaxis.core.report.markers import markers
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 PARTS = {"step": lambda: step(6.0), "knob": lambda: knob_in_corner(cells=12)}
 OPTIONS = {
@@ -63,7 +64,7 @@ milled = cache(milled_anew)
 def undivided(machine, part, **options):
     """The same program without the stage."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(milling, "keep_rapids_clear", lambda context, joints: joints)
+        patch.setattr(milling, "STAGES", tuple(one for one in milling.STAGES if one is not keep_rapids_clear))
         return milled_anew(machine, part, **options)
 
 

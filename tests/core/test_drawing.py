@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 import report_examples as examples
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.report import draw, listed, markers, spot, summary
 from freecad_fiveaxis.core.report.drawing import AXES_ACROSS, CURVE_POINTS
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 
 @pytest.fixture(scope="module")

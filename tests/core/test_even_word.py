@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from freecad_fiveaxis.core.corrections.deform import even_word as even
+from freecad_fiveaxis.core.orientation.past_pole import even_word as even
 
 
 def bounds(seed, count=60):

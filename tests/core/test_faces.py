@@ -11,9 +11,9 @@ from plain import build_settings
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision.faces import facet_sags, facets_on
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.gouge.faces import facet_sags, facets_on
+from freecad_fiveaxis.core.pipeline import job
 
 
 def floor(y0, y1, n=3, x0=-20.0, x1=20.0, z=0.0):

@@ -15,15 +15,15 @@ from test_reach_map import block, slot
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision.obstacles import Reacher
-from freecad_fiveaxis.core.corrections.axis_field import NODES
-from freecad_fiveaxis.core.corrections.facets_with_axis import find_axis_field, select_facets
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.orientation.axis_field import NODES
+from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field, select_facets
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:6:40", "passes": "scallop", "stepover": 1.5, "tool_axis": "auto"}
 RIGHT = math.pi / 2

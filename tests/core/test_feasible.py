@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from plain import build_settings
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 STEPS = (30.0, 24.0, 14.0)  # heights of the treads, mm; each 20 mm deep along X, 40 mm wide
 

@@ -3,8 +3,8 @@
 
 import pytest
 
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 HEAD = "G21 G90 G17\nM3 S800\nG0 X0 Y0 Z10 A0 C0\n"
 

@@ -16,14 +16,14 @@ from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, MachineError, ReachError, SettingsError
-from freecad_fiveaxis.core.calibration.calibration import prove as prove_signs
+from freecad_fiveaxis.core.calibration.tasks import prove as prove_signs
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job, settings
-from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis
-from freecad_fiveaxis.core.jobs.outputs import write_outputs
 from freecad_fiveaxis.core.machine import Axis, Machine, SafeStart, fitted_columns, load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.pipeline import job, settings
+from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis
+from freecad_fiveaxis.core.pipeline.outputs import write_outputs
 from freecad_fiveaxis.core.report.machine_sketch import ToolRoom, sketch
 from freecad_fiveaxis.core.report.playback import Playback
 from freecad_fiveaxis.core.studies.study import try_machines, try_setups

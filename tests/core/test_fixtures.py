@@ -8,11 +8,11 @@ from mesh_shapes import box
 from plain import build_settings
 
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision.fixtures import Fixture, box_with, check_fixtures, join_obstacles
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures, join_obstacles
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.options import tip_to_driven, tool_body
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.report.scope import scope
 from freecad_fiveaxis.core.report.verdict import verdict

@@ -18,15 +18,15 @@ from scipy.spatial.distance import cdist
 from test_fewer_axes import table_a, three
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.corrections import axis_field, find_frames
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces, from_triangles, read_stl, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.orientation import axis_field, find_frames
 from freecad_fiveaxis.core.passes import frame_passes
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 RADIUS, SCALLOP, TOLERANCE = 3.0, 0.05, 0.01
 FEW = 300

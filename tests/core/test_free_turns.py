@@ -11,13 +11,13 @@ from test_axis_field import NODES as FEW
 from test_axis_field import take_nodes
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.collision.obstacles import Reacher
-from freecad_fiveaxis.core.corrections import axis_field, free_turns
-from freecad_fiveaxis.core.corrections.auto_axis import Free
-from freecad_fiveaxis.core.corrections.free_turns import find_blocked_turns, lead_out
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.orientation import axis_field, free_turns
+from freecad_fiveaxis.core.orientation.auto_axis import Free
+from freecad_fiveaxis.core.orientation.free_turns import find_blocked_turns, lead_out
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
 
 STEP = [(0, 0), (40, 0), (40, 40), (20, 40), (20, 10), (0, 10)]

@@ -6,15 +6,15 @@ import pytest
 from gouge_examples import bowl, brute_distance, corner, dense_points, round_groove, sampled_depth, step, v_groove
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import check_motion, find_entries, inside, is_closed, real_motion, search, straight_motion
-from freecad_fiveaxis.core.collision.swept_motion import still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.gouge import check_motion, find_entries, inside, is_closed, real_motion, search, straight_motion
+from freecad_fiveaxis.core.gouge.swept_motion import still_positions
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import HOLDER, SHANK, Body, body_of, depth_of, frustum_piece, round_piece
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 UP = np.array([0.0, 0.0, 1.0])
 LIMIT = 0.01

@@ -10,13 +10,13 @@ from gouge_examples import bowl, step
 from thorough import some_in_core
 
 from benchmarks.parts import bumpy
-from freecad_fiveaxis.core.collision import real_motion, straight_motion
-from freecad_fiveaxis.core.collision.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
-from freecad_fiveaxis.core.collision.deepest import deepest, shortened, support_at, toward
-from freecad_fiveaxis.core.collision.edges import nearest_on_edges
-from freecad_fiveaxis.core.collision.swept_motion import Poses, clusters_of, segments_of, still_positions
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.gouge import real_motion, straight_motion
+from freecad_fiveaxis.core.gouge.bounds import box_bound, facet_bound, least_depth, pared, plate_bound
+from freecad_fiveaxis.core.gouge.deepest import deepest, shortened, support_at, toward
+from freecad_fiveaxis.core.gouge.edges import nearest_on_edges
+from freecad_fiveaxis.core.gouge.swept_motion import Poses, clusters_of, segments_of, still_positions
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.tool.body import (

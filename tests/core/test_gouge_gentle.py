@@ -9,9 +9,9 @@ from gouge_examples import relief
 from mesh_shapes import field
 from plain import build_settings
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 TOLERANCE = 0.01
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "linearize": "on", "gouge": "lift", "tolerance": TOLERANCE}

@@ -11,11 +11,11 @@ from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, round_g
 from plain import build_settings
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import check_program
 from freecad_fiveaxis.core.geometry.mesh import read_stl
-from freecad_fiveaxis.core.jobs import collision_avoidance, job
+from freecad_fiveaxis.core.gouge import check_program
+from freecad_fiveaxis.core.pipeline import job, options, solve_joints
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 TOLERANCE = 0.01
 OPTIONS = {
@@ -48,7 +48,7 @@ def milled(mesh, **options):
 def both(made):
     """What the check says of the cuts, which blocks these are, and the judge's verdict on them."""
     program, cutter = made.program, made.settings.cutter.cutter
-    checked = check_program(made.mesh, collision_avoidance.tool_body(made.settings), made.kinematics, program, TOLERANCE)
+    checked = check_program(made.mesh, options.tool_body(made.settings), made.kinematics, program, TOLERANCE)
     cuts = np.flatnonzero(np.isin(program.motion[1:], (Motion.CUT, Motion.FILL)))
     return checked.cutter, cuts, gouge_judge.judged(made.mesh, cutter, made.kinematics, program.words, cuts)
 
@@ -164,6 +164,6 @@ def test_after_the_lift_the_judge_finds_nothing_in_real_meshes_either(name, kind
 def test_without_rows_half_way_the_turning_axis_leads_the_cutter_into_the_part(name, kind, monkeypatch):
     """The tip is led within half the tolerance, but the machine turns the axis otherwise than on a great arc. (A ball does not mind:
     its centre is led.)"""
-    monkeypatch.setattr(collision_avoidance, "HALVINGS", 0)
+    monkeypatch.setattr(solve_joints, "HALVINGS", 0)
     _, _, verdict = both(milled_real(name, kind, gouge="lift"))
     assert verdict.worst > 1.5 * TOLERANCE

@@ -13,19 +13,18 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.base.quantity import parse_stack
-from freecad_fiveaxis.core.cl import cl_offset as seating
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision import find_entries, real_motion, straight_motion
-from freecad_fiveaxis.core.corrections import lift
-from freecad_fiveaxis.core.corrections.lift import lift_path
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import read_stl
-from freecad_fiveaxis.core.jobs import collision_avoidance, job
-from freecad_fiveaxis.core.jobs.context import MillContext
-from freecad_fiveaxis.core.jobs.settings import flat_options
+from freecad_fiveaxis.core.gouge import find_entries, lift, real_motion, straight_motion
+from freecad_fiveaxis.core.gouge.lift import lift_path
+from freecad_fiveaxis.core.pipeline import job, solve_joints
+from freecad_fiveaxis.core.pipeline.context import MillContext
+from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, body_of, frustum_piece, round_piece, way_out
+from freecad_fiveaxis.core.toolpath import cl_offset as seating
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 TOLERANCE = 0.01
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 85, "linearize": "on"}
@@ -133,7 +132,7 @@ def test_rows_half_way_stand_on_the_commanded_way_and_lead_where_the_next_does()
     path = cl_path([(0, 0, 0), (0, 2, 0), (0, 6, 2)])
     axes = np.array([(0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, np.sin(0.4), np.cos(0.4))])
     path = replace(path, axis=axes, face=np.array([4, 5, 6]))
-    made = collision_avoidance._halved(path, np.array([2]))
+    made = solve_joints._halved(path, np.array([2]))
     assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [4, 5, 6, 6]
     np.testing.assert_allclose(made.axis[2], (0.0, np.sin(0.2), np.cos(0.2)), atol=1e-12)
     assert made.motion.tolist() == [*path.motion.tolist(), Motion.CUT]
@@ -148,17 +147,17 @@ def context_of(**options):
 @pytest.mark.parametrize("options", [{"gouge": "report"}, {"linearize": "off"}])
 def test_no_rows_are_put_half_way_into_a_path_that_is_only_looked_at_or_whose_blocks_stay_whole(options, monkeypatch):
     path, driven = cl_path([(0, 0, 0), (0, 2, 0)]), []
-    monkeypatch.setattr(collision_avoidance, "drive", lambda _, path, entering: driven.append((path, entering)))
-    given, joints = collision_avoidance.drive_free(context_of(**options), path, 0.003)
+    monkeypatch.setattr(solve_joints, "drive", lambda _, path, entering: driven.append((path, entering)))
+    given, joints = solve_joints.drive_free(context_of(**options), path, 0.003)
     assert given is path and joints is None and driven == [(path, 0.003)]
 
 
 def test_rows_are_put_half_way_into_a_path_that_no_cure_has_changed(monkeypatch):
     """The machine may lead the cutter into the part though nothing of the path had to be lifted."""
     path, entering = cl_path([(0, 0, 0), (0, 2, 0)]), iter([np.array([1]), np.array([], int)])
-    monkeypatch.setattr(collision_avoidance, "_entering", lambda *_: next(entering))
-    monkeypatch.setattr(collision_avoidance, "drive", lambda _, path, entering: len(path.tip))
-    given, joints = collision_avoidance.drive_free(context_of(), path, 0.0)
+    monkeypatch.setattr(solve_joints, "_entering", lambda *_: next(entering))
+    monkeypatch.setattr(solve_joints, "drive", lambda _, path, entering: len(path.tip))
+    given, joints = solve_joints.drive_free(context_of(), path, 0.0)
     assert not path.findings and given.tip.tolist() == [[0, 0, 0], [0, 1, 0], [0, 2, 0]] and joints == 3
 
 
@@ -223,7 +222,7 @@ def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
 
 @pytest.mark.parametrize("gouge", ["lift", "leave-out"])
 def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monkeypatch):
-    cure = importlib.import_module(f"freecad_fiveaxis.core.corrections.{gouge.replace('-', '_')}")
+    cure = importlib.import_module(f"freecad_fiveaxis.core.gouge.{gouge.replace('-', '_')}")
     monkeypatch.setattr(cure, "is_under", lambda *given: np.zeros(len(given[2]), np.bool_))
     made = milled(shelf(), cutter="ball:4:6", stepover=4, gouge=gouge)
     assert "rapid-collision" in {f.code for f in job.prove(made).findings}

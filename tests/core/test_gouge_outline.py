@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.collision import outline
+from freecad_fiveaxis.core.gouge import outline
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, body_of, depth_of
 

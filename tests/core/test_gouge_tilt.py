@@ -12,15 +12,15 @@ from scipy.optimize import brentq
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.cl_offset import scallop_of
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions
-from freecad_fiveaxis.core.collision import check_motion, straight_motion
-from freecad_fiveaxis.core.corrections.tilt import _Runs
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.gouge import check_motion, straight_motion
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions
+from freecad_fiveaxis.core.orientation.tilt import _Runs
 from freecad_fiveaxis.core.passes import axes_within_limits
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import HOLDER
 

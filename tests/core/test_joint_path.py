@@ -11,10 +11,10 @@ import pytest
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Setup, branch_of, chain, forward, inverse_axis
 from freecad_fiveaxis.core.motion.joint_path import solve
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 LOW, HIGH, CLEARANCE = np.array([-25.0, -25.0, -30.0]), np.array([25.0, 25.0, 5.0]), 4.0
 

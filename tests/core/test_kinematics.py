@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.machine.kinematics import (
     linear_words,
 )
 from freecad_fiveaxis.core.machine.kinematics import (
-    kinematics as formulas,
+    serial_chain as formulas,
 )
 
 X, Y, Z = np.eye(3)

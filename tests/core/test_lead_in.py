@@ -13,15 +13,15 @@ from plain import build_settings
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.corrections import lead_in as module
-from freecad_fiveaxis.core.corrections.lead_in import LeadOptions, find_ends, lead_in
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import write_stl
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.links import lead_in as module
+from freecad_fiveaxis.core.links.lead_in import LeadOptions, find_ends, lead_in
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:8:40", "stepover": 4.0, "max_axis_angle": 60}
 PLATE = {"tool_axis": "fixed", "axis": "0.2,0.1,1", "direction": "30", "links": "over", "linearize": "off"}

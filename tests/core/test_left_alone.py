@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from plain import build_settings
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.corrections.left_alone import BESIDE, lead_over_others
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.jobs import collision_avoidance, job
+from freecad_fiveaxis.core.gouge.left_alone import BESIDE, lead_over_others
+from freecad_fiveaxis.core.pipeline import build_path, job
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 OPTIONS = {
     "machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:4", "stepover": 1.5, "max_axis_angle": 30, "passes": "planes",
@@ -62,5 +62,5 @@ def test_no_feed_block_touches_a_narrow_strip_that_is_left_alone(wide, monkeypat
     make = lambda: job.make(build_settings("mill", "part", OPTIONS), mesh=mesh, faces=chosen)  # noqa: E731
     made = make()
     assert touched(made, wide) == 0 and made.keep.sum() == 4
-    monkeypatch.setattr(collision_avoidance, "lead_over_others", lambda begin, *_: np.zeros(len(begin), bool))
+    monkeypatch.setattr(build_path, "lead_over_others", lambda begin, *_: np.zeros(len(begin), bool))
     assert (touched(make(), wide) > 0) == (wide < 2.0), "one narrower than the radius would be touched"

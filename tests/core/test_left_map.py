@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from gouge_examples import step
 
-from freecad_fiveaxis.core.collision import find_rest_material, straight_motion
+from freecad_fiveaxis.core.gouge import find_rest_material, straight_motion
 from freecad_fiveaxis.core.report.raster import owners, png, view_from
 from freecad_fiveaxis.core.report.rest_material_map import (
     NEUTRAL,

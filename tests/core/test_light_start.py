@@ -25,19 +25,19 @@ def test_lists_and_helps_load_no_engine(words):
     assert not [
         name
         for name in modules
-        if name.startswith(("freecad_fiveaxis.core.corrections.minimax", "freecad_fiveaxis.core.corrections.deform"))
+        if name.startswith(("freecad_fiveaxis.core.orientation.minimax", "freecad_fiveaxis.core.orientation.past_pole"))
     ]
     assert sum(name.startswith("freecad_fiveaxis") for name in modules) < 45
 
 
 def test_settings_are_checked_without_the_engine():
     build = "build_settings('mill', 'a.stl', {'machine': 'trunnion_ac', 'cutter': 'bull:10:2', 'max_tilt': '3deg', 'origin': '1,2,3'})"
-    modules = loaded(f"from freecad_fiveaxis.core.jobs.settings import build_settings\nprint({build})")
+    modules = loaded(f"from freecad_fiveaxis.core.pipeline.settings import build_settings\nprint({build})")
     assert not set(HEAVY) & set(modules)
 
 
 def test_what_computes_would_be_noticed():
-    assert set(loaded("from freecad_fiveaxis.core.cl import cl_offset\nprint(cl_offset)")) >= {
+    assert set(loaded("from freecad_fiveaxis.core.toolpath import cl_offset\nprint(cl_offset)")) >= {
         "numpy",
         "freecad_fiveaxis.core.tool.contact",
     }
@@ -46,7 +46,7 @@ def test_what_computes_would_be_noticed():
 def test_the_ranges_of_the_options_are_those_of_the_work():
     """The least change leaves room to lead in: above what is kept off the pole."""
     from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE, LEAST_TILT, MOST_TILT, OFF_POLE
-    from freecad_fiveaxis.core.jobs.settings import option_fields
+    from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     rules = {leaf.name: leaf.metadata for _, leaf in option_fields()}
     assert (rules["max_tilt"]["least"], rules["max_tilt"]["most"]) == (LEAST_TILT, MOST_TILT)

@@ -14,18 +14,18 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.corrections.linearize import linearize, linearize_words
-from freecad_fiveaxis.core.corrections.linearize.balance import balanced_shares
-from freecad_fiveaxis.core.corrections.linearize.commanded_moves import Steps, commanded_moves, follow, most_off
-from freecad_fiveaxis.core.corrections.linearize.proof import judge_pieces, off_segment
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words, q_to_words, words_to_q
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.joint_path import solve
+from freecad_fiveaxis.core.motion.linearize import linearize, linearize_words
+from freecad_fiveaxis.core.motion.linearize.balance import balanced_shares
+from freecad_fiveaxis.core.motion.linearize.commanded_moves import Steps, commanded_moves, follow, most_off
+from freecad_fiveaxis.core.motion.linearize.proof import judge_pieces, off_segment
 from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.motion.trajectory import frames, tip_at
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 BLOCKS = int(os.environ.get("LINEARIZE_BLOCKS", "80"))
 """Random blocks of each kind of chain; 2000 for the full run."""

@@ -16,16 +16,16 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import silent
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.jobs import options as asked
-from freecad_fiveaxis.core.jobs.safe_start import start_plane
-from freecad_fiveaxis.core.jobs.settings import flat_options
 from freecad_fiveaxis.core.machine.kinematics import forward, q_to_words, words_to_q
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.program import block_findings, build_program
 from freecad_fiveaxis.core.motion.program.feeds import STILL, least_minutes
 from freecad_fiveaxis.core.motion.singularity import in_cone
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.pipeline import options as asked
+from freecad_fiveaxis.core.pipeline.safe_start import start_plane
+from freecad_fiveaxis.core.pipeline.settings import flat_options
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ROOT = Path(__file__).parents[2]
 CASES = [("dome", "trunnion_ac"), ("saddle", "trunnion_ac"), ("saddle", "fork_head_bc"), ("dome", "nutating_table_b45")]

@@ -10,18 +10,18 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.apt import read_cl_file, write_apt
-from freecad_fiveaxis.core.cl.apt.head import ClHead, cutter_note
-from freecad_fiveaxis.core.cl.cl_path import CLPath
-from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, obstacles
-from freecad_fiveaxis.core.collision.search import find_entries
-from freecad_fiveaxis.core.collision.swept_motion import straight_motion
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, obstacles
+from freecad_fiveaxis.core.gouge.search import find_entries
+from freecad_fiveaxis.core.gouge.swept_motion import straight_motion
 from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter
 from freecad_fiveaxis.core.studies import reach_map as reach_map_module
 from freecad_fiveaxis.core.studies.reach_map import reach_map
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, cutter_text, parse_cutter
 from freecad_fiveaxis.core.tool.body import SHANK, body_of, body_support, depth_of
+from freecad_fiveaxis.core.toolpath.apt import read_cl_file, write_apt
+from freecad_fiveaxis.core.toolpath.apt.head import ClHead, cutter_note
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 TEXT = "lollipop:10:4:40"
 RADIUS, NECK, LENGTH = 5.0, 2.0, 40.0

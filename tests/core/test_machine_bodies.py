@@ -14,14 +14,14 @@ from scipy.spatial.transform import Rotation
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.findings import Hit
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.machine import load_machine, machine_bytes, save_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body, frustum_piece, round_piece
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
 LENGTH, RADIUS, ORIGIN = 80.0, 3.0, (10.0, -5.0, 20.0)
@@ -123,7 +123,7 @@ def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
 
 
 def test_a_locked_axis_that_is_not_locked_would_be_noticed(monkeypatch):
-    from freecad_fiveaxis.core.collision import machine_check
+    from freecad_fiveaxis.core.gouge import machine_check
 
     monkeypatch.setattr(machine_check, "_locked_letters", lambda machine, body: "")
     with pytest.raises(AssertionError):
@@ -249,8 +249,8 @@ def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, told)
 
 def test_the_example_cuts_a_part_free_of_its_bodies_and_a_short_tool_brings_the_spindle_into_them(tmp_path):
     """On the trunnion of examples/, whose table turns up beside the tool; with a stub of a tool the nose hits what holds the table."""
-    from freecad_fiveaxis.core.jobs import job
-    from freecad_fiveaxis.core.jobs.settings import build_settings
+    from freecad_fiveaxis.core.pipeline import job
+    from freecad_fiveaxis.core.pipeline.settings import build_settings
 
     write_stl(from_triangles(box((-30, -20, -90), (30, 20, -80))), tmp_path / "part.stl")
     given = {"machine": str(EXAMPLE), "cutter": "ball:6:30", "passes": "planes", "stepover": 6, "tool_axis": "facet_mean"}
@@ -320,8 +320,8 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
 
 def test_a_body_is_told_that_comes_nearer_than_its_own_clearance_or_that_of_all(tmp_path):
     """A post on the platter, 15 mm beside the edge over which the middle of a ball of 6 runs: 12 mm are left."""
-    from freecad_fiveaxis.core.jobs import job
-    from freecad_fiveaxis.core.jobs.settings import build_settings
+    from freecad_fiveaxis.core.pipeline import job
+    from freecad_fiveaxis.core.pipeline.settings import build_settings
 
     write_stl(from_triangles(box((-10, -10, 0), (10, 10, 10))), tmp_path / "part.stl")
     post = {"name": "post", "carrier": "C", "box": {"low": [25, -50, 0], "high": [60, 50, 40]}}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from test_machine_bodies import LENGTH, MACHINES, NOSE, ORIGIN, RADIUS, carriers, checked, frames
 
-from freecad_fiveaxis.core.collision.machine_bodies import make_mesh
+from freecad_fiveaxis.core.gouge.machine_bodies import make_mesh
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
@@ -81,14 +81,14 @@ def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_told(name):
 
 
 def test_a_body_on_another_axis_would_be_noticed(monkeypatch):
-    from freecad_fiveaxis.core.collision import machine_check
+    from freecad_fiveaxis.core.gouge import machine_check
 
     monkeypatch.setattr(machine_check, "_locked_letters", lambda machine, body: "")
     assert judge("trunnion_ac")[0]
 
 
 def test_a_forgotten_bend_would_be_noticed(monkeypatch):
-    from freecad_fiveaxis.core.collision import check
+    from freecad_fiveaxis.core.gouge import check
 
     def unbent(*given):
         swept = bent(*given)

@@ -7,7 +7,7 @@ from plain import build_settings
 
 from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_faces, read_stl, write_stl
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 
 OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:4", "stepover": 2.0}
 

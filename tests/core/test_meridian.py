@@ -10,8 +10,8 @@ from five_kinds import KINDS
 from five_kinds import kinematics_of as links_of_kind
 
 from freecad_fiveaxis.core.base.ranges import OFF_POLE
-from freecad_fiveaxis.core.corrections.deform.meridian import Globe, angle_between
 from freecad_fiveaxis.core.machine.kinematics import forward, inverse_axis
+from freecad_fiveaxis.core.orientation.past_pole.meridian import Globe, angle_between
 
 CHAINS = [*((name, kinematics_of) for name in MACHINES), *((name, links_of_kind) for name in KINDS)]
 

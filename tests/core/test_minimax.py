@@ -21,18 +21,18 @@ from plain import build_settings  # noqa: E402
 from uncured import UNCURED  # noqa: E402
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError  # noqa: E402
-from freecad_fiveaxis.core.cl.tool_axis import AxisOptions, tool_axes  # noqa: E402
 from freecad_fiveaxis.core.cli import main  # noqa: E402
-from freecad_fiveaxis.core.corrections.minimax import minimax_axes  # noqa: E402
-from freecad_fiveaxis.core.corrections.minimax.blocks import bow, states  # noqa: E402
-from freecad_fiveaxis.core.corrections.minimax.minimax import _driven  # noqa: E402
-from freecad_fiveaxis.core.corrections.minimax.rows import allowed, find_rows, run_begins  # noqa: E402
-from freecad_fiveaxis.core.corrections.minimax.steps import through_pole  # noqa: E402
-from freecad_fiveaxis.core.corrections.minimax.sweep import cheapest  # noqa: E402
-from freecad_fiveaxis.core.jobs import job  # noqa: E402
 from freecad_fiveaxis.core.machine import load_machine  # noqa: E402
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words, q_to_words  # noqa: E402
 from freecad_fiveaxis.core.motion.trajectory import tip_at  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax import minimax_axes  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.apply import _driven  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.blocks import bow, states  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.rows import allowed, find_rows, run_begins  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.steps import through_pole  # noqa: E402
+from freecad_fiveaxis.core.orientation.minimax.sweep import cheapest  # noqa: E402
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes  # noqa: E402
+from freecad_fiveaxis.core.pipeline import job  # noqa: E402
 
 TILT = np.radians(5.0)
 LARGE = [pytest.mark.slow, pytest.mark.large]

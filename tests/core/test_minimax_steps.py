@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from five_kinds import TABLE_2, kinematics_of, mikron_links
 
-from freecad_fiveaxis.core.corrections.minimax.blocks import QUARTERS, bow, states
-from freecad_fiveaxis.core.corrections.minimax.rows import Rows
-from freecad_fiveaxis.core.corrections.minimax.steps import Task, step_costs
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.motion.trajectory import tip_at
+from freecad_fiveaxis.core.orientation.minimax.blocks import QUARTERS, bow, states
+from freecad_fiveaxis.core.orientation.minimax.rows import Rows
+from freecad_fiveaxis.core.orientation.minimax.steps import Task, step_costs
 
 RATE = 2.0  # rad/min of both rotary axes
 

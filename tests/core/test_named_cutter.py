@@ -7,8 +7,8 @@ from plain import build_settings
 
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.tool import parse_cutter
 
 CUTTERS = ("ball:10", "ball:3.175", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg", "lollipop:10:6")

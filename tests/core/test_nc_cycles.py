@@ -11,12 +11,12 @@ import pytest
 from rs274_judge import judged, moving, needs_rs274
 
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 HEAD = "G21 G90 G94 F100\nG0 X0 Y0 Z20 A0 C0\n"
 

@@ -12,12 +12,12 @@ from test_nc_reader import LINKS
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 LANGUAGES = ("linuxcnc", "siemens840d", "heidenhain")
 

@@ -9,12 +9,12 @@ from scipy.spatial.transform import Rotation
 from test_nc_cycles import errors
 
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 POINTS = np.array([[0.0, 0.0, 5.0], [7.0, 0.0, 5.0], [7.0, 3.0, 5.0], [7.0, 3.0, -1.0], [-2.0, 4.5, 1.25]])
 LIMIT = np.radians(120.0)

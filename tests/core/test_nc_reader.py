@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 

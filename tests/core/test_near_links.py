@@ -10,10 +10,10 @@ from gouge_examples import blade_beside_hub, bowl_block, knob_in_corner, step
 from plain import build_settings
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.corrections import near_links
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.links import near_links
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 PARTS = {
     "step": lambda: step(6.0),

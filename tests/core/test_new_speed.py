@@ -7,8 +7,8 @@ from plain import build_settings
 
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.new_speed import change_speed, without_speed
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.new_speed import change_speed, without_speed
 from freecad_fiveaxis.core.report import as_json
 
 GABLE = from_faces(

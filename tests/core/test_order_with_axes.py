@@ -11,10 +11,10 @@ from one_field import keep_fields
 from plain import build_settings
 from test_axis_field import NODES, take_nodes
 
-from freecad_fiveaxis.core.cl.coedge import ROW_COLUMNS, OffsetPath
-from freecad_fiveaxis.core.corrections.order_with_axes import LEVER, order_with_axes
-from freecad_fiveaxis.core.jobs import job, milling
+from freecad_fiveaxis.core.orientation.order_with_axes import LEVER, order_with_axes
+from freecad_fiveaxis.core.pipeline import assign_axes, job
 from freecad_fiveaxis.core.report.figures import summary
+from freecad_fiveaxis.core.toolpath.coedge import ROW_COLUMNS, OffsetPath
 
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.2, "tool_axis": "auto"}
 
@@ -98,7 +98,7 @@ def test_the_same_is_cut_with_less_between(part, monkeypatch):
         return job.make(build_settings("mill", "part", {**OPTIONS, "gouge": "report"}), mesh=part())
 
     with_axes = milled()
-    monkeypatch.setattr(milling, "order_with_axes", lambda path, axis: (path, axis))
+    monkeypatch.setattr(assign_axes, "order_with_axes", lambda path, axis: (path, axis))
     without = milled()
     assert moves(with_axes.offset, with_axes.axis) == moves(without.offset, without.axis)
     numbers = [summary(job.figures(job.prove(made))) for made in (with_axes, without)]
@@ -112,7 +112,7 @@ def test_one_way_and_axes_that_lean_with_the_feed_keep_their_way_round(monkeypat
     def refuse(path, axis):
         raise AssertionError("asked for another order")
 
-    monkeypatch.setattr(milling, "order_with_axes", refuse)
+    monkeypatch.setattr(assign_axes, "order_with_axes", refuse)
 
     def milled(**option):
         job.make(build_settings("mill", "part", {**OPTIONS, **option, "gouge": "off"}), mesh=bowl_block(11.0, cells=12))

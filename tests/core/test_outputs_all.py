@@ -12,9 +12,9 @@ from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import files, memory
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, read_bytes, write_all, write_whole
-from freecad_fiveaxis.core.jobs import outputs
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import machine_path
+from freecad_fiveaxis.core.pipeline import outputs
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 posix = pytest.mark.skipif(os.name != "posix", reason="links, modes and pipes of POSIX")
 

@@ -9,9 +9,9 @@ import pytest
 from gouge_examples import blade_beside_hub
 from plain import build_settings
 
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.passes import ContactPath
 from freecad_fiveaxis.core.passes.piece_order import Tour, air, find_tour, order_pieces
+from freecad_fiveaxis.core.pipeline import job
 
 
 def pieces(count, seed, length=5.0):

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from plain import build_settings
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine import load_machine, save_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ROOT = Path(__file__).parents[2]
 PARTS = ("dome", "blade", "saddle", "half_cylinder", "freeform_233")

@@ -9,10 +9,10 @@ from mesh_shapes import box, field
 from plain import build_settings
 
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job, preview
-from freecad_fiveaxis.core.jobs.preview import preview_passes
+from freecad_fiveaxis.core.pipeline import job, preview
+from freecad_fiveaxis.core.pipeline.preview import preview_passes
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:6", "gouge": "off", "linearize": "off"}
 WAYS = [

@@ -11,7 +11,6 @@ import pytest
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
@@ -19,6 +18,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forwar
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program, build_program, feeds, shorter_turns, turned_to
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 LINEAR_RATE, ROTARY_RATE = 10_000.0, np.radians(7200.0)  # mm/min, rad/min
 UCP710_ROWS = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])

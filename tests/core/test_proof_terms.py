@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from five_kinds import interleaved, kinematics_of
 
-from freecad_fiveaxis.core.corrections.linearize.proof import judge_pieces
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.deviation.bound import ROUNDINGS, Levers, allowance, bending, close_levers, end_levers
 from freecad_fiveaxis.core.motion.deviation.quartic import bow, chord
 from freecad_fiveaxis.core.motion.deviation.search import Chords, _local, _Pieces
+from freecad_fiveaxis.core.motion.linearize.proof import judge_pieces
 from freecad_fiveaxis.core.motion.trajectory import Motion, at, axis_at, frames, inner, motion, tip
 
 LONGER = pytest.mark.skipif(np.finfo(np.longdouble).eps >= np.finfo(float).eps, reason="no longer floats on this platform")

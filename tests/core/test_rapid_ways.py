@@ -11,19 +11,19 @@ from rapid_simulation import points_of, simulated
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED, RAPIDS, UNKNOWN
 from freecad_fiveaxis.core.cli import main
-from freecad_fiveaxis.core.collision import check_program, find_entries, real_motion
-from freecad_fiveaxis.core.collision.joint_box import JointBoxes, JointSpace
-from freecad_fiveaxis.core.collision.rapid_check import independent_rapids
-from freecad_fiveaxis.core.collision.rapid_ways import RELATIVE, boxes_of, find_way_entries
 from freecad_fiveaxis.core.controllers import DIALECTS, find_dialect
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import rapids_of
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.gouge import check_program, find_entries, real_motion
+from freecad_fiveaxis.core.gouge.joint_box import JointBoxes, JointSpace
+from freecad_fiveaxis.core.gouge.rapid_check import independent_rapids
+from freecad_fiveaxis.core.gouge.rapid_ways import RELATIVE, boxes_of, find_way_entries
 from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.options import rapids_of
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report.part_facts import part_numbers, part_verdict
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of, depth_of, support

@@ -13,10 +13,10 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
-from freecad_fiveaxis.core.collision import still_positions
-from freecad_fiveaxis.core.collision.fixtures import Fixture
-from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, tip_at
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.gouge import still_positions
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, tip_at
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.studies import reach_map as module

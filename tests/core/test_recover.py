@@ -11,16 +11,16 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.calibration.calibration import recover_machine
 from freecad_fiveaxis.core.calibration.recover import parameters, printed_axis_step, recover, recovery_findings, rotary_letters
 from freecad_fiveaxis.core.calibration.recover.fit import refined, screened
 from freecad_fiveaxis.core.calibration.recover.layouts import Guess, start_layout
 from freecad_fiveaxis.core.calibration.recover.matching import _table, _traced, aligned, in_order, sequences
 from freecad_fiveaxis.core.calibration.recover.model import UNKNOWNS, rows_of
 from freecad_fiveaxis.core.calibration.recover.pairs import Pairs, Steps, step_of
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.calibration.tasks import recover_machine
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 NEAR = 0.01  # mm, what is asked for
 

@@ -11,8 +11,8 @@ import pytest
 from gouge_examples import step
 from plain import build_settings
 
-from freecad_fiveaxis.core.collision import program_motion
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.gouge import program_motion
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, html_page, listed, markers, summary
 from freecad_fiveaxis.core.report.rest_material_picture import left_svg
 from freecad_fiveaxis.core.tool.body import body_of, depth_of

@@ -6,8 +6,8 @@ import pytest
 from gouge_examples import step, v_groove
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.collision import find_rest_material, straight_motion
-from freecad_fiveaxis.core.collision.rest_material import surface_parts, surface_samples, too_deep_finding, uncut_finding
+from freecad_fiveaxis.core.gouge import find_rest_material, straight_motion
+from freecad_fiveaxis.core.gouge.rest_material import surface_parts, surface_samples, too_deep_finding, uncut_finding
 from freecad_fiveaxis.core.tool.body import Body, depth_of, frustum_piece, round_piece
 
 BALL = Body((round_piece(0.0, 3.0, 3.0),))

@@ -17,18 +17,18 @@ from thorough import some_in_core
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.progress import silent
-from freecad_fiveaxis.core.cl.apt import ClHead, write_apt
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.context import JobContext
-from freecad_fiveaxis.core.jobs.safe_start import start_findings
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import SafeStart, load_machine, save_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 from freecad_fiveaxis.core.motion.program import plane_above
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.context import JobContext
+from freecad_fiveaxis.core.pipeline.safe_start import start_findings
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.apt import ClHead, write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 LOW, HIGH = np.array([-40.0, -25.0, -10.0]), np.array([30.0, 35.0, 45.0])
 GROUPS = ("Z", "AC", "XY")

@@ -11,7 +11,7 @@ from report_examples import by_hand, dome
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, scope, summary
 
 

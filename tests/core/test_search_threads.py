@@ -9,11 +9,11 @@ from gouge_examples import bowl
 
 from freecad_fiveaxis.core.base import chunks
 from freecad_fiveaxis.core.base.errors import Cancelled
-from freecad_fiveaxis.core.collision import rest_material, search, straight_motion
-from freecad_fiveaxis.core.collision.rest_material import find_rest_material
-from freecad_fiveaxis.core.collision.search import find_demanded_lift, find_entries
-from freecad_fiveaxis.core.collision.swept_motion import ways_up
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.gouge import rest_material, search, straight_motion
+from freecad_fiveaxis.core.gouge.rest_material import find_rest_material
+from freecad_fiveaxis.core.gouge.search import find_demanded_lift, find_entries
+from freecad_fiveaxis.core.gouge.swept_motion import ways_up
 from freecad_fiveaxis.core.tool.body import Body, Piece
 
 BODY = Body((Piece(3.0, 0.0, 20.0, 0.0, 3.0),))

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.jobs.option_values import READERS
-from freecad_fiveaxis.core.jobs.settings import TASKS, Settings, build_settings, flat_options, option_fields
+from freecad_fiveaxis.core.pipeline.option_values import READERS
+from freecad_fiveaxis.core.pipeline.settings import TASKS, Settings, build_settings, flat_options, option_fields
 
 
 def mill(**options):

@@ -15,12 +15,12 @@ from uncured import UNCURED
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.jobs import job
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.program import build_program
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report import Marker
 from freecad_fiveaxis.core.report.figures import feed_blocks
 from freecad_fiveaxis.core.studies import study as trials

@@ -12,9 +12,9 @@ from test_verdict import filleted
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.collision import find_rest_material, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.gouge import find_rest_material, program_motion
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.tool.body import body_of
 
 

@@ -8,11 +8,11 @@ import pytest
 from gouge_examples import dense_points, prism, sampled_depth, shelf
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.collision.obstacles import Reacher
-from freecad_fiveaxis.core.collision.swept_motion import straight_motion
-from freecad_fiveaxis.core.corrections.sideways import find_retreats
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import write_stl
+from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.gouge.swept_motion import straight_motion
+from freecad_fiveaxis.core.orientation.sideways import find_retreats
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
 from freecad_fiveaxis.core.tool.body import body_of
 

@@ -13,11 +13,11 @@ from scipy.spatial import cKDTree
 from uncured import UNCURED
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import PASS_STRATEGIES, PassField, PassOptions, Region, bands, cut, spirals
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 STEP = 1.0
 OPTIONS = PassOptions(stepover=STEP)

@@ -13,7 +13,7 @@ from thorough import some_in_core
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base import crew
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
-from freecad_fiveaxis.core.jobs.settings import TRIALS
+from freecad_fiveaxis.core.pipeline.settings import TRIALS
 
 STAGES = {"setup": "setup map", "compare": "compare", "reach": "reach"}
 """What progress calls the trials."""

@@ -13,10 +13,10 @@ from test_axis_field import NODES, take_nodes
 from underside_parts import PARTS
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.over_table import largest_axis_angle, report_part_in_table
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.passes import report_standing, standing_facets
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.over_table import largest_axis_angle, report_part_in_table
 
 TRUNNION = load_machine("trunnion_ac")
 OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.2}

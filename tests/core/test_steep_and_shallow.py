@@ -15,8 +15,6 @@ from uncured import UNCURED
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.passes import (
     PASS_STRATEGIES,
     Division,
@@ -28,6 +26,8 @@ from freecad_fiveaxis.core.passes import (
     steep_and_shallow,
 )
 from freecad_fiveaxis.core.passes.slopes import corner_slopes, divide_by_slope
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 BALL, SCALLOP = 3.0, 0.05
 STEP = flat_interval(BALL, SCALLOP)

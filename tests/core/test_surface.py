@@ -11,15 +11,15 @@ from plain import build_settings
 from scipy.spatial import cKDTree
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import driving, job
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words, lift_of, raised, words_to_q
+from freecad_fiveaxis.core.pipeline import driving, job
 from freecad_fiveaxis.core.report import as_html, as_text, blocks_csv, draw, spot, summary
 from freecad_fiveaxis.core.report.playback import Playback
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.apt import write_apt
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 RADIUS, SCALLOP, STEP = 3.0, 0.02, 0.04
 MACHINES = sorted(path.stem for path in (Path(__file__).parents[2] / "resources" / "machines").glob("*.fcm"))

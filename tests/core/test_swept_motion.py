@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from gouge_examples import prism
 
-from freecad_fiveaxis.core.collision import real_motion, straight_motion
-from freecad_fiveaxis.core.collision.inside import buried_blocks
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.gouge import real_motion, straight_motion
+from freecad_fiveaxis.core.gouge.inside import buried_blocks
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
 from freecad_fiveaxis.core.tool.body import Body, round_piece

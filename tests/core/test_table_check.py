@@ -10,14 +10,16 @@ from plain import build_settings
 from test_axis_field import NODES, take_nodes
 
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision.table_check import check_table, table_slab
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.gouge.check import program_motion
+from freecad_fiveaxis.core.gouge.table_check import check_table, stays_above, table_slab
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.options import tip_to_driven, tool_body
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.report.scope import scope
+from freecad_fiveaxis.core.tool.body import Body
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ON_TABLE = (0.0, 0.0, -100.0)
 """The work zero of trunnion_ac on its table's face."""
@@ -69,6 +71,26 @@ def test_the_same_part_as_much_higher_is_free_to_the_tolerance():
 def test_axes_that_are_found_freely_keep_off_the_table(monkeypatch):
     take_nodes(monkeypatch, NODES)
     assert not below(proved(origin=ON_TABLE, tool_axis="auto", passes="scallop", stepover=None, scallop=0.3))
+
+
+def test_bounds_that_clear_the_whole_way_lie_just_below_its_lowest_point():
+    """The ball's lowest point is 3 mm below the work zero, see above: a bound that clears less would only be slow, one that clears
+    more would hide a collision."""
+    made = proved(origin=ON_TABLE, gouge="report").made
+    body, swept = tool_body(made.settings), program_motion(made.kinematics, made.program, tip_to_driven(made.settings))
+    assert stays_above(-3.1, body, swept)
+    assert not stays_above(-2.99, body, swept)
+    assert not stays_above(-100.0, Body(()), swept)
+
+
+def test_a_way_that_bends_is_cleared_only_below_its_bend():
+    """On its way the tip goes lower than at both ends."""
+    made = proved(gouge="off").made
+    body, back = tool_body(made.settings), tip_to_driven(made.settings)
+    for program in (swung(made, side) for side in (1.0, -1.0)):
+        swept = program_motion(made.kinematics, program, back)
+        lowest = swept.pose(np.zeros(101, np.int64), np.linspace(0.0, 1.0, 101)).tip[2].min()
+        assert not stays_above(lowest - 2.0, body, swept)
 
 
 def test_the_shank_counts():

@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 import report_examples as examples
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.near_part import NEAR, near_part, stand_of
 from freecad_fiveaxis.core.report.thinning import COATS, coats, distances
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 SQUARE = np.array([[[0, 0, 0], [40, 0, 0], [40, 40, 0]], [[0, 0, 0], [40, 40, 0], [0, 40, 0]]], float)
 

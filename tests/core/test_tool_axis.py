@@ -8,9 +8,10 @@ import pytest
 from offset_examples import joined, prism
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.cl.coedge import close_gaps
-from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES, AxisOptions, feed_direction, find_strategy, tool_axes
 from freecad_fiveaxis.core.geometry.mesh import from_faces
+from freecad_fiveaxis.core.orientation.strategies import STRATEGIES, AxisOptions, find_strategy, tool_axes
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
+from freecad_fiveaxis.core.toolpath.feed_direction import feed_direction
 
 MESH = from_faces([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
 UNEVEN = [(0, 0), (3, 4), (13, 4), (25, -1), (40, -1), (60, 9)]

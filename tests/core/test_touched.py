@@ -4,8 +4,8 @@
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.collision.swept_motion import Poses
-from freecad_fiveaxis.core.collision.touched import points_touched
+from freecad_fiveaxis.core.gouge.swept_motion import Poses
+from freecad_fiveaxis.core.gouge.touched import points_touched
 from freecad_fiveaxis.core.tool.body import round_piece
 
 COUNT = 200

@@ -10,7 +10,7 @@ from translation_script import ROOT, translations
 
 from freecad_fiveaxis.app.option_texts import TEXTS, text_of
 from freecad_fiveaxis.core.base.sentences import CONTEXT
-from freecad_fiveaxis.core.jobs.settings import OutputSettings, option_fields
+from freecad_fiveaxis.core.pipeline.settings import OutputSettings, option_fields
 
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
 

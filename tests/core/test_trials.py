@@ -11,10 +11,10 @@ from setup_examples import cap, milled
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled
-from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.geometry.mesh import write_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.studies import study as trials
+from freecad_fiveaxis.core.toolpath.apt import write_apt
 
 QUICK = ("--stepover", "12", "--passes", "planes")
 SMALL = ("--grid", "2,2,1", "--region", "100,100,0")

@@ -14,14 +14,14 @@ from underside_parts import PARTS
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.cl.cl_path import Motion, cl_path, keepout
-from freecad_fiveaxis.core.collision.check import GOUGES
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.options import tip_to_driven, tool_body
+from freecad_fiveaxis.core.gouge.check import GOUGES
 from freecad_fiveaxis.core.motion.joint_path import rewind
 from freecad_fiveaxis.core.passes import facets_within_limits
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.options import tip_to_driven, tool_body
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of, body_support, seen_from, swing_support
+from freecad_fiveaxis.core.toolpath.cl_path import Motion, keepout, path
 
 TOOL = {"cutter": "ball:6:20", "shank": "6x15", "holder": "40x30", "stepover": 4.0, "order": "one_way"}
 MACHINE = {
@@ -156,7 +156,7 @@ def ball_only(low, high, radius, clearance, body, axis):
     kept=(0, 1),
 )
 def test_both_judges_see_a_holder_that_only_the_ball_looks_after(part, name, monkeypatch):
-    monkeypatch.setattr(cl_path, "tool_keepout", ball_only)
+    monkeypatch.setattr(path, "tool_keepout", ball_only)
     monkeypatch.setattr(rewind, "tool_keepout", ball_only)
     made = milled(part, name, links="over")
     assert "holder-collision" in gouges(made)

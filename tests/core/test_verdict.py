@@ -13,14 +13,14 @@ from uncured import UNCURED
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.cl.apt.head import of_cl_file
-from freecad_fiveaxis.core.cl.coedge import trimming
-from freecad_fiveaxis.core.collision import Entries, GougeCheck, program_motion
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.jobs import job
+from freecad_fiveaxis.core.gouge import Entries, GougeCheck, program_motion
+from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report import Light, as_html, as_json, as_text, html_page, summary, verdict
 from freecad_fiveaxis.core.tool.body import body_of
+from freecad_fiveaxis.core.toolpath.apt import write_apt
+from freecad_fiveaxis.core.toolpath.apt.head import of_cl_file
+from freecad_fiveaxis.core.toolpath.coedge import trimming
 
 MACHINE = {"machine": "trunnion_ac", "stepover": 3}
 

@@ -12,14 +12,14 @@ from test_facets_with_axis import milled
 from test_reach_map import profile
 from thorough import some_in_core
 
-from freecad_fiveaxis.core.collision.obstacles import Reacher, within_limits
-from freecad_fiveaxis.core.collision.search import which_enter
-from freecad_fiveaxis.core.collision.swept_motion import ways_up
-from freecad_fiveaxis.core.corrections import auto_axis
-from freecad_fiveaxis.core.corrections.auto_axis import Contacts, Free, select_rows_with_way_out
-from freecad_fiveaxis.core.corrections.axis_field import NODES
-from freecad_fiveaxis.core.corrections.overhang import is_under
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.gouge.obstacles import Reacher, within_limits
+from freecad_fiveaxis.core.gouge.overhang import is_under
+from freecad_fiveaxis.core.gouge.search import which_enter
+from freecad_fiveaxis.core.gouge.swept_motion import ways_up
+from freecad_fiveaxis.core.orientation import auto_axis
+from freecad_fiveaxis.core.orientation.auto_axis import Contacts, Free, select_rows_with_way_out
+from freecad_fiveaxis.core.orientation.axis_field import NODES
 from freecad_fiveaxis.core.passes import axes_within_limits, turns_within_limits, with_room
 from freecad_fiveaxis.core.tool import Cutter, parse_cutter
 from freecad_fiveaxis.core.tool.body import body_of, depth_of, extend_way_out

@@ -8,10 +8,10 @@ from recover_examples import line_errors
 from setup_examples import milled
 
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup
 from freecad_fiveaxis.core.nc.reader import read_nc
+from freecad_fiveaxis.core.toolpath.apt import write_apt
 
 
 def run(*words):

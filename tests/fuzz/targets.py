@@ -17,11 +17,11 @@ from pathlib import Path
 
 from freecad_fiveaxis.core.cli import main
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.job_file import read_job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine.importing import import_machine
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.job_file import read_job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 GOLDEN = Path(__file__).parents[1] / "golden"
 LINES = 60

@@ -11,7 +11,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import BY_CLEARANCE, BY_MACHINE, BY_REFERENCE, Axis, Machine, SafeStart
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
@@ -20,6 +19,7 @@ from freecad_fiveaxis.core.motion.program import build_program
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.start import with_start
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 HERE = Path(__file__).parent
 CASES = [

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.gouge import RestMaterial
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.drawing import STROKES, _paired, _stroke_ends
 from freecad_fiveaxis.core.report.thinning import COATS
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from freecad_fiveaxis.gui.scene import marks, nodes, path_nodes, words
 
 

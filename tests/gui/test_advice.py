@@ -6,7 +6,7 @@ import Part
 import pytest
 
 from freecad_fiveaxis.app import advising
-from freecad_fiveaxis.core.jobs import advice
+from freecad_fiveaxis.core.pipeline import advice
 from freecad_fiveaxis.gui.panels import toolpath
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 

@@ -10,10 +10,10 @@ from test_workshop import cut, panel_form
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import labels, properties, results
-from freecad_fiveaxis.core.cl.apt import write_apt
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.jobs.settings import AUDIT, option
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, option
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.apt import write_apt
 from freecad_fiveaxis.gui.panels import audit, import_machine, prove_signs, recover, toolpath
 
 pytestmark = pytest.mark.usefixtures("kept")

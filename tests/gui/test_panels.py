@@ -516,7 +516,7 @@ def qt_scroll(widget, pump):
 
 def test_every_option_of_the_core_has_its_words():
     from freecad_fiveaxis.app import labels
-    from freecad_fiveaxis.core.jobs.settings import option_fields
+    from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     for _, leaf in option_fields():
         if leaf.metadata["kind"] not in ("path", "paths"):

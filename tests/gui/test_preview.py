@@ -8,7 +8,7 @@ import Part
 import pytest
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.core.jobs import preview
+from freecad_fiveaxis.core.pipeline import preview
 from freecad_fiveaxis.gui import preview_picture
 from freecad_fiveaxis.gui.panels import toolpath
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets

@@ -12,7 +12,7 @@ from test_clicks import look
 
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import reach
-from freecad_fiveaxis.core.collision.obstacles import Obstacle
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.studies import reach_map as module
 from freecad_fiveaxis.gui import attach, messages
 from freecad_fiveaxis.gui.scene import left_nodes

@@ -10,7 +10,7 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.base.sentences import CONTEXT, Choice, Length, Option, Point, Task, say
-from freecad_fiveaxis.core.jobs.settings import build_settings
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.gui.qt import translate
 from freecad_fiveaxis.gui.scene import gouge_words
 

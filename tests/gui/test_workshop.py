@@ -13,9 +13,9 @@ from test_clicks import look
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import machines, results
 from freecad_fiveaxis.core import cli
-from freecad_fiveaxis.core.cl.apt import write_apt
-from freecad_fiveaxis.core.jobs import options
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.pipeline import options
+from freecad_fiveaxis.core.toolpath.apt import write_apt
 from freecad_fiveaxis.gui.panels import prove_signs
 
 ROOT = Path(__file__).resolve().parents[2]

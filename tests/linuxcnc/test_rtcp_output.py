@@ -8,13 +8,13 @@ import pytest
 from controller import LENGTH, TOOL, missing, run_programs, write_configuration
 from test_whole_controller import CHORD_TOLERANCE, PINS, blocks_of, from_segment, some_joints, tip_of
 
-from freecad_fiveaxis.core.cl.apt import ClHead, write_apt
-from freecad_fiveaxis.core.jobs import job
-from freecad_fiveaxis.core.jobs.settings import build_settings
 from freecad_fiveaxis.core.machine import save_machine
 from freecad_fiveaxis.core.machine.importing import import_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.toolpath.apt import ClHead, write_apt
 
 pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(bool(missing()), reason=missing() or "it is here")]
 

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from controller import LENGTH, TOOL, missing, run_programs, write_configuration
 
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.controllers import find_dialect
 from freecad_fiveaxis.core.machine.importing import import_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
@@ -23,6 +22,7 @@ from freecad_fiveaxis.core.motion.program import Program, build_program
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(bool(missing()), reason=missing() or "it is here")]
 

@@ -6,7 +6,7 @@ A ball's distance from the part is a small module for audits; any other cutter, 
 
 from .against_cl import AgainstPath, against_path
 from .against_part import AgainstPart, against_part
-from .audit import Audit, AuditOptions, audit_program
+from .judge import Audit, AuditOptions, audit_program
 from .limits import Limits, check_limits
 from .rates import Rates, commanded_rates, feed_findings, rate_findings, timed_feeds
 from .tool_in_part import tool_in_part

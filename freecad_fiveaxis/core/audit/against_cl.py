@@ -31,12 +31,12 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
 from freecad_fiveaxis.core.base.vectors import slerp
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.geometry.nearest import Pieces, Segments, nearest, search
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.trajectory import axis_at
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 from .real_path import Ends, Peaks, RealPath, peaks
 

@@ -22,10 +22,10 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Feed, Number, Sentence, Task, measure, plural, say
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.program.feeds import STILL, tip_travel
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 PORTION = 65536
 """Blocks worked on at a time."""

@@ -13,8 +13,8 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Option, joined, say
-from freecad_fiveaxis.core.collision import INDEPENDENT_RAPID, check_program
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge import INDEPENDENT_RAPID, check_program
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.tool import Cutter

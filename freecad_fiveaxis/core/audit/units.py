@@ -17,10 +17,10 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Option, say
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 CODE = "unit-suspected"
 INCH = 25.4

@@ -238,46 +238,12 @@ def one_line(text: str) -> str:
     return CONTROL.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
 
 
-CLAUSE = re.compile(r"[.:;] ")
-"""What ends a clause, where it is in no parentheses; a point within a number does not."""
+class Part:
+    """A value of a sentence that is a text of its own, shown in another form."""
 
-
-@dataclass(frozen=True)
-class Clause:
-    """The first clause of a text, as it goes on in the middle of a sentence."""
-
-    text: str
-
-    def __str__(self) -> str:
-        text = str(self.text)
-        ends = (
-            end.start() for end in CLAUSE.finditer(text) if text.count("(", 0, end.start()) == text.count(")", 0, end.start())
-        )
-        said = text[: next(ends, len(text))].rstrip(".")
-        return said[:1].lower() + said[1:] if said[1:2].islower() else said
-
-
-def first_clause(text: str) -> Sentence:
-    """The first clause of a finding's text, in small letters, as a sentence of its own; what another file's finding is led in
-    with ("CL file, line 3: ...") is left out."""
-    if isinstance(text, Sentence):
-        text = text.values.get("finding", text)
-    return Sentence("{clause}", {"clause": Clause(text)}, translated=False)
-
-
-@dataclass(frozen=True)
-class Beginning:
-    """A text that begins a sentence: with a capital letter."""
-
-    text: str
-
-    def __str__(self) -> str:
-        return str(self.text)[:1].upper() + str(self.text)[1:]
-
-
-def beginning(text: str) -> Sentence:
-    """A text with a capital letter, as a sentence of its own."""
-    return Sentence("{text}", {"text": Beginning(text)}, translated=False)
+    def rendered(self, render: Callable[[str], str], translate: Translate) -> str:
+        """Give the part in another language; ``render`` does so with a text. Raises NotImplementedError where there is none."""
+        raise NotImplementedError
 
 
 def render(text: str, translate: Translate, units: Units, names: Names = str) -> str:
@@ -291,8 +257,8 @@ def render(text: str, translate: Translate, units: Units, names: Names = str) ->
 def _render_value(value: Any, translate: Translate, units: Units, names: Names) -> str:
     if isinstance(value, Option | Choice | Task):
         return names(value)
-    if isinstance(value, Clause | Beginning):
-        return str(type(value)(render(value.text, translate, units, names)))
+    if isinstance(value, Part):
+        return value.rendered(lambda text: render(text, translate, units, names), translate)
     if isinstance(value, Measure):
         return units(value)
     return render(value, translate, units, names) if isinstance(value, str) else str(value)

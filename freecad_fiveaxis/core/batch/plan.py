@@ -18,10 +18,10 @@ from typing import Any, TypeGuard
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.jobs.job_file import beside_file, read_json
-from freecad_fiveaxis.core.jobs.options import machine_of
-from freecad_fiveaxis.core.jobs.outputs import WRITTEN
-from freecad_fiveaxis.core.jobs.settings import MILL, build_settings, option_fields
+from freecad_fiveaxis.core.pipeline.job_file import beside_file, read_json
+from freecad_fiveaxis.core.pipeline.options import machine_of
+from freecad_fiveaxis.core.pipeline.outputs import WRITTEN
+from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings, option_fields
 
 from .solids import ENDINGS, find_freecad, read_part
 from .task import SHARD, BatchJob

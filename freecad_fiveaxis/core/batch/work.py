@@ -22,10 +22,10 @@ from freecad_fiveaxis.core.base.files import read_bytes, write_all
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import one_line
-from freecad_fiveaxis.core.jobs import job as pipeline
-from freecad_fiveaxis.core.jobs.made import Posted, Result
-from freecad_fiveaxis.core.jobs.outputs import files_read
-from freecad_fiveaxis.core.jobs.settings import Settings, build_settings, flat_options
+from freecad_fiveaxis.core.pipeline import job as pipeline
+from freecad_fiveaxis.core.pipeline.made import Posted, Result
+from freecad_fiveaxis.core.pipeline.outputs import files_read
+from freecad_fiveaxis.core.pipeline.settings import Settings, build_settings, flat_options
 from freecad_fiveaxis.core.report import Figures, as_html, as_json, summary
 from freecad_fiveaxis.core.report.verdict import judged_largest, verdict
 from freecad_fiveaxis.core.studies.setup_map.sheet import json_text

@@ -22,6 +22,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.chunks import batches, in_threads
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 from .mesh import Mesh
@@ -31,6 +32,15 @@ LEAF = 2
 
 BEND = 0.2
 """What a change of the normals by 1 counts for in parting, as a share of the node's size."""
+
+TOP = 6
+"""Times that all facets are parted level by level; what they are then in, a thread parts to the end by itself."""
+
+AT_ONCE = 16384
+"""Facets whose nodes are measured at a time."""
+
+ROWS = 3, 3, 1, 5, 15, 3
+"""Of the tables of nodes: middle, half, size, plate, box, point."""
 
 
 class Plates(NamedTuple):
@@ -126,28 +136,43 @@ def facet_tree(mesh: Mesh) -> FacetTree:
 
 def planted(mesh: Mesh) -> FacetTree:
     """The tree, made anew."""
-    corner = mesh.vertex[mesh.face]  # (f, 3, 3)
-    order, depth = _parted(corner.mean(axis=1), mesh.normal)
-    corner = np.ascontiguousarray(corner[order].reshape(-1, 9).T)
-    normal = np.ascontiguousarray(mesh.normal[order].T)
+    a, b, c = (mesh.vertex.take(column, axis=0) for column in mesh.face.T)
+    order, depth = _parted(((a + b) + c) / 3.0, mesh.normal)
+    corner, normal = _picked(order, a, b, c), _picked(order, mesh.normal)
+    del a, b, c
     counts = [2**k for k in range(depth % 2, depth + 1, 2)] if depth else [1]
     counts = ([1] if counts[0] != 1 else []) + counts + [len(order)]
     if counts[-1] == counts[-2]:
         counts.pop()
-    levels = [_level(corner, normal, count) for count in counts]
+    tables = [np.empty((height, sum(counts))) for height in ROWS]
     child, arity, start = [], [], 0
     for count, more in zip(counts, [*counts[1:], 0], strict=True):
+        _fill_level(corner, normal, count, [table[:, start : start + count] for table in tables])
         start += count
         child.append(start + np.arange(count) * (more // count))
         arity.append(np.full(count, more // count))
-    middle, half, size, *tables = (np.concatenate(part, axis=-1) for part in zip(*levels, strict=True))
-    plate, box, point = tables
+    middle, half, size, plate, box, point = tables
     once = np.zeros(len(order), np.bool_)
-    once[np.unique(order, return_index=True)[1]] = True
+    once[_first_places(order, len(mesh.face))] = True
     children, arities, leaf = np.concatenate(child), np.concatenate(arity), start - counts[-1]
     allowance = None if mesh.allowance is None else _allowances(mesh.allowance[order], counts)
-    boxes = (middle, half, size, children, arities, leaf, plate, box, point)
+    boxes = (middle, half, size[0], children, arities, leaf, plate, box, point)
     return FacetTree(order, corner, once, *boxes, allowance, mesh.allowance)
+
+
+def _picked(order: Ints, *tables: Floats) -> Floats:
+    """The rows ``order`` (k,) of tables (f, 3) as columns (3 times as many as tables, k)."""
+    columns = np.empty((3 * len(tables), len(order)))
+    for place, column in enumerate(column for table in tables for column in table.T):
+        np.take(column, order, out=columns[place])
+    return columns
+
+
+def _first_places(order: Ints, count: int) -> Ints:
+    """Where (count,) each of 0 to ``count`` - 1 comes first in ``order`` (k,), which has all of them."""
+    first = np.empty(count, np.int64)
+    first[order[::-1]] = np.arange(len(order))[::-1]  # of those that come again the last one written stays
+    return first
 
 
 def _allowances(of_leaf: Floats, counts: list[int]) -> Floats:
@@ -161,15 +186,44 @@ def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
     depth = max(int(np.floor(np.log2(max(len(centre), 1) / LEAF))), 0)
     width = -(-len(centre) // 2**depth)  # so every node has an even number of facets to part
     order = np.minimum(np.arange(width * 2**depth), len(centre) - 1)[None]
-    feature = np.concatenate([centre, normal], axis=1).T.copy()
-    for k in range(depth):
-        order = order.reshape(2**k, -1)
-        value = feature[:, order]  # (6, nodes, facets)
-        spread = value.max(axis=2) - value.min(axis=2)
-        spread[3:] *= BEND * np.linalg.norm(spread[:3], axis=0)
-        key = np.take_along_axis(value, spread.argmax(axis=0)[None, :, None], axis=0)[0]
-        order = np.take_along_axis(order, np.argpartition(key, order.shape[1] // 2, axis=1), axis=1)
-    return order.ravel(), depth
+    feature, top = np.concatenate([centre.T, normal.T]), min(depth, TOP)
+    for _ in range(top):
+        order = np.concatenate(in_threads(lambda node: _part_once(feature, node[None]), list(order)))
+    below = in_threads(lambda node: _part_often(feature, node[None], depth - top), list(order))
+    return np.concatenate(below), depth
+
+
+def _part_often(feature: Floats, order: Ints, times: int) -> Ints:
+    """The facets (k,) of nodes (n, k / n) after these are parted so many ``times``."""
+    for _ in range(times):
+        order = _part_once(feature, order)
+    return order.reshape(-1)
+
+
+def _part_once(feature: Floats, order: Ints) -> Ints:
+    """Twice as many nodes (2 n, f / 2) as there are in ``order`` (n, f): parted by the one of ``feature`` (6, .), place and
+    normal, that spreads most in each."""
+    value = feature[:, order]  # (6, nodes, facets)
+    spread = value.max(axis=2) - value.min(axis=2)
+    spread[3:] *= BEND * np.linalg.norm(spread[:3], axis=0)
+    key = np.take_along_axis(value, spread.argmax(axis=0)[None, :, None], axis=0)[0]
+    order = np.take_along_axis(order, np.argpartition(key, order.shape[1] // 2, axis=1), axis=1)
+    return order.reshape(2 * len(order), -1)
+
+
+def _fill_level(corner: Floats, normal: Floats, count: int, tables: list[Floats]) -> None:
+    """Fill in the tables, of :data:`ROWS`, of ``count`` nodes of equally many facets, some nodes at a time: their columns stay in
+    the cache, and memory that is asked for once is used again."""
+    width = corner.shape[1] // count
+    rows = 2 * max(AT_ONCE // (2 * width), 1)
+
+    def fill(some: slice) -> None:
+        facets = slice(some.start * width, some.stop * width)
+        level = _level(corner[:, facets], normal[:, facets], some.stop - some.start)
+        for table, part in zip(tables, level, strict=True):
+            table[:, some] = part
+
+    in_threads(fill, batches(count, rows))
 
 
 def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Machines and their files."""
 
-from .machine import FARTHEST, Axis, Machine, Vector, fitted_columns
 from .machine_file import check_new, load_machine, machine_bytes, machine_path, save_machine, shipped_machines
+from .model import FARTHEST, Axis, Machine, Vector, fitted_columns
 from .safe_start import BY_CLEARANCE, BY_MACHINE, BY_NOTHING, BY_REFERENCE, RETRACTS, SafeStart
 
 __all__ = [

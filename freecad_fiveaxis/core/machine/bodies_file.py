@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from .bodies import BOX, CONE, CYLINDER, FARTHEST, FILE, POINTS, RADII, SHAPES, MachineBody
 from .keys import JsonObject, as_number, as_vector, fail, get_text
-from .machine import Vector
+from .model import Vector
 
 
 def read_bodies(given: Any, where: str, unit: float) -> tuple[MachineBody, ...]:

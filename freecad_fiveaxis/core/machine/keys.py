@@ -16,7 +16,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.sentences import say
 
-from .machine import Vector, finite_vector
+from .model import Vector, finite_vector
 
 JsonObject = Mapping[str, Any]
 

@@ -51,7 +51,7 @@ from .keys import (
     get_text,
     parse_json,
 )
-from .machine import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector
+from .model import LINEAR_LETTERS, ROTARY_LETTERS, Axis, Machine, Vector
 from .older_layout import as_today
 from .safe_start import BY_MACHINE, RETRACTS, SafeStart
 

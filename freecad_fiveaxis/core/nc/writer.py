@@ -16,10 +16,10 @@ from freecad_fiveaxis.core.base.number_text import EXACT, Choice, Column, Part, 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .head import PostOptions, framed, slot_texts
 from .start import start_words

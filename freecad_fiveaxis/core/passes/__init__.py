@@ -3,8 +3,8 @@
 
 from .arc_curvature import arc_centre, arc_curvature, pass_curvature
 from .around_axis import facets_around
+from .contact_path import ContactPath, direction, slice_field, slice_mesh
 from .field import PassField, PassOptions, PassStrategy, Region, cut
-from .passes import ContactPath, direction, slice_field, slice_mesh
 from .scallop import CREASE, facet_curvature, flat_interval, turned_along
 from .sides import side_findings, untouched_sides
 from .spacing import prepare_planes

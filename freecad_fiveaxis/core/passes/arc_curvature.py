@@ -20,7 +20,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
 
-from .passes import ContactPath
+from .contact_path import ContactPath
 
 SHORT = 1e-9
 """mm; two points nearer than this say nothing of a curvature."""

@@ -19,8 +19,8 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .contact_path import ContactPath, slice_field, slice_mesh
 from .frames import Frames
-from .passes import ContactPath, slice_field, slice_mesh
 from .piece_order import order_pieces
 from .refine import Copy, copy_facets
 from .spirals import carry, find_spirals, has_loops, merge_passes, off_levels, without_loops

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pass strategy of frames: constant scallop, or planes, in each of a few 3+2 positions, one after the other.
 
-frame      a position of the rotary axes, that is a tool axis fixed while passes are cut (corrections/find_frames.py finds them).
+frame      a position of the rotary axes, that is a tool axis fixed while passes are cut (orientation/find_frames.py finds them).
 territory  what of the surface is cut in a frame: of the places about which the frame was chosen those that it sees flattest.
 planes     contain the frame's axis, as upright ones do on a machine of three axes.
 overlap    where two territories meet on a smooth surface each is cut beyond their seam by a step.

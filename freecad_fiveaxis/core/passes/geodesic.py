@@ -189,11 +189,20 @@ def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count:
     root = np.full(len(source), count)
     rows, columns = np.concatenate([start, end, root]), np.concatenate([end, start, source])
     weight = np.concatenate([np.tile(length.reshape(-1), 2), known])
-    order = np.lexsort((weight, columns, rows))  # of two facets on one side the shorter counts
-    rows, columns, weight = rows[order], columns[order], weight[order]
-    first = np.append(True, (np.diff(rows) != 0) | (np.diff(columns) != 0))
-    graph = coo_matrix((np.maximum(weight[first], 1e-12), (rows[first], columns[first])), (count + 1, count + 1)).tocsr()
+    order = _counted(columns, count + 1)
+    order = order[_counted(rows[order], count + 1)]
+    rows, columns = rows[order], columns[order]
+    first = np.flatnonzero(np.append(True, (np.diff(rows) != 0) | (np.diff(columns) != 0)))
+    shortest = np.minimum.reduceat(weight[order], first)  # of two facets on one side the shorter counts
+    graph = coo_matrix((np.maximum(shortest, 1e-12), (rows[first], columns[first])), (count + 1, count + 1)).tocsr()
     return np.asarray(dijkstra(graph, indices=count)[:count])
+
+
+def _counted(key: Ints, count: int) -> Ints:
+    """The order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come: rows of a sparse matrix are
+    filled so, in far less time than sorting takes."""
+    place = np.arange(len(key))
+    return np.asarray(coo_matrix((np.ones(len(key), np.int8), (key, place)), (count, len(key))).tocsr().indices)
 
 
 def _stiffness(face: Ints, frame: Frames, metric: Floats, count: int, clipped: bool) -> csc_matrix:

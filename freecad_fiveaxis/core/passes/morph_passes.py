@@ -21,10 +21,10 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .contact_path import direction
 from .even_steps import count_in_steps
 from .field import PassField, PassOptions, Region
 from .geodesic import spread_between
-from .passes import direction
 from .scallop_passes import OverSurface, Surface, lay_passes, make_surface, survey_region
 from .sources import BORDER, find_source, sample_curve
 

@@ -18,7 +18,7 @@ from scipy.spatial import cKDTree
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 
-from .passes import ContactPath
+from .contact_path import ContactPath
 
 WORTH = 0.8
 """Of the air in the order of the passes: a tour that does not spare more than the rest is not worth leaving that order for."""

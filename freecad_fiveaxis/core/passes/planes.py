@@ -17,8 +17,8 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Length, say
 
+from .contact_path import direction
 from .field import ALL_ROUND, PassField, PassOptions, Region, Vector
-from .passes import direction
 from .sides import side_findings, untouched_sides
 from .spacing import WIDEST, PlacePlanes, prepare_planes
 

@@ -18,9 +18,9 @@ from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .contact_path import direction
 from .even_steps import count_in_steps
 from .field import PassField, PassOptions, Region, Vector
-from .passes import direction
 from .refine import Copy, divided_by, joined, taken
 from .scallop_passes import OverSurface, copy_region, lay_passes, measure_copy, survey_region
 from .sources import BORDER

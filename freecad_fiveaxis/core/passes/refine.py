@@ -17,7 +17,7 @@ from scipy.sparse.csgraph import connected_components
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
-from .passes import ContactPath
+from .contact_path import ContactPath
 
 ROUNDS = 40
 """Times that sides are halved: from a kilometre to less than any rounding."""

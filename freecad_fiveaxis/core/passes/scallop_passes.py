@@ -24,9 +24,9 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
+from .contact_path import slice_field
 from .field import ALL_ROUND, PassField, PassOptions, Region
 from .geodesic import FLATTEST, Frames, as_tensor, distance, frames, gradient, scallop_metric, step_across
-from .passes import slice_field
 from .planes import area_left
 from .refine import Copy, finer_copy, joined, taken
 from .scallop import facet_curvature, flat_interval, refuse_high_scallop

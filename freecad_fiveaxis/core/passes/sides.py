@@ -18,9 +18,10 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from freecad_fiveaxis.core.base.clauses import beginning
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Point, Sentence, Template, beginning, joined, say
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Point, Sentence, Template, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .scallop import CREASE

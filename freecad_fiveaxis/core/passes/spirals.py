@@ -20,8 +20,8 @@ from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .bands import FEWEST, find_chains
+from .contact_path import ContactPath, slice_field
 from .divide import assemble, divide
-from .passes import ContactPath, slice_field
 from .piece_order import Tour, tour_rows
 from .refine import Copy, assembled, taken
 from .winding import find_turns

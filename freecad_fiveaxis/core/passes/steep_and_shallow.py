@@ -14,8 +14,8 @@ import numpy as np
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
+from .contact_path import ContactPath
 from .field import PassOptions, PassStrategy, Region, cut
-from .passes import ContactPath
 from .refine import taken
 from .scallop import hand_curvature_on
 from .slopes import Slopes, divide_by_slope

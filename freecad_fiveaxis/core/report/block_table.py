@@ -17,12 +17,12 @@ import numpy as np
 from freecad_fiveaxis.core.base.number_text import Choice, Column, Part, table
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import GougeCheck
+from freecad_fiveaxis.core.gouge import GougeCheck
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.singularity import Singularity
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 DECIMALS = 6
 """Millimetres, degrees and u: finer than any controller's step, so that a rounded word is written exactly."""

@@ -15,8 +15,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
-from freecad_fiveaxis.core.collision.deepest import nearest_on_facet
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.deepest import nearest_on_facet
 
 LEAN = math.cos(math.radians(1.0))
 """Axes that lean less from all normals are taken to stand on them: tip and contact are one."""

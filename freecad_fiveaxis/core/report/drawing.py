@@ -24,10 +24,10 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import GOUGES
+from freecad_fiveaxis.core.gouge import GOUGES
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.motion.trajectory import tip_at
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .deviation_scale import level_of, scale_end
 from .figures import Figures

@@ -29,14 +29,14 @@ from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import RATE_ROUNDING
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.cl.cl_path import Motion
-from freecad_fiveaxis.core.collision import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.motion.singularity import Singularity
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .audited import audit_rows, audited, worst_of
 from .block_table import letter_order

@@ -9,7 +9,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.collision import GOUGES, INDEPENDENT_RAPID, Entries, GougeCheck, WayEntries
+from freecad_fiveaxis.core.gouge import GOUGES, INDEPENDENT_RAPID, Entries, GougeCheck, WayEntries
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool.body import PARTS
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import GOUGES, GougeCheck, RestMaterial, WayEntries, spots
+from freecad_fiveaxis.core.gouge import GOUGES, GougeCheck, RestMaterial, WayEntries, spots
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import PARTS
 

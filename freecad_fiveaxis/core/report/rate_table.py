@@ -18,9 +18,9 @@ from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import DEGREES
 from freecad_fiveaxis.core.base.number_text import Choice, Column, Part, table
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .block_table import DECIMALS, letter_order, round_up
 

@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.collision.rest_material import RestMaterial, surface_parts
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.rest_material import RestMaterial, surface_parts
 
 NO_HEIGHT = (0.60, 0.63, 0.66)
 """The colour of facets that are not machined, red green blue, 0 to 1."""

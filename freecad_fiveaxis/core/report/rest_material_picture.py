@@ -12,8 +12,8 @@ import math
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints
-from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge import RestMaterial
 
 from .part_facts import histogram
 from .raster import owners, png, view_from

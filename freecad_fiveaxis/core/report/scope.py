@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
-from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR, FIXTURE_UNPROVEN
-from freecad_fiveaxis.core.collision.machine_check import MACHINE_COLLISION, MACHINE_UNPROVEN
-from freecad_fiveaxis.core.collision.rapid_check import UNPROVEN_RAPID
-from freecad_fiveaxis.core.collision.table_check import TABLE_COLLISION
+from freecad_fiveaxis.core.gouge.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR, FIXTURE_UNPROVEN
+from freecad_fiveaxis.core.gouge.machine_check import MACHINE_COLLISION, MACHINE_UNPROVEN
+from freecad_fiveaxis.core.gouge.rapid_check import UNPROVEN_RAPID
+from freecad_fiveaxis.core.gouge.table_check import TABLE_COLLISION
 from freecad_fiveaxis.core.machine.bodies import SPINDLE
 from freecad_fiveaxis.core.passes.keep_off import AVOIDED_NEAR, AVOIDED_UNPROVEN
 

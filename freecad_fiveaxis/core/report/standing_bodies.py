@@ -15,9 +15,9 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision.machine_bodies import make_mesh
-from freecad_fiveaxis.core.collision.machine_check import needs_length, zero_words
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.machine_bodies import make_mesh
+from freecad_fiveaxis.core.gouge.machine_check import needs_length, zero_words
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup

@@ -15,6 +15,7 @@ from enum import Enum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
+from freecad_fiveaxis.core.base.clauses import first_clause
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import (
     Area,
@@ -23,7 +24,6 @@ from freecad_fiveaxis.core.base.sentences import (
     Number,
     Sentence,
     Template,
-    first_clause,
     joined,
     measure,
     plural,

@@ -3,7 +3,7 @@
 
 To add one: a line in CURES. It makes the cure (see :mod:`.compare`) for what ``job.make`` has made, so it has the settings at
 hand. A cure that divides blocks starts from :func:`~.compare.solved`; those that turn the tool axes are the corrections of
-``core.corrections.axis_corrections``. A cure is a function of a module with what it needs put in first (``partial``), so that it
+``core.orientation.axis_corrections``. A cure is a function of a module with what it needs put in first (``partial``), so that it
 can be sent to another process.
 """
 
@@ -15,13 +15,13 @@ from functools import partial
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.cl_path import CLPath
-from freecad_fiveaxis.core.corrections.axis_corrections import AXIS_CORRECTIONS, AxisCorrection
-from freecad_fiveaxis.core.corrections.linearize import linearize
-from freecad_fiveaxis.core.jobs.made import Milled, Posted
-from freecad_fiveaxis.core.jobs.milling import linked
-from freecad_fiveaxis.core.jobs.options import axis_corrections
 from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.linearize import linearize
+from freecad_fiveaxis.core.orientation.axis_corrections import AXIS_CORRECTIONS, AxisCorrection
+from freecad_fiveaxis.core.pipeline.build_path import link_contacts
+from freecad_fiveaxis.core.pipeline.made import Milled, Posted
+from freecad_fiveaxis.core.pipeline.options import axis_corrections
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Cure, Station, solved
 
@@ -63,7 +63,7 @@ def _led(correction: AxisCorrection, made: Posted, path: CLPath, where: Station,
     options = axis_corrections(context)
     offset, given = correction.rows(made.offset, made.axis, options)
     axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
-    return solved(linked(context, offset, axis), where, progress)
+    return solved(link_contacts(context, offset, axis), where, progress)
 
 
 CURES: Mapping[str, Callable[[Posted], Cure]] = {

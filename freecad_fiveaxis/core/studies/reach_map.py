@@ -23,11 +23,11 @@ from freecad_fiveaxis.core.base.chunks import batches
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.spread import spread
-from freecad_fiveaxis.core.collision.fixtures import Fixture, join_obstacles
-from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, enters, obstacles
-from freecad_fiveaxis.core.collision.rest_material import surface_samples
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, join_obstacles
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters, obstacles
+from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import Body, round_piece

@@ -12,7 +12,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import Area, Length, Sentence, say
-from freecad_fiveaxis.core.collision.obstacles import Obstacle
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.report.text import WIDTH, number
 
 from .reach_map import TILTS, ReachMap

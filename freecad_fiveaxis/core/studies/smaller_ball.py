@@ -11,10 +11,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
-from freecad_fiveaxis.core.collision.fixtures import Fixture, join_obstacles
-from freecad_fiveaxis.core.collision.obstacles import Obstacle, Reacher, enters
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, join_obstacles
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters
 from freecad_fiveaxis.core.tool.body import Body, round_piece
 
 from .reach_map import TRIED, ReachMap

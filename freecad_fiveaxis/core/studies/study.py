@@ -21,21 +21,21 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
-from freecad_fiveaxis.core.collision.fixtures import Fixture
-from freecad_fiveaxis.core.collision.obstacles import Reacher
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
-from freecad_fiveaxis.core.jobs.avoided import facets_off, keep_off_of, report_places
-from freecad_fiveaxis.core.jobs.bounded import boundary_of, facets_inside
-from freecad_fiveaxis.core.jobs.fewer_axes import suit_tool_axis, what_needs_more_axes
-from freecad_fiveaxis.core.jobs.job import chosen_faces, make
-from freecad_fiveaxis.core.jobs.made import Milled, Posted
-from freecad_fiveaxis.core.jobs.options import clamped, driven_to_surface, stood, title_of
-from freecad_fiveaxis.core.jobs.over_table import IN_TABLE
-from freecad_fiveaxis.core.jobs.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
-from freecad_fiveaxis.core.jobs.settings.groups import USUAL_REGION
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
+from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.machine import Vector, load_machine
 from freecad_fiveaxis.core.machine.kinematics import chain
+from freecad_fiveaxis.core.pipeline.avoided import facets_off, keep_off_of, report_places
+from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
+from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
+from freecad_fiveaxis.core.pipeline.job import chosen_faces, make
+from freecad_fiveaxis.core.pipeline.made import Milled, Posted
+from freecad_fiveaxis.core.pipeline.options import clamped, driven_to_surface, stood, title_of
+from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
+from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
+from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .corrections import cures, known_cures

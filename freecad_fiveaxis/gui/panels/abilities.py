@@ -32,7 +32,7 @@ def reasons(dialect: Any) -> dict[str, str]:
 
 def unknown_choices(dialect: Any) -> dict[str, set[str]]:
     """The choices of each option that a controller does not know."""
-    from freecad_fiveaxis.core.jobs.settings import RTCP
+    from freecad_fiveaxis.core.pipeline.settings import RTCP
 
     return {"rtcp": set(RTCP) - {"off", *dialect.guides}}
 

@@ -250,7 +250,7 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
 
 def strategy_field(name: str, hint: str) -> ChoiceField:
     """The strategies for the tool axis, or for the passes."""
-    from freecad_fiveaxis.core.cl.tool_axis import STRATEGIES
+    from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
     from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 
     known = tuple(PASS_STRATEGIES if name == "passes" else STRATEGIES)

@@ -29,7 +29,7 @@ def _is_path(against: Any) -> bool:
 
 
 def _is_part(against: Any) -> bool:
-    from freecad_fiveaxis.core.jobs.settings import is_part
+    from freecad_fiveaxis.core.pipeline.settings import is_part
 
     return bool(against) and is_part(str(against))
 

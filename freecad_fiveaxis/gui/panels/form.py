@@ -256,7 +256,7 @@ class Form(QtCore.QObject):
     def check_together(self, options: Mapping[str, Any]) -> None:
         """Raises FiveAxisError where values contradict each other."""
         from freecad_fiveaxis.app.auditing import audit_options
-        from freecad_fiveaxis.core.jobs.settings import build_settings
+        from freecad_fiveaxis.core.pipeline.settings import build_settings
 
         part = self.extras["part"].value() if "part" in self.extras else None
         options = audit_options(options, part) if self.task == "audit" else options
@@ -276,8 +276,8 @@ class Form(QtCore.QObject):
 
     def _try(self, name: str, options: Mapping[str, Any]) -> None:
         from freecad_fiveaxis.core.base.errors import SettingsError
-        from freecad_fiveaxis.core.jobs.option_values import read_option
         from freecad_fiveaxis.core.machine import load_machine
+        from freecad_fiveaxis.core.pipeline.option_values import read_option
 
         for given in SpacingField.KINDS if name == SPACING else (name,):
             if given in options and given in self.leaves:

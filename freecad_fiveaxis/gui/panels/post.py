@@ -125,7 +125,7 @@ class PostPanel:
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import cam, results
         from freecad_fiveaxis.core.base.files import check_writable
-        from freecad_fiveaxis.core.jobs import outputs
+        from freecad_fiveaxis.core.pipeline import outputs
         from freecad_fiveaxis.core.report import summary
 
         nc, reports = self._nc_path(), self._report_paths()

@@ -143,7 +143,7 @@ class ProvePanel(WorkPanel):
     def open_sheet(self) -> None:
         """Show the sheet as it will be printed, from a file of its own."""
         from freecad_fiveaxis.core.base.files import write_whole
-        from freecad_fiveaxis.core.calibration import calibration as workshop
+        from freecad_fiveaxis.core.calibration import tasks as workshop
 
         self.shown = os.path.join(tempfile.mkdtemp(prefix="fiveaxis-"), "sheet.html")
         write_whole(self.shown, workshop.as_html(self.done).encode("utf-8", "backslashreplace"))

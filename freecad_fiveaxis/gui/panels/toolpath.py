@@ -133,7 +133,7 @@ class ToolpathPanel(PathPanel):
         """Try what would finish more of the part, and say it; whether that went well. The document stays as it is."""
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import advising
-        from freecad_fiveaxis.core.jobs.advice import is_worth
+        from freecad_fiveaxis.core.pipeline.advice import is_worth
 
         try:
             with waiting(translate("FiveAxis", "What would finish more?")):

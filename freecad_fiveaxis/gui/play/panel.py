@@ -16,9 +16,9 @@ import numpy as np
 from freecad_fiveaxis.app import results, wording
 from freecad_fiveaxis.app.selection import SelectionError
 from freecad_fiveaxis.core.base.errors import FiveAxisError
-from freecad_fiveaxis.core.jobs.in_machine import stand_up
-from freecad_fiveaxis.core.jobs.made import Milled
 from freecad_fiveaxis.core.machine import fitted_columns
+from freecad_fiveaxis.core.pipeline.in_machine import stand_up
+from freecad_fiveaxis.core.pipeline.made import Milled
 from freecad_fiveaxis.core.report.playback import NCLines
 from freecad_fiveaxis.gui.failures import attend
 from freecad_fiveaxis.gui.messages import status

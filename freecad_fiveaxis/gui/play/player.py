@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding, Hit
-from freecad_fiveaxis.core.collision.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR
+from freecad_fiveaxis.core.gouge.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import Playback, Pose, following
 from freecad_fiveaxis.core.tool.body import PARTS, SPINDLE

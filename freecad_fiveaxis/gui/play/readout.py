@@ -10,10 +10,10 @@ from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.app.units import INCH, inches
 from freecad_fiveaxis.core.base.findings import Finding, Hit
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import NCLines, Pose
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from freecad_fiveaxis.gui.qt import QtGui, QtWidgets, translate
 from freecad_fiveaxis.gui.scene.units import length_text
 

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.collision.fixtures import Fixture
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.report.standing_bodies import SHARP, find_edges
 from freecad_fiveaxis.gui.scene import nodes
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.core.collision import Outline, outline
+from freecad_fiveaxis.core.gouge import Outline, outline
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body
 from freecad_fiveaxis.gui.scene import nodes
 

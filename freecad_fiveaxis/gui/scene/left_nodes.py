@@ -12,8 +12,8 @@ import numpy as np
 from pivy import coin
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision import RestMaterial
 from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge import RestMaterial
 from freecad_fiveaxis.core.report.rest_material_map import (
     HeightScale,
     facet_heights,

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.collision.obstacles import Obstacle
-from freecad_fiveaxis.core.collision.rest_material import surface_parts
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle
+from freecad_fiveaxis.core.gouge.rest_material import surface_parts
 
 from . import nodes
 from .left_nodes import NEARER, outside_only, shaded_faces

@@ -6,13 +6,13 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.number_text import rounded
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
 from freecad_fiveaxis.core.machine.kinematics import q_to_words
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.head import PostOptions, numbered_anew
 from freecad_fiveaxis.core.nc.writer import write_nc
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .plan import USUAL_MARK, Plan, Stop
 

@@ -18,9 +18,9 @@ import numpy as np
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .layouts import every_layout
 from .model import UNKNOWNS, Layout, rows_of

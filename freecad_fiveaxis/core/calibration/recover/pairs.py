@@ -16,7 +16,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine.machine import ROTARY_LETTERS
+from freecad_fiveaxis.core.machine.model import ROTARY_LETTERS
 
 COARSEST, FINEST = 3, 9
 """Decimals that posts print at least; decimals of a column that was not rounded, or was in another unit."""

@@ -18,10 +18,10 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine, Vector
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward_tip
 from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .fit import Fit, judged, refined, screened
 from .layouts import Guess, guesses, kinds, start_layout

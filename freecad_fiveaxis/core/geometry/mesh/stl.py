@@ -27,7 +27,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Number, say
 
-from .mesh import Mesh, from_columns, join_loose
+from .triangles import Mesh, from_columns, join_loose
 
 HEADER = 84  # bytes: header text and count
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Machines from what others have written: LinuxCNC's configurations, FreeCAD's Machine editor."""
 
-from .importing import Imported, as_text, import_machine
+from .imported import Imported, as_text, import_machine
 
 __all__ = ["Imported", "as_text", "import_machine"]

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Forward and inverse kinematics of every machine with two rotary axes."""
 
-from .kinematics import (
+from .rotary_pair import BEYOND, RotaryPair
+from .serial_chain import (
     Chain,
     Setup,
     branch_of,
@@ -17,7 +18,6 @@ from .kinematics import (
     raised,
     words_to_q,
 )
-from .rotary_pair import BEYOND, RotaryPair
 
 __all__ = [
     "BEYOND",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From the CL path to joints: branch, winding, limits, retract and re-engage."""
 
-from .joint_path import JointPath, solve
+from .plan import JointPath, solve
 
 __all__ = ["JointPath", "solve"]

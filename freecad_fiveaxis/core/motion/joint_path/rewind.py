@@ -20,10 +20,10 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 from freecad_fiveaxis.core.base.vectors import slerp
-from freecad_fiveaxis.core.cl.cl_path import CLPath, Motion, tool_keepout, way_out
 from freecad_fiveaxis.core.machine.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import quick_bound
 from freecad_fiveaxis.core.tool.body import Body
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion, tool_keepout, way_out
 
 from .branches import POLE_ANGLE, SLACK, TURN
 

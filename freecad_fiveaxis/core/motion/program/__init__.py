@@ -3,8 +3,8 @@
 
 from .feeds import rapid_minutes
 from .guided import Guided, standing, turned_to
-from .program import Program, block_findings, build_program, feed_blocks
 from .retract import plane_above, upwards, within_travel
+from .rounded import Program, block_findings, build_program, feed_blocks
 from .wrapping import shorter_turns
 
 __all__ = [

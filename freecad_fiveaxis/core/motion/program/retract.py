@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
-from freecad_fiveaxis.core.machine.kinematics.kinematics import turn
+from freecad_fiveaxis.core.machine.kinematics.serial_chain import turn
 
 STEP = math.radians(2.0)
 """Between the rotary words that are looked at."""

@@ -24,11 +24,11 @@ from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.controllers.dialect import Dialect, feed_distance
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Guided, Program, rapid_minutes
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from . import codes, corners
 from .arcs import Arcs, Chords, chorded

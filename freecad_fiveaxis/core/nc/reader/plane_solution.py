@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine.kinematics import Chain, inverse_axis
-from freecad_fiveaxis.core.machine.kinematics.kinematics import turn
+from freecad_fiveaxis.core.machine.kinematics.serial_chain import turn
 from freecad_fiveaxis.core.motion.program.guided import AT_POLE
 
 from .plane_calls import FANUC, HEIDENHAIN, Tilt

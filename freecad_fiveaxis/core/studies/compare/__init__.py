@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The same path on several machines, with and without tool-centre control, with each cure: one table."""
 
-from .compare import Cure, Row, Station, compare, solved, station
+from .stations import Cure, Row, Station, compare, solved, station
 from .tool_centre import Guided, guide
 from .words import compare_html, compare_json, compare_text, verdict
 

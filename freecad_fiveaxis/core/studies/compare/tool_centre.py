@@ -17,9 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints, freeze
-from freecad_fiveaxis.core.cl.cl_path import Motion
 from freecad_fiveaxis.core.machine.kinematics import Chain, joint_words
 from freecad_fiveaxis.core.motion.program.feeds import feed_minutes, rapid_minutes
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 TURN_PER_PIECE = 0.05
 """Rotary travel (rad) of a piece, on which the words are taken as parabolas: their slope is then within a thousandth."""

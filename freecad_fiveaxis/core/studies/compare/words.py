@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.report.text import duration, number
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, json_text, page, section, table, text_table
 
-from .compare import Row
+from .stations import Row
 
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""

@@ -16,15 +16,15 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.cl.cl_path import SAFE_MARGIN, CLPath, Motion
 from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
 from freecad_fiveaxis.core.motion.joint_path import JointPath, solve
-from freecad_fiveaxis.core.motion.joint_path.joint_path import LINEAR_SLACK
+from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
 from freecad_fiveaxis.core.motion.joint_path.rewind import Drive, subdivide_rapids
 from freecad_fiveaxis.core.motion.program import Program, build_program, feed_blocks
+from freecad_fiveaxis.core.toolpath.cl_path import SAFE_MARGIN, CLPath, Motion
 
 EVEN = 1e-9
 """mm and rad: steps that differ by less are pieces of one rapid."""

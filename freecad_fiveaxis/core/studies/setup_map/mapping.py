@@ -16,9 +16,9 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
 from freecad_fiveaxis.core.base.spread import spread
-from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Setup
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .driven import Cost, Posting, part_box
 from .search import Found

@@ -28,7 +28,7 @@ from scipy.optimize import linprog
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain
-from freecad_fiveaxis.core.motion.joint_path.joint_path import LINEAR_SLACK
+from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
 from freecad_fiveaxis.core.motion.trajectory import tip_at
 
 from .driven import Driven, worst_blocks

@@ -18,9 +18,9 @@ import numpy as np
 from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Floats
-from freecad_fiveaxis.core.cl.cl_path import CLPath
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Setup
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .driven import Cost, Driven, Posting, drive_turned
 from .search import Found, best_origin

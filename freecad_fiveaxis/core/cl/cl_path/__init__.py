@@ -1,7 +1,0 @@
-# SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cutter-location path: links, retracts."""
-
-from .cl_path import CLPath, LinkOptions, Motion, link_passes
-from .linking import SAFE_MARGIN, keepout, tool_keepout, way_out
-
-__all__ = ["SAFE_MARGIN", "CLPath", "LinkOptions", "Motion", "keepout", "link_passes", "tool_keepout", "way_out"]

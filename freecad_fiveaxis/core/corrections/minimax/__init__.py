@@ -1,6 +1,0 @@
-# SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tool axes with the smallest largest deviation (``minimax``)."""
-
-from .minimax import minimax_axes
-
-__all__ = ["minimax_axes"]

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The check: what enters the part, in which blocks, how deep and where.
+
+overcut     the cutter enters the part on a cut: too much is taken off there.
+collision   shank or holder enter the part at all, or the cutter on a rapid or a link.
+spot        blocks that follow one another and all enter. Each of the deepest spots is a finding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats
+from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, PARTS, SHANK, SPINDLE, Body
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
+
+from .inside import buried_blocks, crossing_depth, is_closed
+from .joint_box import JointSpace
+from .rapid_check import check_rapids, rapid_findings
+from .rapid_ways import WayEntries
+from .search import Entries, find_entries
+from .spots import MOST_SPOTS, spots
+from .swept_motion import SweptMotion, real_motion, straight_motion
+
+ROUGHLY = 0.1
+"""mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
+
+GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
+"""The codes of the findings."""
+
+LIFT, TILT = Choice("gouge", ("lift", "leave-out")), Choice("gouge", ("tilt", "leave-out"))
+DIVIDE = Choice("linearize", ("on",))
+"""What helps, as the user asks for it."""
+SAID = {
+    OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
+    RAPID_COLLISION: Template(
+        "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
+        "over the tool, let it be lifted there or leave such places out ({lift})."
+    ),
+    HOLDER_COLLISION: Template(
+        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), "
+        "use a longer tool, or more lead or tilt."
+    ),
+}
+
+PLAIN = {
+    OVERCUT: SAID[OVERCUT],
+    RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
+    HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
+}
+"""The same of a program that is only looked at: what helps is not ours to do."""
+
+CURES = say(
+    "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine "
+    "leaves the path by as much, let blocks be divided ({divide}).",
+    lift=LIFT,
+    divide=DIVIDE,
+)
+"""What is said against an overcut where nothing has been done yet."""
+
+Where = Callable[[int], tuple[int | None, int | None]]
+"""From a block of the swept motion to the block of the program and the line of the NC file."""
+
+
+@dataclass(frozen=True, eq=False)
+class GougeCheck:
+    """``cutter`` and ``above`` (shank, holder and spindle): their entries, a row a block of the swept motion; ``buried`` (m,)
+    blocks that are wholly in the part; ``findings``. ``ways``: what the tool enters on rapids whose axes may run independently,
+    None where they are interpolated."""
+
+    cutter: Entries
+    above: Entries
+    buried: Bools
+    findings: tuple[Finding, ...]
+    ways: WayEntries | None = None
+
+    def cases(self, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+        """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of this kind;
+        ``motion`` (m,) what each block does."""
+        return _cases(self.cutter, self.above, motion)
+
+
+def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+    cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
+    return (
+        (OVERCUT, cutter, cutter.depth * cuts),
+        (RAPID_COLLISION, cutter, cutter.depth * ~cuts),
+        (HOLDER_COLLISION, above, above.depth),
+    )
+
+
+def check_motion(
+    mesh: Mesh, body: Body, swept: SweptMotion, motion: Bytes, tolerance: float, where: Where | None = None,
+    progress: Progress = silent, remedy: str = CURES,
+) -> GougeCheck:  # fmt: skip
+    """Check every block of a swept motion against the whole mesh.
+
+    ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
+    missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts, empty
+    where nothing can be changed here.
+    """
+    tree = facet_tree(mesh)
+    cutter = find_entries(body.only(CUTTER), tree, swept, tolerance, progress=progress)
+    above = find_entries(body.only(SHANK, HOLDER, SPINDLE), tree, swept, tolerance, ROUGHLY, progress=progress)
+    buried = np.zeros(len(swept), np.bool_)
+    if is_closed(mesh):
+        buried = buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
+    whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
+    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy)
+    return GougeCheck(cutter, above, buried, findings)
+
+
+def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
+    """The way that the machine really goes: block i of the swept motion leads to row i + 1 of the program.
+
+    ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
+    to be straight and the axis to turn on great arcs.
+    """
+    if program.guided is None:
+        return real_motion(kinematics, program.words, back)
+    tips, axes = forward(kinematics, words_to_q(program.words))
+    return straight_motion(tips - back * axes, axes)
+
+
+def check_program(
+    mesh: Mesh, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    remedy: str = CURES, rapids: str = INTERPOLATED,
+) -> GougeCheck:  # fmt: skip
+    """Check every block of a program, along the way that the machine really goes; see :func:`check_motion` and
+    :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run independently, rapids are
+    checked on every way between their ends, too."""
+    swept = program_motion(kinematics, program, back)
+
+    def where(block: int) -> tuple[int | None, int | None]:
+        return block + 1, int(program.line[block + 1])
+
+    check = check_motion(mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
+    if rapids == INTERPOLATED:
+        return check
+    known = (check.cutter.depth > 0.0) | (check.above.depth > 0.0)
+    ways = check_rapids(mesh, body, JointSpace.of(kinematics, back), program, tolerance, ROUGHLY, known, progress)
+    return replace(check, ways=ways, findings=check.findings + rapid_findings(ways, program, tolerance, rapids))
+
+
+def _findings(
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, swept: SweptMotion,
+    whole: float, remedy: str,
+) -> tuple[Finding, ...]:  # fmt: skip
+    found: list[Finding] = []
+    for code, entries, depth in _cases(cutter, above, motion):
+        found += _spots(code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
+    return (*found, *_buried(buried, where, swept))
+
+
+def _spots(
+    code: str, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
+) -> list[Finding]:  # fmt: skip
+    """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of ``whole`` mm on more
+    than the depth may be in the part."""
+    worst, blocks = spots(depth)
+    found = []
+    for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
+        x, y, z = entries.place[block].tolist()
+        amount: Length | Sentence = Length(depth[block], ".4g")
+        amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
+        said = (SAID if remedy else PLAIN)[code].say(
+            depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
+        )
+        said = joined((said, remedy if code == OVERCUT else ""))
+        if k == 0 and blocks > 1:
+            said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
+        told, line = where(block)
+        found.append(Finding(Severity.ERROR, code, said, float(depth[block]), tolerance, "mm", told, line, (x, y, z)))
+    return found
+
+
+def _buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, ...]:
+    rows = np.flatnonzero(buried)
+    if not len(rows):
+        return ()
+    x, y, z = swept.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
+    told, line = where(int(rows[0]))
+    text = say(
+        "In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and"
+        " the units of the part.",
+        count=len(rows),
+        place=Point((x, y, z), ".6g"),
+    )
+    return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", told, line, (x, y, z)),)

@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool axes of strategy `auto`: every contact takes its axis from the field on the surface, where that is free.
+
+contact    all rows of one contact point: they have the same point and the same facet normals on either side. They share one
+           axis, which is free where it is so for each of them.
+preferred  the axis of the field, leaned by lead and tilt; where that is not free the axis of the field; where that is not
+           either, the nearest free direction of one of the nearest nodes.
+
+Nodes are few, and a narrow place may have none: contacts that are not free become nodes themselves, and the field is found once
+more (:func:`refine_field`). Contacts without any free axis are told apart: a path that is made leaves them out, others keep the
+axis given there.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Length, Number, Point, say
+from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, leaned
+from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
+from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
+from freecad_fiveaxis.core.toolpath.feed_direction import SHORT, feed_direction
+
+from .at_pole import take_pole
+from .axis_field import Nodes, are_free, find_field, find_freedom, nearest_free, raised, with_margin, with_way_out
+from .facets_with_axis import AxisField
+
+CLOSE = 1e-6
+"""Of a step: rows that much farther apart by rounding are not divided again."""
+
+FEW = 0.005
+"""Of all contacts: where so few have no free axis, those are single places in corners, and no reason to check the program."""
+
+MORE = 400
+"""Contacts, at most, that become nodes because they are not free."""
+
+SOME = 8000
+"""Contacts, about, that are asked for these: where nothing is free there, it is not free at those beside them either."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts:
+    """Of k contact points: ``first`` (k,) row, ``facet`` (k,) and mean normal ``mean`` (k, 3); of n rows: the ``contact`` (n,) of
+    each, ``stand`` (n, 3) mm where its tool stands, ``normal`` (n, 3), ``fits`` (n,) whether the ball does."""
+
+    point: Floats
+    facet: Ints
+    first: Ints
+    mean: Floats
+    contact: Ints
+    stand: Floats
+    normal: Floats
+    fits: Bools
+
+    def free(self, axis: Floats, asked: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
+        """Whether the contacts ``asked`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
+        rows = np.flatnonzero((asked & self.all_fit)[self.contact])
+        into = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < -math.sin(reacher.cutter.undercut)]  # leans in
+        good = asked & self.all_fit
+        good[self.contact[into]] = False
+        for part in (self.leads, ~self.leads):  # where the first row is not free the others need not be asked
+            rows = np.flatnonzero(part & good[self.contact])
+            turned = axis[self.contact[rows]]
+            free = are_free(reacher, tree, self.stand[rows], self.normal[rows], turned, progress)
+            good[self.contact[rows[~free]]] = False
+        return good
+
+    @cached_property
+    def leads(self) -> Bools:
+        """Which rows (n,) are the first of their contacts."""
+        leads = np.zeros(len(self.contact), np.bool_)
+        leads[self.first] = True
+        return leads
+
+    @cached_property
+    def all_fit(self) -> Bools:
+        """Whether the ball fits at all rows of a contact (k,)."""
+        return np.asarray(np.bincount(self.contact[~self.fits], minlength=len(self.first)) == 0)
+
+
+class Free(IntEnum):
+    """What is free at a contact: nothing; the tool as it stands; its way out along its axis, too."""
+
+    NONE = 0
+    STANDING = 1
+    WAY_OUT = 2
+
+
+def auto_axes(
+    path: OffsetPath, given: Floats, field: AxisField, mesh: Mesh, reacher: Reacher, options: AxisOptions,
+    progress: Progress = silent, contacts: Contacts | None = None,
+) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
+    """Find the unit axis (n, 3) of every row of ``path``, what is free with it (n,) of :class:`Free`, and say where nothing is.
+
+    ``given`` (n, 3): what stays where no axis is free; ``field`` of the facets of ``mesh`` that are cut; ``reacher``: tool,
+    machine and table; ``contacts``: those of ``path``, None: found here.
+    """
+    tree = facet_tree(mesh)
+    contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
+    free = np.zeros(len(contacts.first), np.int64)
+    if not len(given) or not field.freedom.some.any():
+        return given, free[contacts.contact], _findings(free, contacts)
+    axis = field.at(contacts.point, contacts.mean, progress)
+    for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
+        free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
+        axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
+        free[pulled & (free == Free.NONE)] = gained
+    if reacher.kinematics is not None and reacher.cutter.ring == 0.0:  # what is no ball cuts otherwise when it leans otherwise
+
+        def free_with(pole: Floats, near: Bools) -> Bools:
+            out = contacts.free(pole, near & (free == Free.WAY_OUT), long, tree, progress)
+            return out | contacts.free(pole, near & (free == Free.STANDING), reacher, tree, progress)
+
+        axis = take_pole(axis, contacts.contact, path.polyline, reacher.kinematics, free_with)
+    if options.lead or options.tilt:
+        for tool, gained in ((long, Free.WAY_OUT), (reacher, Free.STANDING)):
+            axis = _leaned(path, contacts, axis, free == gained, tool, tree, options, progress)
+    row_free = free[contacts.contact]
+    return np.where(row_free[:, None] > 0, axis[contacts.contact], given), row_free, _findings(free, contacts)
+
+
+def refine_field(
+    field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent,
+    contacts: Contacts | None = None,
+) -> AxisField:  # fmt: skip
+    """Find the field once more with up to MORE contacts of ``path`` among its nodes, of those at which the ball fits and the tool
+    with its way out is not free with the axis of the ``field`` given; that very field where there are none. ``contacts``: those
+    of ``path``, None: found here."""
+    tree, wide = facet_tree(mesh), with_margin(reacher)
+    if not len(path.point) or not field.freedom.some.any():
+        return field
+    contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
+    each = np.arange(len(contacts.first))
+    asked = contacts.all_fit & (each % max(1, len(each) // SOME) == 0)
+    axis = np.zeros((len(each), 3))
+    axis[asked] = field.at(contacts.point[asked], contacts.mean[asked], progress)
+    rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
+    if not len(rows):
+        return field
+    rows = rows[:: max(1, -(-len(rows) // MORE))]
+    at = contacts.first[rows]
+    normal = contacts.mean[rows]
+    stand = contacts.stand[at] + wide.cutter.corner * (contacts.normal[at] - normal)  # the ball stays where it is
+    more = Nodes(contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing)
+    freedom = field.freedom.joined(find_freedom(more, wide, tree, field.freedom.direction, progress))
+    nodes = field.nodes.joined(more)
+    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
+
+
+def select_rows_with_way_out(free: Ints, polyline: Ints) -> Ints:
+    """Choose the rows (k,) between the first and the last of each polyline (n,) from which the tool can be drawn out, of what is
+    ``free`` (n,) there: what lies before and behind them can be neither come to nor left."""
+    out = np.flatnonzero(free == Free.WAY_OUT)
+    number = np.cumsum(np.diff(polyline, prepend=polyline[:1]) != 0)
+    first, last = np.full(number[-1:].max(initial=-1) + 1, len(free)), np.full(number[-1:].max(initial=-1) + 1, -1)
+    np.minimum.at(first, number[out], out)
+    np.maximum.at(last, number[out], out)
+    row = np.arange(len(free))
+    return np.flatnonzero((row >= first[number]) & (row <= last[number]))
+
+
+def divided(path: OffsetPath, axis: Floats, step: float, ring: float) -> tuple[OffsetPath, Floats]:
+    """Put rows between those of ``path`` until contacts are at most ``step`` mm apart, with axes (n, 3) that turn evenly;
+    ``ring`` mm of the cutter."""
+    pieces = np.ones(len(axis), np.int64)
+    away = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
+    joined = np.diff(path.polyline) == 0
+    pieces[1:][joined] = np.maximum(np.ceil(away[joined] / step - CLOSE), 1)
+    return rows_between(path, axis, pieces, ring)[:2] if (pieces > 1).any() else (path, axis)
+
+
+def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
+    """Find the contacts of ``path`` and where the tool stands there: dear, so :func:`refine_field` and :func:`auto_axes` take
+    them from whoever asks both."""
+    begins = np.ones(len(path.point), np.bool_)
+    begins[1:] = np.diff(path.polyline) != 0
+    for column, limit in ((path.point, SHORT), (path.before, 0.0), (path.after, 0.0)):
+        begins[1:] |= (np.abs(column[1:] - column[:-1]) > limit).any(axis=1)
+    contact, first = np.cumsum(begins) - 1, np.flatnonzero(begins)
+    contact, first = _joined_at_seams(path, contact, first)
+    point = path.centre - reacher.cutter.corner * path.normal
+    stand, fits = raised(reacher, facet_tree(mesh), point, path.normal)
+    mean = facet_mean(path, AxisOptions())[first]
+    return Contacts(path.point[first], path.face[first], first, mean, contact, stand, path.normal, fits)
+
+
+def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
+    """The contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed polyline as one."""
+    start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
+    end = np.append(start[1:], len(contact)) - 1
+    same = (np.abs(path.point[start] - path.point[end]).max(axis=1) < SHORT) & (path.before[start] == path.before[end]).all(
+        axis=1
+    )
+    same &= (path.after[start] == path.after[end]).all(axis=1)
+    into = np.arange(len(first))
+    into[contact[end[same]]] = contact[start[same]]
+    kept, number = np.unique(into, return_inverse=True)
+    return number[contact], first[kept]
+
+
+def _pulled(
+    field: AxisField, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
+) -> tuple[Floats, Bools]:
+    """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes, and what is free."""
+    found, free, asked, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
+    if not len(out):
+        return found, free
+    node, _ = field.near(contacts.point[out], contacts.mean[out])
+    for column in node.T:
+        still = ~free[out]
+        left, near, tried = out[still], column[still], axis.copy()
+        tried[left], _ = nearest_free(axis[left], field.nodes.normal[near], field.freedom.of(near))
+        left = left[
+            ~np.any([(one[left] == tried[left]).all(axis=1) for one in asked], axis=0)
+        ]  # nodes side by side: one direction
+        freed = contacts.free(tried, np.isin(np.arange(len(free)), left), reacher, tree, progress)
+        found[freed], free[freed] = tried[freed], True
+        asked.append(tried)
+    return found, free
+
+
+def _leaned(
+    path: OffsetPath, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, options: AxisOptions,
+    progress: Progress,
+) -> Floats:  # fmt: skip
+    """The axes (k, 3) leaned by lead and tilt where that leaves them ``free`` (k,)."""
+    rows = axis[contacts.contact]
+    tried = leaned(rows, feed_direction(path, rows), options.lead, options.tilt)[contacts.first]
+    good = contacts.free(tried, free, reacher, tree, progress)
+    return np.where((good & free)[:, None], tried, axis)
+
+
+def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
+    """At how many contacts at which the ball fits no axis that was tried keeps the tool out of the part."""
+    held = contacts.all_fit & (free == Free.NONE)
+    count = int(np.count_nonzero(held))
+    if not count:
+        return ()
+    x, y, z = contacts.point[int(held.argmax())].tolist()
+    text = say(
+        "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and "
+        "that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the "
+        "part.",
+        count=count,
+        all=len(free),
+        share=Number(100.0 * count / len(free), ".3g"),
+        place=Point((x, y, z)),
+    )
+    severity = Severity.NOTE if count <= FEW * len(free) else Severity.WARNING
+    return (Finding(severity, "no-free-axis", text, float(count), 0.0, "", place=(x, y, z)),)
+
+
+def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
+    """Say over which length of ``path`` the tool does not get out along its axis, where ``rows`` (k,) are all that is kept."""
+    out = np.ones(len(path.point), np.bool_)
+    out[rows] = False
+    steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), np.diff(path.polyline) == 0
+    length = float(steps[joined & (out[1:] | out[:-1])].sum())
+    if not length:
+        return ()
+    x, y, z = path.point[int(out.argmax())].tolist()
+    text = say(
+        "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out "
+        "along its axis; they are left out. Turn the part, or use a smaller holder.",
+        length=Length(length, ".4g"),
+        place=Point((x, y, z)),
+    )
+    return (Finding(Severity.WARNING, "no-way-out", text, length, 0.0, "mm", place=(x, y, z)),)

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The field of tool axes of a part, and which of its facets it serves: a facet is left out where no axis is free on it.
+
+A facet is left out as a whole only where none of the nodes on it and near it has a free axis; of the others each contact is asked
+(:mod:`.auto_axis`).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.base.chunks import batches, in_threads
+from freecad_fiveaxis.core.base.errors import ReachError
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Number, Sentence, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
+from freecad_fiveaxis.core.passes.within_limits import LEVEL
+
+from .axis_field import (
+    Freedom,
+    Nodes,
+    agreeing,
+    even_directions,
+    find_field,
+    find_freedom,
+    main_directions,
+    near_places,
+    surface_nodes,
+    unit,
+    with_margin,
+)
+
+NEAREST = 6
+"""Nodes whose mean a contact takes."""
+
+ASKED = 16384
+"""Points that are asked for an axis at a time."""
+
+ABOUT = 3
+"""Nodes about the middle of a facet of which one must be free, where none lies on it."""
+
+
+@dataclass(frozen=True, eq=False)
+class AxisField:
+    """The field: ``axis`` (n, 3) unit at its ``nodes``, and what is ``freedom`` there."""
+
+    nodes: Nodes
+    freedom: Freedom
+    axis: Floats
+
+    def near(self, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
+        """The nodes (k, NEAREST) nearest to points (k, 3) mm with unit normals (k, 3) of those where any axis is free, and their
+        weights: one over the distance, and none for one that is as far off as the next one after them."""
+        rows, tree = self._tree()
+        return self._near(tree, rows, point, normal)
+
+    def _tree(self) -> tuple[Ints, cKDTree]:
+        """The nodes where any axis is free, and where they are."""
+        rows = np.flatnonzero(self.freedom.some)
+        return rows, cKDTree(self.nodes.places()[rows])
+
+    def _near(self, tree: cKDTree, rows: Ints, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
+        count = min(NEAREST + 1, len(rows))
+        away, found = tree.query(near_places(point, normal, self.nodes.spacing), k=np.arange(1, count + 1))
+        away = np.maximum(away, 1e-6 * self.nodes.spacing)
+        weight = 1.0 / away[:, :-1] - 1.0 / away[:, -1:] if count > NEAREST else 1.0 / away
+        node = rows[found[:, : weight.shape[1]]]
+        return node, weight * agreeing(normal[:, None], self.nodes.normal[node]) + 1e-12
+
+    def at(self, point: Floats, normal: Floats, progress: Progress = silent) -> Floats:
+        """The unit axis (k, 3) at points (k, 3) mm with unit normals (k, 3)."""
+
+        def mean(some: slice) -> Floats:
+            node, weight = self._near(tree, rows, point[some], normal[some])
+            return unit((self.axis[node] * weight[:, :, None]).sum(axis=1))
+
+        rows, tree = self._tree()
+        parts = batches(len(point), ASKED)
+        found = in_threads(mean, parts, lambda share: progress("axis field", share))
+        return np.concatenate(found) if parts else np.empty((0, 3))
+
+
+def find_axis_field(
+    mesh: Mesh, facets: Bools, reacher: Reacher, progress: Progress = silent, direction: Floats | None = None
+) -> AxisField:
+    """Find the field on ``facets`` (f,) of the part for tool, machine and table (``reacher``); ``direction`` (d, 3): what is
+    tried, None: spread evenly, and the part's own main ones. Raises SettingsError for sizes that no tool has."""
+    tree, wide = facet_tree(mesh), with_margin(reacher)
+    direction = np.concatenate([main_directions(mesh), even_directions()]) if direction is None else direction
+    nodes = surface_nodes(mesh, facets, reacher, tree)
+    freedom = find_freedom(nodes, wide, tree, direction, progress)
+    return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
+
+
+def select_facets(field: AxisField, mesh: Mesh, facets: Bools, most: float) -> tuple[Bools, tuple[Finding, ...]]:
+    """Choose those of ``facets`` (f,) on or near which a node has a free axis, and say by reason what is left out.
+
+    ``most`` rad: the largest angle from +Z that was wanted. Raises ReachError where nothing is left.
+    """
+    some, out = field.freedom.some, np.zeros(len(mesh.face), np.bool_)
+    if some.all():
+        return facets, ()
+    rows = np.flatnonzero(facets)
+    middle = mesh.vertex[mesh.face[rows]].mean(axis=1)
+    about = near_places(middle, mesh.normal[rows], field.nodes.spacing)
+    _, near = cKDTree(field.nodes.places()).query(about, k=np.arange(1, min(ABOUT, len(some)) + 1))
+    out[rows] = ~some[near].any(axis=1)
+    out[field.nodes.facet[some]] = False
+    reason = np.full(len(out), int(Obstacle.NONE))
+    reason[rows] = field.freedom.met[near].max(axis=1)
+    if not (facets & ~out).any():
+        met = Obstacle(int(np.bincount(reason[rows], mesh.area[rows]).argmax()))
+        raise ReachError(say("no facet can be cut: no tool axis is free on any; {remedy}", remedy=_REMEDY[met]), None)
+    return facets & ~out, _left_out(mesh, out, reason, most)
+
+
+def _left_out(mesh: Mesh, out: Bools, reason: Ints, most: float) -> tuple[Finding, ...]:
+    """How much area is left out for each reason; the place is the middle of the largest such facet."""
+    down = out & (reason == Obstacle.LIMITS) & (mesh.normal[:, 2] < -math.sin(LEVEL))
+    groups = [(obstacle, out & ~down & (reason == obstacle)) for obstacle in _REMEDY]
+    return (*_looking_down(mesh, down, most), *(_without_axis(mesh, group, why) for why, group in groups if group.any()))
+
+
+def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
+    if not down.any():
+        return ()
+    lost, share, place = _area_of(mesh, down)
+    text = say(
+        "{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets there. Turn the part "
+        "over, or raise the largest axis angle.",
+        area=Area(lost, ".6g"), share=share, most=Angle(math.degrees(most)),
+    )  # fmt: skip
+    return (Finding(Severity.NOTE, "facets-looking-down", text, lost, 0.0, "mm2", place=place),)
+
+
+def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle) -> Finding:
+    lost, share, place = _area_of(mesh, group)
+    text = say(
+        "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",
+        area=Area(lost, ".6g"), share=share, remedy=_REMEDY[obstacle],
+    )  # fmt: skip
+    return Finding(Severity.WARNING, "facets-without-free-axis", text, lost, 0.0, "mm2", place=place)
+
+
+def _area_of(mesh: Mesh, group: Bools) -> tuple[float, Number, tuple[float, float, float]]:
+    """mm2, share of the part in per cent, and the middle of the largest facet."""
+    area = np.where(group, mesh.area, 0.0)
+    x, y, z = mesh.vertex[mesh.face[int(area.argmax())]].mean(axis=0).tolist()
+    return float(area.sum()), Number(100.0 * float(area.sum() / mesh.area.sum()), ".3g"), (x, y, z)
+
+
+_REMEDY: dict[Obstacle, Sentence] = {
+    Obstacle.LIMITS: say("beyond the machine's limits or the largest axis angle; turn the part over, or raise the angle"),
+    Obstacle.TABLE: say("the tool would go below the table; clamp the part higher"),
+    Obstacle.CUTTER: say("it is too tight for the cutter; use a smaller one"),
+    Obstacle.SHANK: say("the shank is in the way; use a thinner or a longer one"),
+    Obstacle.HOLDER: say("the holder is in the way; let the tool stick out farther"),
+}

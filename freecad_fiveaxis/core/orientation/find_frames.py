@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The few tool axes with which a part is cut with locked rotary axes, and which place is cut with which of them.
+
+candidate  a direction that the machine takes up: many, evenly over the sphere, and the part's own main ones; on a machine of one
+           rotary axis those that it turns through.
+cover      of the candidates the one that frees most places, then the one that frees most of the rest, and so on: first where it
+           stands well on the surface, then wherever it is free. Those that the later ones have made needless are taken out.
+frame      a direction of the cover. A place is cut in the frame that sees it flattest of those in which the tool is free there.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
+from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward
+from freecad_fiveaxis.core.passes.frames import Frames
+
+from .axis_field import Freedom, Nodes, even_directions, find_freedom, main_directions, surface_nodes, with_margin
+from .facets_with_axis import AxisField, select_facets
+
+MOST = 12
+"""Frames, at most."""
+
+WELL = 0.35
+"""Cosine to the normal of directions that stand well on a place."""
+
+BETTER = 0.1
+"""Of a place: so much more it counts for a direction flat on it, and for an upright one."""
+
+FEW = 0.004
+"""Of the places: a frame that sees no more than that besides is not worth its turn."""
+
+PLACES = 8000
+"""Places that are given to frames, evenly by area."""
+
+SOONER = 1e-3
+"""Of a cosine: by that the earlier of two frames is taken that see a place alike, so that a plane is not cut in both."""
+
+NEIGHBOURS, ROUNDS, TOGETHER = 8, 4, 0.2
+"""Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in the frame of all of them."""
+
+STEPS = 72
+"""Positions of a single rotary axis that are tried."""
+
+
+def find_frames(
+    mesh: Mesh, facets: Bools, reacher: Reacher, most: float, count: int = MOST, progress: Progress = silent
+) -> tuple[Frames, Bools, tuple[Finding, ...]]:
+    """Find at most ``count`` frames for ``facets`` (f,), those of them that are cut in any (f,), and what is left out.
+
+    ``reacher``: tool, machine and table; ``most`` rad: the largest angle from +Z that was wanted. Raises ReachError where
+    nothing is left, SettingsError for sizes that no tool has.
+    """
+    tree, wide = facet_tree(mesh), with_margin(reacher)
+    nodes = surface_nodes(mesh, facets, reacher, tree)
+    freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress)
+    freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
+    keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most)
+    chosen = _cover_of(nodes, freedom, count)
+    places, direction = surface_nodes(mesh, keep, reacher, tree, PLACES), freedom.direction
+    rest = np.flatnonzero(~find_freedom(places, wide, tree, direction[chosen], progress).free.any(axis=1))
+    looked = find_freedom(_nodes_of(places, rest), wide, tree, direction, progress)
+    more = _cover_of(_nodes_of(places, rest), looked, count - len(chosen), FEW * len(places.point))
+    axis = in_order(direction[np.concatenate([chosen, more])])
+    free = find_freedom(places, wide, tree, axis, progress).free
+    frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
+    elsewhere = np.zeros(len(free), np.bool_)
+    elsewhere[rest] = looked.free.any(axis=1)
+    said = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _report_frames(frames))
+    return frames, _facets_seen(frames, places, mesh, keep), said
+
+
+def _cover_of(nodes: Nodes, freedom: Freedom, most: int, least: float | None = None) -> Ints:
+    return find_cover(freedom.free, nodes.normal @ freedom.direction.T, freedom.direction[:, 2], most, least)
+
+
+def _facets_seen(frames: Frames, places: Nodes, mesh: Mesh, keep: Bools) -> Bools:
+    """Those of the facets ``keep`` (f,) of which a frame sees a place, or one beside their middle."""
+    seen, rows = np.zeros_like(keep), np.flatnonzero(keep)
+    seen[rows] = frames.at(mesh.vertex[mesh.face[rows]].mean(axis=1), mesh.normal[rows]) >= 0
+    seen[places.facet[frames.frame >= 0]] = True
+    return seen
+
+
+def candidates(mesh: Mesh, kinematics: Chain | None) -> Floats:
+    """Give the directions (d, 3), unit, that are tried: on a machine of one rotary axis those that it turns through."""
+    if kinematics is None or all(axis.fitted for axis in kinematics.axes[3:]):
+        return np.concatenate([main_directions(mesh), even_directions()])
+    words = np.zeros((STEPS + 1, 5))
+    words[:, 3:] = np.linspace(np.maximum(kinematics.low[3:], -math.pi), np.minimum(kinematics.high[3:], math.pi), STEPS + 1)
+    return forward(kinematics, words)[1]
+
+
+def find_cover(free: Bools, cosine: Floats, up: Floats, most: int, least: float | None = None) -> Ints:
+    """Choose at most ``most`` directions (c,) that free most places, of what is ``free`` (n, d) of directions whose ``cosine``
+    (n, d) to the places' normals and height ``up`` (d,) are known: of those that free about as many the flatter and more
+    upright. One that frees fewer than ``least`` places besides, None: FEW of all, is not taken."""
+    least = max(1.0, FEW * len(free) if least is None else least)
+    better = 1.0 + BETTER * (cosine + up)
+    well, chosen = free & (cosine > WELL), list[int]()
+    for frees in (well, free):
+        left = free.any(axis=1) & ~_freed(frees, chosen)
+        while len(chosen) < most and frees.shape[1]:
+            best = int(np.where(frees[left], better[left], 0.0).sum(axis=0).argmax())
+            if frees[left, best].sum() < least:
+                break
+            chosen.append(best)
+            left &= ~frees[:, best]
+    return np.array(_paired(free, _needed(free, well, chosen, least)), np.int64)
+
+
+def _freed(free: Bools, chosen: list[int]) -> Bools:
+    return np.asarray(free[:, chosen].any(axis=1))
+
+
+def _needed(free: Bools, well: Bools, chosen: list[int], least: float) -> list[int]:
+    """Those chosen without each that frees hardly anything that the others do not free as well."""
+    for one in list(chosen):
+        rest = [other for other in chosen if other != one]
+        alone = (free[:, one] & ~_freed(free, rest)).sum(), (well[:, one] & ~_freed(well, rest)).sum()
+        if rest and max(alone) < least:
+            chosen = rest
+    return chosen
+
+
+def _paired(free: Bools, chosen: list[int]) -> list[int]:
+    """Those chosen with one direction in place of two wherever one frees as much."""
+    for one, other in itertools.combinations(chosen, 2):
+        rest = [kept for kept in chosen if kept not in (one, other)]
+        lost = free[_freed(free, [one, other]) & ~_freed(free, rest)]
+        instead = np.flatnonzero(lost.sum(axis=0) == len(lost))
+        if len(rest) + 2 == len(chosen) and len(lost) and len(instead):
+            chosen = [*rest, int(instead[0])]
+    return chosen
+
+
+def in_order(axis: Floats) -> Floats:
+    """The axes (k, 3) from the most upright on, each the nearest to the one before it."""
+    left = list(np.argsort(-axis[:, 2], kind="stable"))
+    order = left[:1]
+    left = left[1:]
+    while left:
+        order.append(left.pop(int((axis[left] @ axis[order[-1]]).argmax())))
+    return axis[order]
+
+
+def assign(free: Bools, places: Nodes, axis: Floats) -> Ints:
+    """Give each place the frame (n,), of unit ``axis`` (k, 3), that sees it flattest of those in which it is ``free`` (n, k), and
+    that places beside it have; -1 where it is free in none."""
+    if not len(axis):
+        return np.full(len(free), -1)
+    flat = np.where(free, places.normal @ axis.T - SOONER * np.arange(len(axis)), -np.inf)
+    frame, none = flat.argmax(axis=1), np.asarray(~free.any(axis=1))
+    near = cKDTree(places.places()).query(places.places(), k=min(NEIGHBOURS + 1, len(free)))[1].reshape(len(free), -1)[:, 1:]
+    for _ in range(ROUNDS if near.shape[1] else 0):
+        alike = (frame[near][:, :, None] == np.arange(len(axis))) & ~none[near][:, :, None]
+        frame = (flat + TOGETHER * alike.mean(axis=1)).argmax(axis=1)
+    return np.where(none, -1, frame)
+
+
+def _nodes_of(nodes: Nodes, rows: Ints) -> Nodes:
+    return Nodes(nodes.point[rows], nodes.facet[rows], nodes.normal[rows], nodes.stand[rows], nodes.fits[rows], nodes.spacing)
+
+
+def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: int) -> tuple[Finding, ...]:
+    """The area that no frame sees, by the share of the places, and what of it is free under another direction (``elsewhere``
+    (n,)); nothing where it is no more than a single place."""
+    out = frames.frame < 0
+    if np.count_nonzero(out) < 2:
+        return ()
+    one = float(mesh.area[keep].sum()) / len(out)
+    lost, could = one * np.count_nonzero(out), one * np.count_nonzero(out & elsewhere)
+    x, y, z = frames.point[int((out & elsewhere if could else out).argmax())].tolist()
+    more = say("allow more frames") if len(frames.axis) == count < MOST else say("cut that with other passes")
+    text = say(
+        "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} "
+        "frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.",
+        area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"), place=Point((x, y, z)),
+        count=len(frames.axis), could=Area(could, ".4g"), more=more,
+    )  # fmt: skip
+    return (Finding(Severity.WARNING, "outside-frames", text, lost, 0.0, "mm2", place=(x, y, z)),)
+
+
+def _report_frames(frames: Frames) -> Finding:
+    """How many frames there are, and their axes."""
+    shown = "; ".join(",".join(f"{number:g}" for number in (np.round(axis, 3) + 0.0).tolist()) for axis in frames.axis)
+    text = say("The part is cut in {count} frames, each with a tool axis of its own: {axes}.", count=len(frames.axis), axes=shown)
+    return Finding(Severity.NOTE, "frames", text, float(len(frames.axis)), None, "1")

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Leads the tool axis through or around the pole, so that the first rotary axis turns little and evenly."""
+
+from .apply import deform_axes
+from .choice import Led, rerouted_axes
+from .trade import Trade, trade_findings, trade_off
+
+__all__ = ["Led", "Trade", "deform_axes", "rerouted_axes", "trade_findings", "trade_off"]

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the settings ask of the finished program: that the tool keeps out of the part, and how much may stay on it.
+
+allowed   so much may stay on the part, mm: scallops and tolerance.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.gouge import (
+    CURES,
+    DIVIDE,
+    GougeCheck,
+    RestMaterial,
+    SweptMotion,
+    check_program,
+    find_rest_material,
+    program_motion,
+    straight_motion,
+    too_deep_finding,
+    uncut_finding,
+)
+from freecad_fiveaxis.core.gouge.table_check import check_table
+from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
+from freecad_fiveaxis.core.passes.keep_off import FACETS_NEAR_AVOIDED, NEAR_AVOIDED
+from freecad_fiveaxis.core.tool.body import CUTTER, body_of
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
+
+from .bounded import counted_places
+from .context import MillContext
+from .options import (
+    axis_options,
+    rapids_of,
+    tip_to_driven,
+    tip_to_surface,
+    tool_body,
+    travels,
+    wanted_scallop,
+)
+from .over_table import table_looked_at
+from .settings import Settings
+
+LEFT_SPACING = 0.1
+"""Of the cutter's diameter: how far apart, at most, the surface is looked at for what is left on it."""
+
+FINEST = 0.02
+"""The same for the map, at least: that is as fine as SAMPLES allow."""
+
+SAMPLES = 10_000
+"""Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
+
+
+CURED = frozenset({"lifted", "left-out"})
+"""The codes of findings that tell of a path changed by a cure."""
+
+JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
+"""The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
+
+NOT_CUT = (
+    "facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames", FACETS_NEAR_AVOIDED,
+)  # fmt: skip
+"""The codes of findings on facets that are not among those to be cut."""
+
+
+def commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
+    """The way that the path commands: the point straight that makes the surface."""
+    return straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis, tip_to_surface(settings))
+
+
+def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
+    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where there was no
+    cure, or where the map of what is left tells it."""
+    settings, mesh, keep = context.settings, context.mesh, context.keep
+    if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
+        return ()
+    cutter = settings.cutter.cutter
+    swept = commanded_motion(settings, path)
+    spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
+    within = counted_places(context)
+    left = find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within)
+    return uncut_finding(left, above)
+
+
+def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the tolerance."""
+    return 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance
+
+
+def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+    """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
+    cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
+    if passes.stepover is None:
+        return wanted_scallop(settings) or 0.0
+    turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
+    stand = (tool.tool_axis, replace(axis_options(settings), tilt=max(abs(tool.tilt), turned)))
+    return max(scallop_of(cutter, mesh, keep, angle, *stand, passes.stepover) for angle in travels(settings))
+
+
+# ------------------------------------------------------------------------------------------------ the finished program
+
+
+def cutting(motion: Bytes) -> Ints:
+    """The blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i leads to row i + 1."""
+    return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
+
+
+def entered(context: MillContext, program: Program) -> GougeCheck | None:
+    """What the tool enters of the part on its real way, where the settings ask for the check."""
+    settings, tolerance = context.settings, context.settings.proof.tolerance
+    if settings.gouge.gouge == "off":
+        return None
+    body, driven = tool_body(settings), tip_to_driven(settings)
+    rapids = rapids_of(settings, context.machine, context.dialect)
+    return check_program(
+        context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings), rapids
+    )
+
+
+def enters_table(context: MillContext, program: Program) -> tuple[Finding, ...]:
+    """What of the tool goes below the machine's table on its real way, where the settings ask for the check of gouges and it is
+    known where the table is."""
+    settings = context.settings
+    table = table_looked_at(settings, context.machine, context.mesh)
+    if table is None:
+        return ()
+    rapids = rapids_of(settings, context.machine, context.dialect)
+    return check_table(
+        table, tool_body(settings), context.kinematics, program, settings.proof.tolerance, tip_to_driven(settings),
+        context.progress, rapids,
+    )  # fmt: skip
+
+
+def _remedy(settings: Settings) -> str:
+    """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its path."""
+    if settings.gouge.gouge == "report":
+        return CURES
+    divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
+    way = say("let blocks be divided ({divide})", divide=DIVIDE) if divisible else say("ask for a smaller tolerance")
+    return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
+
+
+def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple[Finding, ...]:
+    """The findings without those that the check of the finished program, where there was one, has settled."""
+    return findings if check is None else tuple(one for one in findings if one.code not in JUDGED)
+
+
+def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+    """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from the spindle is not
+    counted. ``keep`` (f,): the facets that are cut."""
+    out = area_of(findings, *NOT_CUT)
+    whole = float(mesh.area[keep].sum()) + out
+    return (out + rest_area(findings)) / whole
+
+
+def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
+    """The area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on them."""
+    return float(mesh.area[keep].sum()) - rest_area(findings)
+
+
+def rest_area(findings: tuple[Finding, ...]) -> float:
+    """The area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides that no pass touches are
+    uncut as well: the larger counts."""
+    return max(area_of(findings, "uncut"), area_of(findings, "side-not-machined")) + area_of(findings, NEAR_AVOIDED)
+
+
+def area_of(findings: tuple[Finding, ...], *codes: str) -> float:
+    """The area, mm2, that findings of these codes name."""
+    return float(sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2"))
+
+
+def find_left(context: MillContext, program: Program) -> RestMaterial:
+    """What the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no block cuts."""
+    settings, mesh, keep = context.settings, context.mesh, context.keep
+    cutter, swept = settings.cutter.cutter, program_motion(context.kinematics, program, tip_to_driven(settings))
+    even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
+    spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
+    blocks, within = cutting(program.motion), counted_places(context)
+    return find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within)
+
+
+def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:
+    """Where more stays than may, and, where no check tells it, where too much is taken off."""
+    if left is None:
+        return ()
+    settings = context.settings
+    deep = too_deep_finding(left, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
+    return uncut_finding(left, allowed(settings, context.mesh, context.keep)) + deep

@@ -1,0 +1,321 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole pipeline on one page: from a solid's STL to a proven program.
+
+Three ways in: ``mill`` starts at the STL, ``post`` at a CL file, ``audit`` at a finished NC file; all three end at the same
+proof of the rounded words, because that is what the machine gets. ``run`` makes and proves; :mod:`.outputs` writes. What the
+settings ask for in the terms of the packages is in :mod:`.options`, the stages of ``mill`` are in :mod:`.milling` and
+:mod:`.driving`, what keeps the tool out of the part in :mod:`.collision_avoidance`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from freecad_fiveaxis.core.audit import Audit, AuditOptions, audit_program
+from freecad_fiveaxis.core.audit.feed_words import large_feeds
+from freecad_fiveaxis.core.audit.spindle import spindle_findings
+from freecad_fiveaxis.core.audit.units import unit_findings
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.base.files import read_bytes
+from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.sentences import Option, say
+from freecad_fiveaxis.core.controllers import Dialect
+from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
+from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial
+from freecad_fiveaxis.core.gouge.faces import facets_on
+from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, check_fixtures, read_fixtures
+from freecad_fiveaxis.core.machine import Machine, load_machine
+from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.motion.deviation import Deviation, measure, measure_above, without_guided
+from freecad_fiveaxis.core.motion.singularity import find_singular
+from freecad_fiveaxis.core.nc.head import slot_texts
+from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter, named_cutter_note
+from freecad_fiveaxis.core.nc.reader import Assumed, dialect_of_text, read_nc
+from freecad_fiveaxis.core.orientation.strategies import find_strategy
+from freecad_fiveaxis.core.passes import find_pass_strategy
+from freecad_fiveaxis.core.report import Figures, judge
+from freecad_fiveaxis.core.report.contacts import Contacts, contacts_of
+from freecad_fiveaxis.core.report.near_part import stand_of
+from freecad_fiveaxis.core.toolpath.apt import cutter_note, cutter_taken, of_cl_file, read_cl_file
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
+
+from .advice import add_advice
+from .avoided import check_keep_off
+from .collision_avoidance import (
+    allowed,
+    cutting,
+    entered,
+    enters_table,
+    find_left,
+    rest_material_findings,
+    still_true,
+    unfinished_share,
+)
+from .context import JobContext
+from .driving import drive, posted
+from .fewer_axes import suit_tool_axis
+from .in_machine import check_bodies, look_in_machine, over_tip
+from .made import Made, Milled, Posted, Result
+from .mill_context import mill_context
+from .milling import mill
+from .options import (
+    cl_reading,
+    driven_to_hub,
+    driven_to_surface,
+    machine_of,
+    post_options,
+    rapids_of,
+    search_folders,
+    tip_to_driven,
+    title_of,
+    tool_body,
+    with_cutter,
+    with_head,
+)
+from .over_table import table_looked_at
+from .part_size import unit_suspected
+from .rotary_axis import settle_rotary_axis
+from .safe_start import started
+from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
+
+
+def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None) -> Result:
+    """Do the task that the settings name. ``mesh``: the part, where it is at hand and ``settings.source`` only its name. Raises
+    FiveAxisError for input that cannot be used; writes nothing."""
+    result = prove(make(settings, progress, mesh), progress)
+    made = result.made
+    if settings.output.advise == "off" or not isinstance(made, Milled):
+        return result
+    return add_advice(result, lambda other: prove(make(other, progress, made.mesh, fixtures=made.fixtures), progress))
+
+
+def make(
+    settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
+    fixtures: tuple[Fixture, ...] | None = None,
+) -> Made:  # fmt: skip
+    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name; facets of
+    it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where
+    they are at hand and the settings only name them. Raises FiveAxisError for input that cannot be used."""
+    settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
+    machine, kinematics, dialect = machine_of(settings)
+    check_bodies(settings, machine)
+    fixtures = read_fixtures(settings.gouge.fixture, progress) if fixtures is None else fixtures
+    if settings.task in (MILL, POST):
+        dialect = _told(settings, machine, dialect)
+    if settings.task == MILL:
+        find_strategy(settings.tool_axis.tool_axis)
+        find_pass_strategy(settings.passes.passes)
+        mesh = read_stl(settings.source, progress) if mesh is None else mesh
+        mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
+        settings = settle_rotary_axis(settings, kinematics, mesh)
+        context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided)
+        said += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
+        milled = mill(context)
+        return replace(milled, findings=said + milled.findings, fixtures=fixtures)
+    if settings.task == POST:
+        return post(settings, machine, kinematics, dialect, progress, fixtures)
+    text = read_bytes(settings.source, "NC file")
+    dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
+    assumed = Assumed(
+        settings.reading.units, settings.reading.decimal, machine.no_motion, search_folders(settings, settings.source)
+    )
+    program = read_nc(text, kinematics, dialect, progress, assumed)
+    settings, named = _with_named_cutter(settings, text)
+    found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program) + large_feeds(program, dialect)
+    return Made(settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures)
+
+
+def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
+    """The settings with the cutter that an NC program names where they have none of their own, and a note of that."""
+    cutter = find_named_cutter(text)
+    taken = with_cutter(settings, cutter)
+    return taken, () if taken is settings or cutter is None else named_cutter_note(cutter)
+
+
+class ChosenFaces(NamedTuple):
+    """``mesh``: the part, whose facets have no allowance; ``faces`` (f,): the facets to cut, None: all; ``avoided`` (f,): those
+    on faces to avoid, None: there are no such faces."""
+
+    mesh: Mesh
+    faces: Bools | None
+    avoided: Bools | None
+    findings: tuple[Finding, ...]
+
+
+def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> ChosenFaces:
+    """Find the facets to cut: those chosen already, else those on the faces that the settings name; without those on faces to be
+    avoided. Where these are known already they have an allowance, and are not among the ``faces``. Raises FiveAxisError."""
+    chosen = settings.faces
+    avoided = None if mesh.allowance is None else mesh.allowance > 0.0
+    mesh = mesh if avoided is None else replace(mesh, allowance=None)
+    said: tuple[Finding, ...] = ()
+    if faces is None and chosen.faces is not None:
+        faces, said = _facets_in(settings, mesh, chosen.faces, progress)
+    if chosen.avoid is None:
+        return ChosenFaces(mesh, faces, avoided, said)
+    avoided, also = _facets_in(settings, mesh, chosen.avoid, progress, machined=False)
+    left = ~avoided if faces is None else faces & ~avoided
+    if not left.any():
+        text = say(
+            "all that is to be machined lies on {name}; leave out {option}", name=Path(chosen.avoid).name, option=Option("avoid")
+        )
+        raise SettingsError(text, chosen.avoid)
+    return ChosenFaces(mesh, left, avoided, (*said, *also))
+
+
+def _facets_in(
+    settings: Settings, mesh: Mesh, name: str, progress: Progress, machined: bool = True
+) -> tuple[Bools, tuple[Finding, ...]]:
+    """The facets on the faces of a file, and how many those are."""
+    return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined)
+
+
+def _told(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
+    """The dialect as it is to be written: safe start, high-speed mode, tip guided. Raises SettingsError, before the long
+    work, for what the controller has not, and for a head that cannot be written."""
+    dialect = started(dialect, machine)
+    dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
+    dialect = dialect if settings.head.rtcp == "off" else dialect.guided(settings.head.rtcp)
+    slot_texts(dialect, "", post_options(settings), inverse_time=False)
+    return dialect
+
+
+def post(
+    settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent,
+    fixtures: tuple[Fixture, ...] = (),
+) -> Posted:  # fmt: skip
+    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves
+    and the fixtures."""
+    file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
+    given, path = settings, file.path
+    settings = with_head(given, file.head)
+    feeding = path.tip[path.motion != Motion.RAPID] if (path.motion != Motion.RAPID).any() else path.tip
+    box = box_with((feeding.min(axis=0), feeding.max(axis=0)), fixtures)
+    context = JobContext(settings, machine, kinematics, dialect, box, progress)
+    taken = settings.cutter is not given.cutter
+    found = path.findings + (cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter))
+    return replace(posted(context, path, drive(context, path), found), fixtures=fixtures)
+
+
+def prove(made: Made, progress: Progress = silent, part: Mesh | None = None) -> Result:
+    """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is the deviation of the
+    point that makes the surface: of a ball the centre. ``part``: what an audit compares with, where it is at hand and
+    ``settings.audit.against`` only its name.
+
+    Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
+    """
+    against, settings = _compared(made.settings, progress) if part is None else (part, made.settings)
+    made = made if settings is made.settings else replace(made, settings=settings)
+    proof, words = settings.proof, made.program.words
+    deviation = measure(made.kinematics, words, proof.method, progress)
+    if (guided := made.program.guided) is not None:
+        deviation = without_guided(deviation, guided.on, guided.tip)
+    singularity = find_singular(made.kinematics, words, made.machine.singular_cone)
+    surface = surface_deviation(made, driven_to_surface(made.settings), progress)
+    judged = judge(made.kinematics, made.program, surface or deviation, singularity, proof.tolerance, surface is not None)
+    gouge, left, entries = _against_part(made, progress)
+    entries += check_keep_off(made.context(progress), made.program) if isinstance(made, Milled) else ()
+    hit = _in_fixtures(made, progress) + look_in_machine(made, against, progress)
+    found = still_true(made.findings, gouge) + deviation.findings + entries + hit + judged
+    if made.settings.task != AUDIT:
+        return Result(made, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
+    audited = _audited(made, deviation, against, progress)
+    of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
+    return Result(made, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
+
+
+def surface_deviation(made: Made, above: float, progress: Progress = silent) -> Deviation | None:
+    """The deviation of the point ``above`` mm over the driven one, against its own chords; ``place`` (m, 3) mm: where the driven
+    point stands then. None where it is the driven point itself, and where the controller guides the tip."""
+    program = made.program
+    if above == 0.0 or program.guided is not None:
+        return None
+    decimals, method = made.dialect.linear_decimals, made.settings.proof.method
+    return measure_above(made.kinematics, program.words, above, decimals, method, progress)
+
+
+def _audited(made: Made, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress) -> Audit:
+    """Limits and rates (of a program made here they hold by its making), and the comparison that the settings ask for."""
+    settings, proof = made.settings, made.settings.proof
+    gouge = settings.gouge
+    body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
+    above = driven_to_surface(settings)
+    rapids = rapids_of(settings, made.machine, made.dialect)
+    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids)
+    return audit_program(made.kinematics, made.program, deviation, against, options, progress)
+
+
+def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
+    """The CL path or the part that a program is audited against, and the settings with the cutter of a CL file where they have
+    none of their own. Raises FiveAxisError where it cannot be read."""
+    path = settings.audit.against
+    if settings.task != AUDIT or path is None:
+        return None, settings
+    if is_part(path):
+        return read_stl(path, progress), settings
+    file = read_cl_file(read_bytes(path, "CL file"), cl_reading(settings), progress)
+    return file.path, with_cutter(settings, file.head.cutter)
+
+
+def _against_part(made: Made, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
+    """What enters the part, what is left on it, and what is to be said of both; of a program made from a mesh."""
+    if not isinstance(made, Milled):
+        return None, None, ()
+    context, program = made.context(progress), made.program
+    gouge, low = entered(context, program), enters_table(context, program)
+    left = find_left(context, program) if made.settings.gouge.left == "on" and len(cutting(program.motion)) else None
+    return gouge, left, (gouge.findings if gouge else ()) + low + rest_material_findings(left, context)
+
+
+def _in_fixtures(made: Made, progress: Progress) -> tuple[Finding, ...]:
+    """What of tool and spindle goes into a fixture."""
+    settings, back = made.settings, tip_to_driven(made.settings)
+    rapids, tolerance = rapids_of(settings, made.machine, made.dialect), settings.proof.tolerance
+    body = over_tip(made)
+    near = settings.gouge.fixture_clearance
+    return check_fixtures(made.fixtures, body, made.kinematics, made.program, tolerance, back, progress, rapids, near)
+
+
+def rest_material_of(made: Milled, progress: Progress = silent) -> RestMaterial:
+    """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
+    return find_left(made.context(progress), made.program)
+
+
+def _contacts(made: Milled) -> Contacts | None:
+    """Where the ball touches the part; None for any other cutter."""
+    cutter, offset = made.settings.cutter.cutter, made.offset
+    if cutter.ring > 0.0:
+        return None
+    above = driven_to_hub(made.settings)
+    return contacts_of(offset.centre, offset.normal, made.axis, offset.face, made.mesh, cutter.corner, above)
+
+
+def _stand(made: Milled, contacts: Contacts | None) -> float:
+    """How far from the part what is drawn of a cut may stand, mm; with ``contacts`` it is drawn where the ball touches."""
+    cutter, offset = made.settings.cutter.cutter, made.offset
+    if contacts is not None:
+        return 0.0
+    return tip_to_driven(made.settings) + stand_of(cutter.ring, cutter.corner, offset.normal, made.axis)
+
+
+def figures(result: Result) -> Figures:
+    """What the report is made from."""
+    made = result.made
+    contacts = _contacts(made) if isinstance(made, Milled) else None
+    return Figures(
+        title=title_of(made.settings), kind=made.settings.task, machine=made.machine, kinematics=made.kinematics,
+        program=made.program, deviation=result.deviation, singularity=result.singularity,
+        tolerance=made.settings.proof.tolerance, findings=result.findings, inputs=flat_options(made.settings),
+        surface=result.surface, audit=result.audit, gouge=result.gouge, left=result.left,
+        allowed=allowed(made.settings, made.mesh, made.keep) if result.left and isinstance(made, Milled) else 0.0,
+        mesh=made.mesh if isinstance(made, Milled) else None,
+        unfinished=unfinished_share(result.findings, made.mesh, made.keep) if isinstance(made, Milled) else 0.0,
+        contacts=contacts, stand=_stand(made, contacts) if isinstance(made, Milled) else 0.0,
+        rapids=rapids_of(made.settings, made.machine, made.dialect),
+        table=table_looked_at(made.settings, made.machine, made.mesh) if isinstance(made, Milled) else None,
+        fixtures=tuple(one.name for one in made.fixtures),
+    )  # fmt: skip

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a solid to a program: :data:`STAGES`, in the order of the process.
+
+A stage is ``stage(context, record) -> record``: a function named by what it does, in the module that bears its part of the
+process. The first takes the region that is cut, the last gives the program.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from .assign_axes import assign_axes, correct_axes, tilt_axes
+from .build_path import keep_links_near, lead_in_and_out, lift_path, link_passes
+from .context import MillContext
+from .made import Milled
+from .mill_context import find_region
+from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
+from .solve_joints import keep_rapids_clear, solve_joints, write_program
+
+Stage = Callable[[MillContext, Any], Any]
+
+STAGES: tuple[Stage, ...] = (
+    plan_passes,
+    offset_contacts,
+    keep_within_boundary,
+    keep_off_faces,
+    assign_axes,
+    correct_axes,
+    tilt_axes,
+    link_passes,
+    lift_path,
+    keep_links_near,
+    lead_in_and_out,
+    solve_joints,
+    keep_rapids_clear,
+    write_program,
+)
+
+
+def mill(context: MillContext) -> Milled:
+    """Make the program: every stage, one after the other."""
+    record: Any = find_region(context.settings, context.mesh, context.keep, context.progress, context.frames)
+    for stage in STAGES:
+        record = stage(context, record)
+    made: Milled = record
+    return made

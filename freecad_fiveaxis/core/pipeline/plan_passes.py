@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Stages from the facets to what the cutter follows: passes, their offset, and what is not to be cut taken off them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freecad_fiveaxis.core.passes import Division, Region, cut, find_pass_strategy, lay_by_slope
+from freecad_fiveaxis.core.toolpath.cl_offset import corner_radius
+from freecad_fiveaxis.core.toolpath.coedge import close_gaps
+
+from .avoided import kept_off_faces
+from .bounded import bounded
+from .context import MillContext
+from .options import pass_options
+from .records import OffsetContacts, PlannedPasses
+from .settings.tree import STEEP
+
+
+def plan_passes(context: MillContext, region: Region) -> PlannedPasses:
+    """Cut level sets of the pass strategy's field on the region, and find what no pass touches."""
+    strategy, options = find_pass_strategy(context.settings.passes.passes), pass_options(context.settings)
+    order, spiral = context.settings.links.order, context.settings.links.spiral == "on"
+    if (bound := context.settings.passes.steep_shallow) is not None:
+        division = Division(bound, find_pass_strategy(STEEP), strategy, order, spiral)
+        contact, untouched = lay_by_slope(region, options, division)
+        return PlannedPasses(contact, None, untouched + contact.findings)
+    field = strategy.field(region, options)
+    contact = cut(region, field, order, spiral)
+    untouched = strategy.untouched(region, options, field, contact.face)
+    return PlannedPasses(contact, field.frame, untouched + contact.findings)
+
+
+def offset_contacts(context: MillContext, passes: PlannedPasses) -> OffsetContacts:
+    """Offset the passes by the corner radius, close the gaps at co-edges and trim the overlaps (Lin & Ye, II.D)."""
+    cutter, keep = context.settings.cutter, None if context.keep.all() else context.keep
+    radius = corner_radius(cutter.cutter)
+    offset = close_gaps(passes.contact, context.mesh, radius, cutter.coedge_tolerance, keep, context.progress)
+    return OffsetContacts(**vars(passes), offset=offset)
+
+
+def keep_within_boundary(context: MillContext, passes: OffsetContacts) -> OffsetContacts:
+    """Cut the passes at the boundary, where there is one."""
+    return replace(passes, offset=bounded(context, passes.offset))
+
+
+def keep_off_faces(context: MillContext, passes: OffsetContacts) -> OffsetContacts:
+    """Cut the passes where the tool would come nearer to faces to avoid than their allowance."""
+    return replace(passes, offset=kept_off_faces(context, passes.offset))

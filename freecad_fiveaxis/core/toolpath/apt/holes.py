@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Holes of the drilling cycles, written out as moves.
+
+over      Where the axis is that of the row before, the tool first goes along it to the height of the hole's ``clear``, or stays
+          at its own where that is higher, then across, then down; as a controller's cycle does. To a hole with another axis it
+          goes straight: the CAM system has seen to the way between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import plural, say
+from freecad_fiveaxis.core.toolpath.cl_path import Motion
+
+from .cycles import Cycle, cycle_of, left_at, way
+from .feeds import held, per_minute
+from .rows import Put, Rows
+from .source import Source
+from .statements import Kind, Statements
+
+SAME_AXIS = 1e-6
+"""rad, in sine, between axes that are one."""
+SAME_PLACE = 1e-6
+"""mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Holes:
+    """``row`` (h,) of the moves that are holes, ascending; ``group`` (h,) of the CYCLE statement's ``cycles`` each is drilled by;
+    ``feed`` (h,) mm/min."""
+
+    row: Ints
+    group: Ints
+    cycles: list[tuple[Cycle, float]]
+    feed: Floats
+
+
+def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floats) -> tuple[Holes, tuple[Finding, ...]]:
+    """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row; ``scale`` (s,) mm of the
+    unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
+    cycle = [cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts]
+    named = np.array(
+        [
+            text.startswith("CYCLE") and meaning.kind is not Kind.LEAVING
+            for text, meaning in zip(statements.texts, statements.meanings, strict=True)
+        ]
+        or [False]
+    )
+    events = np.flatnonzero(named[statements.which])
+    at = np.append(-1, events)[np.searchsorted(statements.row[events], np.arange(len(rate)), side="right")]
+    drills = np.array([one is not None for one in cycle] or [False])
+    on = (at >= 0) & drills[statements.which[at]] if len(events) else np.zeros(len(rate), np.bool_)
+    plain = source.move_rows(b"GOTO/")
+    row = np.flatnonzero(on & plain)
+    at = at[row]
+    leaving = statements.of(Kind.LEAVING)
+    leaves = held(statements.row[leaving], statements.value(leaving), 0.0, row)
+    pairs, group = np.unique(np.stack([statements.which[at], scale[at], leaves]), axis=1, return_inverse=True)
+    cycles = [(left_at(one, how), float(mm)) for which, mm, how in pairs.T if (one := cycle[int(which)]) is not None]
+    group = group.reshape(-1)
+    holes = Holes(row, group, cycles, _feeds(statements, at, group, cycles, rate[row], scale, source))
+    return holes, tuple(_findings(source, statements, events, cycle, np.flatnonzero(on & ~plain)))
+
+
+def _feeds(
+    statements: Statements, at: Ints, group: Ints, cycles: list[tuple[Cycle, float]], rate: Floats, scale: Floats, source: Source
+) -> Floats:
+    """mm/min (h,): the cycle's own, else that of FEDRAT."""
+    own = np.array([(cycle.feed, cycle.unit, cycle.turn) for cycle, _ in cycles]).reshape(-1, 3)[group]
+    fed = ~np.isnan(own[:, 0])
+    feed = rate.copy()
+    value, unit, turn = own[fed].T
+    feed[fed] = per_minute(statements, at[fed], value, unit, turn > 0.0, scale, source)
+    return feed
+
+
+def drilled(rows: Rows, holes: Holes) -> tuple[Rows, Put]:
+    """The rows of the moves, those of holes where the tool leaves them; and the rows to be put in before: over, and down."""
+    if not len(holes.row):
+        return rows, Put.none()
+    point, axis = rows.tip[holes.row], rows.axis[holes.row]
+    out = _heights_out(rows, holes, point, axis)
+    tip, motion, speed = rows.tip.copy(), rows.motion.copy(), rows.speed.copy()
+    tip[holes.row] = point + out[:, None] * axis
+    fed_out = np.array([cycle.fed_out and cycle.out is None for cycle, _ in holes.cycles])[holes.group]
+    motion[holes.row] = np.where(fed_out, Motion.CUT, Motion.RAPID)
+    speed[holes.row] = np.where(fed_out, holes.feed, 0.0)
+    left = replace(rows, tip=tip, motion=motion, speed=speed)
+    return left, Put.joined([_over(left, holes, point, axis), *_ways(holes, point, axis)])
+
+
+def _clear(holes: Holes) -> Floats:
+    return np.array([cycle.clear * scale for cycle, scale in holes.cycles])[holes.group]
+
+
+def _heights_out(rows: Rows, holes: Holes, point: Floats, axis: Floats) -> Floats:
+    """mm (h,) above the point: where the tool leaves each hole, never below its clear."""
+    clear = _clear(holes)
+    height = np.array([cycle.clear if cycle.out is None else cycle.out for cycle, _ in holes.cycles])
+    height = (height * [scale for _, scale in holes.cycles])[holes.group]
+    stood = np.arange(len(rows.tip))
+    stood[holes.row] = -1
+    stood = np.maximum.accumulate(stood)[holes.row]
+    before = np.where(stood >= 0, ((rows.tip[stood] - point) * axis).sum(axis=1), -np.inf)
+    return np.maximum(clear, np.where(np.isnan(height), before, height))
+
+
+def _over(left: Rows, holes: Holes, point: Floats, axis: Floats) -> Put:
+    """Up along the axis before the way across, or across before the way down."""
+    clear, before = _clear(holes), np.maximum(holes.row - 1, 0)
+    apart = left.tip[before] - point
+    height = (apart * axis).sum(axis=1)
+    aside = np.linalg.norm(apart - height[:, None] * axis, axis=1) > SAME_PLACE
+    one = np.linalg.norm(left.axis[before] - axis, axis=1) <= SAME_AXIS
+    needed = (holes.row > 0) & one & aside & (np.abs(height - clear) > SAME_PLACE)
+    up = left.tip[before] + (clear - height)[:, None] * axis
+    across = point + height[:, None] * axis
+    place = np.where((height < clear)[:, None], up, across)[needed]
+    return Put.rapids(holes.row[needed], place, axis[needed])
+
+
+def _ways(holes: Holes, point: Floats, axis: Floats) -> Iterator[Put]:
+    """Down each hole and, between its pecks, out; one Put for each cycle."""
+    for k, (cycle, scale) in enumerate(holes.cycles):
+        mine = np.flatnonzero(holes.group == k)
+        height, fed = np.array(way(cycle, scale)).T
+        of = np.repeat(mine, len(height))
+        height, feeding = np.tile(height, len(mine)), np.tile(fed > 0.0, len(mine))
+        motion = np.where(feeding, Motion.CUT, Motion.RAPID).astype(np.int8)
+        speed = np.where(feeding, holes.feed[of], 0.0)
+        yield Put(holes.row[of], point[of] + height[:, None] * axis[of], axis[of], motion, speed)
+
+
+def _findings(source: Source, statements: Statements, events: Ints, cycle: list[Cycle | None], others: Ints) -> Iterator[Finding]:
+    def where(of: list[bool]) -> Ints:
+        return statements.statement[events[np.array(of)[statements.which[events]]]] if len(events) else events
+
+    whole = where([one is not None and bool(one.chips) and not one.steps for one in cycle])
+    if len(whole):
+        line = int(source.line[whole[0]])
+        text = plural(
+            len(whole),
+            "A drilling cycle with pecks says no STEP (line {line}): its holes are drilled in one go. Say the step, if the chips "
+            "are to come out.",
+            "{count} drilling cycles with pecks say no STEP (first line {line}): their holes are drilled in one go. Say the "
+            "step, if the chips are to come out.",
+            line=line,
+        )
+        yield Finding(Severity.WARNING, "cycle-step-not-said", text, float(len(whole)), line=line)
+    dwells = where([one is not None and one.dwell > 0.0 for one in cycle])
+    if len(dwells):
+        line = int(source.line[dwells[0]])
+        text = plural(
+            len(dwells),
+            "A drilling cycle dwells at the bottom (line {line}): the tool does not wait there in the program.",
+            "{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there in the program.",
+            line=line,
+        )
+        yield Finding(Severity.WARNING, "cycle-dwell-left-out", text, float(len(dwells)), line=line)
+    if len(others):
+        line = int(source.line[source.move_at[others[0]]])
+        text = say(
+            "A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.",
+            line=line,
+        )
+        yield Finding(Severity.ERROR, "no-hole-in-cycle", text, float(len(others)), line=line)
+
+
+def with_feeds(rows: Rows, holes: Holes) -> tuple[Floats, Bools]:
+    """The feed mm/min (n,) that each move needs, and which moves need one, holes among them."""
+    speed, needs = rows.speed.copy(), rows.motion != Motion.RAPID
+    speed[holes.row] = holes.feed
+    needs[holes.row] = True
+    return speed, needs

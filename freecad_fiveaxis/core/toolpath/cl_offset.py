@@ -1,0 +1,256 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a cutter that is no ball sits on the offset path: from the corner circle's centre to the hub.
+
+corner path  what co-edges are closed for: the path of a ball of the corner radius. A ball cutter needs no more.
+ring      a bull nose is that ball swept round a ring: its hub lies one ring radius further, along *out* (core/tool/cutter.py).
+sharp     the corner of a flat: a ball of some nanometres, so that edges get their arc of normals.
+smooth    a co-edge between facets that approximate one surface. All rows of its contact take out from the mean of both normals,
+          as the tool axis does, and the bottom rocks from facet to facet; at any other co-edge each row takes its own normal, and
+          the bottom slides over the edge.
+heel      the side of the bottom away from the contact: in a hollow it meets the part although the contact is tangent.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Choice, say
+from freecad_fiveaxis.core.base.vectors import row_dot, slerp
+from freecad_fiveaxis.core.passes import CREASE
+from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.contact import ring_direction
+
+from .coedge import ROW_COLUMNS, OffsetPath
+from .feed_direction import feed_direction
+
+SHARP = 5e-5
+"""mm: the corner radius of a flat on its way round edges, half of a word's last digit. Co-edges of more than a degree open a gap
+that counts with it (``junction.FLAT_GAP``)."""
+
+ROCKING = 0.01
+"""mm: by so much the bottom may enter a facet between two smooth co-edges; what rocks further is no smooth surface. It is half of
+what such facets leave the surface behind them by, at most."""
+
+ONE_HUB_MM = 2.0 * SHARP
+"""mm; hubs nearer than this, under one axis, are one place."""
+
+NOTABLE = 0.01
+"""mm of a heel in the part before it is worth a finding: a usual finishing tolerance."""
+
+SWING_HALVINGS = 8
+"""Times that a move over an edge is halved at most."""
+
+MOST_PIECES = 64
+"""Pieces of a block at most: half a turn of the axis in steps of less than 3 degrees."""
+
+
+def corner_radius(cutter: Cutter) -> float:
+    """The radius, mm, of the ball for which co-edges are closed."""
+    return max(cutter.corner, min(SHARP, cutter.radius))
+
+
+def hub_positions(path: OffsetPath, axis: Floats, ring: float) -> Floats:
+    """The hubs (n, 3) mm of a cutter with that ring (mm) and tool axes (n, 3); ``path.centre`` itself for a ball (ring 0)."""
+    if ring == 0.0 or not len(axis):
+        return path.centre
+    return np.asarray(path.centre + ring * ring_direction(seat_normal(path, ring), axis, feed_direction(path, axis), ring))
+
+
+def seat_normal(path: OffsetPath, ring: float) -> Floats:
+    """The unit normal (n, 3) of the surface on which a cutter with that ring (mm) sits at each row.
+
+    Smooth: over a facet of length L whose normal the axis leaves by half of a co-edge's turn t at both its ends, the bottom
+    enters it at most by ``t min(L, 16 ring) / 16``: at the share s of the way it leans by t (1 - 2 s) / 2 and has s L of facet
+    behind it.
+    """
+    mean = path.before + path.after
+    turn = np.linalg.norm(path.after - path.before, axis=1)
+    way = np.minimum(np.maximum(path.step_before, path.step_after), 16.0 * ring)
+    smooth = (turn <= 2.0 * np.sin(0.5 * CREASE)) & (way * turn <= 16.0 * ROCKING)
+    length = np.linalg.norm(np.where(smooth[:, None], mean, path.normal), axis=1)
+    return np.asarray(np.where(smooth[:, None], mean, path.normal) / length[:, None])
+
+
+def cl_offset_path(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+    """The path with the cutter's hubs for its centres, and its axes; what it says of hollows is in the findings.
+
+    A block in which the axis turns so much that the bottom, half-way, would leave the surface by more than ``tolerance`` mm
+    gets rows between. A ball's path comes back as it is.
+    """
+    if cutter.ring == 0.0 or not len(axis):
+        return path, axis
+    path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter.ring, tolerance)
+    hub = hub_positions(path, axis, cutter.ring)
+    sat = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
+    rows = np.flatnonzero(~_stands_still(sat, axis))
+    return (sat, axis) if len(rows) == len(axis) else (keep_rows(sat, rows), axis[rows])
+
+
+def _columns(path: OffsetPath, rows: Ints) -> dict[str, Any]:
+    """Rows (k,) of every column of a path, ready to be changed; its polylines go on over what is left out."""
+    return {name: getattr(path, name)[rows] for name in ROW_COLUMNS}
+
+
+def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
+    """Rows (n,) that close a gap and neither move nor turn the tool."""
+    moved = np.abs(np.diff(path.centre, axis=0, prepend=path.centre[:1])).max(axis=1)
+    turned = np.abs(np.diff(axis, axis=0, prepend=axis[:1])).max(axis=1)
+    return np.asarray(path.fill & (moved <= ONE_HUB_MM) & (turned == 0.0))
+
+
+# ------------------------------------------------------------------------------------------------ rows between
+
+
+def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
+    """Rows put between those of cutting moves in which the axis turns by more than the tolerance allows.
+
+    The bottom's lowest point moves on a circle of at most the cutter's radius while the hub goes straight: over a turn a the
+    two part by at most ``radius a^2 / 8``.
+    """
+    cuts = ~path.fill & (np.diff(path.polyline, prepend=-1) == 0)
+    turn = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(np.diff(axis, axis=0, prepend=axis[:1]), axis=1), 0.0, 1.0))
+    widest = np.sqrt(8.0 * tolerance / cutter.radius)
+    pieces = np.where(cuts, np.clip(np.ceil(turn / widest), 1, MOST_PIECES), 1).astype(np.int64)
+    if (pieces == 1).all():
+        return path, axis
+    return rows_between(path, axis, pieces, cutter.ring)[:2]
+
+
+def _swung(path: OffsetPath, axis: Floats, ring: float, tolerance: float) -> tuple[OffsetPath, Floats]:
+    """Rows put between those that close a gap over an edge, where the hub swings round the contact.
+
+    Where an edge crosses the level bottom's plane aslant, the normal passes the axis at its side, and out swings round with it;
+    hubs on the chord of that swing dip the bottom by ``ring (sine - out . normal)`` into the edge, see :func:`ring_direction`.
+    They may use up half of the tolerance; the other half is the chord's of the corner circle.
+    """
+    for _ in range(SWING_HALVINGS):
+        fills = path.fill & (np.diff(path.polyline, prepend=-1) == 0)
+        row = np.flatnonzero(fills)
+        deep = row[_swing_depth(path, axis, row, ring) > 0.5 * tolerance]
+        if not len(deep):
+            break
+        pieces = np.ones(len(axis), np.int64)
+        pieces[deep] = 2
+        path, axis = rows_between(path, axis, pieces, ring)[:2]
+    return path, axis
+
+
+def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, ring: float) -> Floats:
+    """How deep (k,) mm the bottom's rim dips half-way of the moves that arrive at ``row`` (k,), for the chord of out's swing."""
+    seat, feed = seat_normal(path, ring), feed_direction(path, axis)
+    out = ring_direction(seat, axis, feed, ring)
+    chord = 0.5 * (out[row - 1] + out[row])
+    half = np.full(len(row), 0.5)
+    normal, upright = slerp(seat[row - 1], seat[row], half), slerp(axis[row - 1], axis[row], half)
+    sine = np.linalg.norm(np.cross(normal, upright), axis=1)
+    return np.asarray(ring * (sine - row_dot(chord, normal)))
+
+
+def rows_between(path: OffsetPath, axis: Floats, pieces: Ints, ring: float) -> tuple[OffsetPath, Floats, Ints]:
+    """The move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its axes, and the row (k,) of the
+    path given that each row is, or leads to. ``ring`` mm of the cutter."""
+    row = np.repeat(np.arange(len(axis)), pieces)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
+    share = step / pieces[row]
+    new = np.flatnonzero(share < 1.0)
+    return *_with_rows(path, axis, row, new, share[new], ring), row
+
+
+def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
+    """Rows (k,) of a path, ascending; its polylines go on over what is left out."""
+    return OffsetPath(**_columns(path, rows), findings=path.findings)
+
+
+def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, ring: float) -> tuple[OffsetPath, Floats]:
+    """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet, or
+    round its co-edge where both are rows of one contact.
+
+    Corner circles go straight there, along the facet; axis and seat turn evenly. A ball sits on the facet itself."""
+    end, made = row[new], axis[row]
+    start, part = end - 1, share[:, None]
+    seat = seat_normal(path, ring)
+    normal = slerp(seat[start], seat[end], share) if ring > 0.0 else path.before[end]
+    columns = _columns(path, row)
+    for name in ("point", "centre"):
+        given = getattr(path, name)
+        columns[name][new] = (1.0 - part) * given[start] + part * given[end]
+    columns["normal"][new] = normal
+    inside = ~(path.fill[end] & (path.point[start] == path.point[end]).all(axis=1))  # at a vertex one contact has two co-edges
+    for name in ("before", "after"):
+        columns[name][new[inside]] = normal[inside]
+    columns["coedge"][new[inside]] = -1
+    made[new] = slerp(axis[start], axis[end], share)
+    return OffsetPath(**columns, findings=path.findings), made
+
+
+# ------------------------------------------------------------------------------------------------ hollows
+
+
+def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:
+    """That it does; how deep is not told, for across the pass the bottom may stand far deeper than along it."""
+    depth = heel_depth(path, hub, axis, cutter)
+    deep = np.flatnonzero(depth > NOTABLE)
+    if not len(deep):
+        return ()
+    worst = int(deep[depth[deep].argmax()])
+    x, y, z = path.point[worst].tolist()
+    text = say(
+        "In hollows along the passes the cutter's bottom stands in the part behind its contact or before it, over {count} rows;"
+        " how deep is not known here. Give more lead, take a smaller cutter or a ball, or have the path checked against the part"
+        " ({report}), or lifted out of it ({lift}).",
+        count=len(deep),
+        report=Choice("gouge", ("report",)),
+        lift=Choice("gouge", ("lift",)),
+    )
+    return (Finding(Severity.WARNING, "heel-in-hollow", text, place=(x, y, z)),)
+
+
+def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> Floats:
+    """About how deep (n,) mm the bottom stands in the surface along its pass; below 0: how far it stays off.
+
+    The ring's hindmost point is ``ring (out - feed) . normal`` above the plane of the contact, its foremost one
+    ``ring (out + feed) . normal``; the surface there rises over that plane by what the pass, unrolled, does.
+    """
+    feed, normal = feed_direction(path, axis), seat_normal(path, cutter.ring)
+    out = (hub - path.centre) / cutter.ring
+    profile = _Profile.of(path, normal, feed)
+    first, last = _ends(path.polyline)
+    depth = np.full(len(axis), -np.inf)
+    for sense in (-1.0, 1.0):
+        way = sense * cutter.ring * (1.0 + sense * row_dot(out, feed))
+        there = np.clip(profile.length + way, profile.length[first], profile.length[last])
+        rise = np.interp(there, profile.length, profile.height) - profile.height - profile.slope * (there - profile.length)
+        depth = np.maximum(depth, rise - cutter.ring * row_dot(out + sense * feed, normal))
+    return depth
+
+
+class _Profile(NamedTuple):
+    """The passes unrolled, one row after the other: ``length`` (n,) mm of all contacts up to each row; ``height`` (n,) mm of the
+    surface there, its turns upwards summed up; ``slope`` (n,) rad of the plane on which the cutter sits."""
+
+    length: Floats
+    height: Floats
+    slope: Floats
+
+    @classmethod
+    def of(cls, path: OffsetPath, normal: Floats, feed: Floats) -> _Profile:
+        """All rows of a contact have its co-edge's whole turn; it counts once."""
+        step = np.linalg.norm(np.diff(path.point, axis=0, prepend=path.point[:1]), axis=1)
+        slope = np.cumsum(np.where(path.fill, 0.0, -row_dot(path.after - path.before, feed)))
+        height = np.cumsum(step * np.append(0.0, slope[:-1]))
+        return cls(np.cumsum(step), height, slope + row_dot(path.after - normal, feed))
+
+
+def _ends(polyline: Ints) -> tuple[Ints, Ints]:
+    """First and last row of the polyline of each row."""
+    start = np.flatnonzero(np.diff(polyline, prepend=polyline[:1] - 1))
+    size = np.diff(start, append=len(polyline))
+    return np.repeat(start, size), np.repeat(start + size - 1, size)
+
+
+# ------------------------------------------------------------------------------------------------ spacing
