@@ -4,6 +4,7 @@
 FIVEAXIS_SLOWEST: how many (10). FIVEAXIS_UNTIL: no test begins after that time, s of the clock (``make changed``).
 """
 
+import hashlib
 import os
 import time
 
@@ -33,15 +34,25 @@ def _keeping(made, of):
     return act
 
 
+def _content(task):
+    """All that a task of results.py holds, whether its fingerprint knows of it or not; what is large by its checksum."""
+    data, matrix = (task.data, ()) if isinstance(task.data, bytes) else (task.data.kernel, task.data.matrix)
+    solids = [one.stl for one in (*((task.part,) if task.part else ()), *task.fixtures)]
+    return repr(task.settings), task.runs, task.avoided, matrix, *(hashlib.sha256(one).digest() for one in (data, *solids))
+
+
 @pytest.fixture
 def kept(monkeypatch):
-    """For tests inside FreeCAD that are not about the computing: results, setups tried and heights that are left are those of an
-    earlier test of this process, where the settings, the part and its name are the same. Mark what is to be computed ``anew``."""
-    from freecad_fiveaxis.app import left, results, setups
+    """For tests inside FreeCAD that are not about the computing: results, maps of setups and of what is reached, and heights that are
+    left are those of an earlier test of this process, where all that they are made of is the same, the part's name too. Mark what is
+    to be computed ``anew``."""
+    from freecad_fiveaxis.app import left, reach, results, setups
+    from freecad_fiveaxis.core.studies import reach_map
 
     for module, name, of in (
-        (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, task.settings.source)),
-        (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, task.settings.source)),
+        (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, *_content(task))),
+        (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, *_content(task))),
+        (reach, "_found", lambda task, fingerprint, progress, executor: (fingerprint, reach_map.PLACES, *_content(task))),
         (left, "_found", lambda figures, known, progress: (known.fingerprint, known.result.made.settings.source)),
     ):
         monkeypatch.setattr(module, name, _keeping(getattr(module, name), of))

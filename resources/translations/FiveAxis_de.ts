@@ -4836,8 +4836,8 @@
         <translation>Die Werkzeugachse liegt auf {length} der Zeilen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
     </message>
     <message>
-        <source>The tool axis of the CL path turns by {asked}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
-        <translation>Die Werkzeugachse des CL-Wegs dreht sich um {asked}, die Drehworte zusammen um {turned}: Grad sind es nicht, Bogenmaß würde reichen. Den Postprozessor Grad schreiben lassen.</translation>
+        <source>The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
+        <translation>Die Werkzeugachse des CL-Wegs dreht sich um {wanted}, die Drehworte zusammen um {turned}: Grad sind es nicht, Bogenmaß würde reichen. Den Postprozessor Grad schreiben lassen.</translation>
     </message>
     <message>
         <source>The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.</source>
@@ -5496,8 +5496,8 @@
         <translation>Facette</translation>
     </message>
     <message>
-        <source>facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again</source>
-        <translation>die Facette {facet} ist fehlerhaft: „{said}“ steht, wo {need} hingehört; die Datei neu exportieren</translation>
+        <source>facet {facet} is malformed: '{odd}' stands where {need} belongs; export the file again</source>
+        <translation>die Facette {facet} ist fehlerhaft: „{odd}“ steht, wo {need} hingehört; die Datei neu exportieren</translation>
     </message>
     <message>
         <source>facets</source>
@@ -7060,8 +7060,8 @@
         <translation>{at} im Maschinensystem, die tragenden Achsen auf null</translation>
     </message>
     <message>
-        <source>{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
-        <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {asked}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
+        <source>{blocks} more of {letter} than it can: at most NC line {line}, {commanded_rate}, {share} times its maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.</source>
+        <translation>{blocks} mehr von {letter}, als die Achse kann: höchstens NC-Zeile {line}, {commanded_rate}, das {share}-fache ihrer größten Geschwindigkeit von {most}; die erste ist NC-Zeile {first}. Die Steuerung wird dort langsamer oder hält mit einem Fehler an. Dort ein kleineres F geben oder zeitreziproken Vorschub (G93), für diese Maschine ausgegeben, wie {post} es tut.</translation>
     </message>
     <message>
         <source>{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation from the path may show.</source>
@@ -7756,8 +7756,8 @@
         <translation>{name} hat keinen Kegelwinkel; in FreeCADs Werkzeugeditor angeben</translation>
     </message>
     <message>
-        <source>{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
-        <translation>{name} hat {asked}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
+        <source>{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same solid, with as fine facets, or raise the tolerance.</source>
+        <translation>{name} hat {wanted}, aber nur {area} des Werkstücks liegen darauf. Die Flächen aus demselben Volumenkörper exportieren, mit ebenso feinen Facetten, oder die Toleranz erhöhen.</translation>
     </message>
     <message>
         <source>{name} is a face of {other}: select faces of {label}.</source>

@@ -18,6 +18,8 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:4", "stepover": 1.5, "max_axis_angle": 30, **PLAIN}
 RADIUS, WIDE = 2.0, 20.0
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 def face_at(obj, **middle):
     """The name of the face with that middle, as ``z=5``."""

@@ -18,6 +18,8 @@ GIVEN = {
     "tool_length": 120,
 }
 
+pytestmark = pytest.mark.usefixtures("kept")
+
 
 def solid(doc, name, low, size):
     one = doc.addObject("Part::Box", name)

@@ -132,11 +132,12 @@ def test_the_map_follows_its_part_and_says_when_it_is_old(doc, slot):
     assert made.UpToDate and made.WholeArea.Value == pytest.approx(slot.Shape.Area, rel=1e-5)
 
 
-def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_asked(slot, reopen):
+def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_asked(slot, reopen, anew):
     made = app.reach_map(floor(slot), **TOOL, work_zero=(1, 2, 3), largest_axis_angle=120)
     kept = {name: made.getPropertyByName(name) for name in ("Verdict", "Advice", "UpToDate", "Fingerprint", "LargestAxisAngle")}
     areas = {name: getattr(made, name).Value for name in reach.AREAS.values()}
     places = reach.found_of(made).chart.obstacle
+    anew()
     made = reopen(slot.Document).ReachMap
     assert made.Proxy.last is None and {name: made.getPropertyByName(name) for name in kept} == kept
     assert {name: getattr(made, name).Value for name in areas} == pytest.approx(areas, rel=1e-12)
@@ -155,7 +156,7 @@ def test_a_deleted_solid_and_a_deleted_mesh_are_told(doc, slot):
     assert "Invalid" in made.State and "was deleted" in made.getStatusString() and not made.UpToDate
 
 
-def test_what_cannot_be_leaves_nothing_behind(doc, slot):
+def test_what_cannot_be_leaves_nothing_behind(anew, doc, slot):
     names = [one.Name for one in doc.Objects]
     wrong = ({"cutter": "ball:-6"}, {"machine": "no_such"}, {"wings": 2}, {"fixtures": [slot]}, {"holder": "40"})
     for settings in wrong:

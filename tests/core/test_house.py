@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The house rules that a tool can check: what the core may import, in which order, and that every file names its licence."""
 
+import io
 import os
 import subprocess
 import sys
+import tokenize
 import xml.etree.ElementTree as ET
 from functools import cache
 from pathlib import Path
@@ -111,3 +113,43 @@ def test_the_version_is_the_same_wherever_it_stands():
     assert ET.parse(ROOT / "package.xml").getroot().findtext(space + "version") == __version__
     assert f'version = "{__version__}"' in (ROOT / "pyproject.toml").read_text()
     assert f"## [{__version__}]" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+
+
+PRIVATE = frozenset(["said", "told", "led", "laid", "sat", "stood", "asked", "made", "lent", "foretold"])
+"""Past participles that once stood for findings, texts, axes, rows and records; the trade has words for all of these."""
+
+CLEAN = (
+    "audit",
+    "base",
+    "calibration",
+    "controllers",
+    "geometry",
+    "gouge",
+    "links",
+    "machine",
+    "motion",
+    "orientation",
+    "passes",
+    "tool",
+)
+"""Packages of the core in which no name is made of them. Add yours when it is."""
+
+
+def private_names(source):
+    """The names of a source, with their lines, that are made of such words."""
+    tokens = tokenize.generate_tokens(io.StringIO(source).readline)
+    return [
+        (one.start[0], one.string) for one in tokens if one.type == tokenize.NAME and PRIVATE & set(one.string.lower().split("_"))
+    ]
+
+
+@pytest.mark.parametrize("package", CLEAN)
+def test_names_are_words_of_the_trade(package):
+    files = sorted((CORE / package).rglob("*.py"))
+    found = {path.name: private_names(path.read_text(encoding="utf-8")) for path in files}
+    assert files and {name: names for name, names in found.items() if names} == {}
+
+
+def test_a_private_word_would_be_noticed():
+    assert private_names("offset, said = close(path)\nled_axis = said\n") == [(1, "said"), (2, "led_axis"), (2, "said")]
+    assert private_names("# said\nsaid_so = 'told'") == [(2, "said_so")] and not private_names("solid = 'told'")

@@ -168,7 +168,7 @@ def test_by_linuxcnc_s_own_formulas_too():
 
     k = np.array([np.sin(a) * np.sin(c), np.sin(a) * np.cos(c), np.cos(a)])
     np.testing.assert_allclose(tip(a, c) - made.distance * k, WISHES.place, rtol=0, atol=1e-3)
-    foretold = dict(made.foretold)
+    foretold = dict(made.predicted_errors)
     for text, signs in (("C turns the wrong way", (1, -1)), ("A turns the wrong way", (-1, 1))):
         np.testing.assert_allclose(tip(signs[0] * a, signs[1] * c) - tip(a, c), foretold[text], rtol=0, atol=1e-3)
     np.testing.assert_allclose(tip(c, a) - tip(a, c), foretold["C and A are exchanged"], rtol=0, atol=1e-3)
@@ -177,8 +177,8 @@ def test_by_linuxcnc_s_own_formulas_too():
 @machines
 def test_every_wrong_machine_is_seen_at_the_last_stop(name):
     made = plan(name)
-    assert len(made.foretold) == 4 and not made.findings
-    assert min(np.linalg.norm(off) for _, off in made.foretold) > 3.0
+    assert len(made.predicted_errors) == 4 and not made.findings
+    assert min(np.linalg.norm(off) for _, off in made.predicted_errors) > 3.0
 
 
 def test_a_mark_on_the_axis_of_the_table_hides_its_sign_and_that_is_said():

@@ -31,6 +31,7 @@ QUICKLY = 85  # of 0 to 100: Qt's "quality" of a PNG is how little it is packed;
 SETTLED = 15000  # ms until a layout has settled, also on a machine that is busy with other FreeCADs
 TAKEN = 2000  # ms until what was clicked shows that; then it is clicked once more, where that does no harm
 READY = 20000  # ms until a command, a panel or a button of it is there to be pressed
+FRAME = 100  # ms between two pictures of the window: Mesa puts all of it together on the processor, whatever little changed
 
 
 def _pump(ms=100):
@@ -247,10 +248,60 @@ def _viewport():
     return _until(area.currentSubWindow, SETTLED, "a 3D view").findChild(QtWidgets.QGraphicsView).viewport()
 
 
+class _Frames(QtCore.QObject):
+    """Paints a window at most once in so many ms, as a slow screen does: what changes meanwhile is painted together. Nothing else
+    waits: events, layouts and the work behind them go on, and the last change is always painted.
+
+    `between`: ms; with 0 whatever Qt asks for is painted at once. `painted`: how many pictures there were.
+    """
+
+    def __init__(self, window):
+        super().__init__(window)
+        self.between, self.painted = FRAME, 0
+        self._window, self._last, self._timer = window, 0.0, QtCore.QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._ask)
+        window.installEventFilter(self)
+
+    def _ask(self):
+        QtCore.QCoreApplication.postEvent(self._window, QtCore.QEvent(QtCore.QEvent.UpdateRequest))
+
+    def eventFilter(self, window, event):
+        """Qt calls this before an event arrives at the window."""
+        if event.type() != QtCore.QEvent.UpdateRequest:
+            return False
+        left = self.between - 1000.0 * (time.monotonic() - self._last)
+        if left <= 0:
+            self._last, self.painted = time.monotonic(), self.painted + 1
+            return False
+        if not self._timer.isActive():
+            self._timer.start(int(left) + 1)
+        return True
+
+
+_frames = []
+"""That of the main window, once a test has asked for it."""
+
+
+@pytest.fixture
+def every_frame(window):
+    """The window painted whenever Qt asks for it, for tests that are about pictures that follow one another, and about how lively the
+    window is."""
+    _frames[0].between = 0
+    yield
+    _frames[0].between = FRAME
+
+
+@pytest.fixture
+def frames(window):
+    """What paints the window: see _Frames."""
+    return _frames[0]
+
+
 @pytest.fixture(scope="session")
 def window():
-    """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most tests need: each change of
-    any widget paints all of it, on the processor.
+    """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most tests need, and painted
+    ten times a second: each change of any widget paints all of it, on the processor.
 
     The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks. It has no cube to
     turn it by: FreeCAD paints that anew for every view, in most of the time that a new document takes.
@@ -264,6 +315,7 @@ def window():
         if dock.objectName() in ("Combo View", "Model", "Tasks"):
             dock.show()
     FreeCADGui.activateWorkbench(WORKBENCH)
+    _frames.append(_Frames(main))
     _pump(500)
     return main
 

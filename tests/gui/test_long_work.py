@@ -25,6 +25,8 @@ from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.gui import keys
 from freecad_fiveaxis.gui.waiting import waiting
 
+pytestmark = pytest.mark.usefixtures("every_frame")
+
 BEAT = 20
 """ms."""
 ENOUGH = 40

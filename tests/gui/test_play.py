@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-pytestmark = pytest.mark.usefixtures("kept")
+pytestmark = pytest.mark.usefixtures("kept", "every_frame")
 TABLE_2 = "G21 G90 G94\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F1000\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477\nM2\n"
 CAMERA = ("position", "orientation", "height")  # FreeCAD fits the clipping planes to whatever is drawn
 WORST, WORST_U = 2.12642, 0.54543

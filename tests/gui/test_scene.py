@@ -39,6 +39,8 @@ from freecad_fiveaxis.gui.scene import (
     words,
 )
 
+pytestmark = pytest.mark.usefixtures("every_frame")
+
 CORE_TESTS = Path(__file__).parents[1] / "core"
 GOOD, BAD, SINGULAR = (0.0, 0.62, 0.45), (0.835, 0.369, 0.0), (0.8, 0.475, 0.655)
 LOOK = path_nodes.Look(GOOD, BAD, SINGULAR)

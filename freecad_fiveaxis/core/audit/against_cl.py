@@ -100,11 +100,11 @@ def against_path(
     stands = axis_at(kinematics, program.words[rows - 1], program.words[rows], ones) if len(rows) else np.zeros((0, 3))
     at_end = _at_ends(path, lines, pieces, ends, stands, tolerance, progress)
     missed, distance = _missed(real, rows, deviation, path, tolerance, progress)
-    told = AgainstPath(
+    against = AgainstPath(
         rows, found.value, found.u, found.place, found.bound, at_end[:, 0], at_end[:, 1], missed, distance
     )  # fmt: skip
-    findings = _findings(program, told, _own_ways(told, ends, stands, tolerance), given, tolerance, axis_tolerance)
-    return AgainstPath(**{**vars(told), "findings": findings})
+    findings = _findings(program, against, _own_ways(against, ends, stands, tolerance), given, tolerance, axis_tolerance)
+    return AgainstPath(**{**vars(against), "findings": findings})
 
 
 def _bound(lines: Segments) -> Callable[[Ends], Floats]:
@@ -180,10 +180,10 @@ def _missed(
 # ------------------------------------------------------------------------------------------------ findings
 
 
-def _own_ways(told: AgainstPath, places: Floats, axis: Floats, tolerance: float) -> Bools:
+def _own_ways(against: AgainstPath, places: Floats, axis: Floats, tolerance: float) -> Bools:
     """The blocks (n,) of ways of the post's own: from a place of the path out along the tool, and back to the same place.
     ``places``, ``axis`` (n, 3): where the blocks end, and how the tool stands there."""
-    off = told.off > tolerance
+    off = against.off > tolerance
     first = np.flatnonzero(off & ~np.append(False, off[:-1])[: len(off)])
     first = first[first > 0]
     own = np.zeros(len(off), np.bool_)
@@ -192,7 +192,7 @@ def _own_ways(told: AgainstPath, places: Floats, axis: Floats, tolerance: float)
     last = np.flatnonzero(off & ~np.append(off[1:], False))
     last = last[len(last) - len(first) :]
     back = np.linalg.norm(places[last] - places[first - 1], axis=1) <= max(tolerance, ROUNDED)
-    on_path = (told.end[first - 1] <= tolerance) & (told.end[last] <= tolerance) & (last > first)
+    on_path = (against.end[first - 1] <= tolerance) & (against.end[last] <= tolerance) & (last > first)
     run = np.repeat(np.arange(len(first)), last - first)  # all but the last block of each way end off the path
     row = np.arange(len(run)) - np.repeat(np.cumsum(last - first) - (last - first), last - first) + first[run]
     height = ((places[row] - places[first[run] - 1]) * axis[first[run] - 1]).sum(axis=1)
@@ -205,37 +205,37 @@ def _own_ways(told: AgainstPath, places: Floats, axis: Floats, tolerance: float)
 
 
 def _findings(
-    program: Program, told: AgainstPath, own: Bools, path: CLPath, tolerance: float, axis_tolerance: float
+    program: Program, against: AgainstPath, own: Bools, path: CLPath, tolerance: float, axis_tolerance: float
 ) -> tuple[Finding, ...]:
-    ends = told.end > tolerance
-    between = ~ends & (told.off > tolerance) & ~np.append(False, ends[:-1])[: len(ends)]
+    ends = against.end > tolerance
+    between = ~ends & (against.off > tolerance) & ~np.append(False, ends[:-1])[: len(ends)]
     found = []
     between &= ~own
-    off = np.flatnonzero((told.off > tolerance) & ~between & ~own)
+    off = np.flatnonzero((against.off > tolerance) & ~between & ~own)
     if len(off):
-        found.append(_place_finding(program, told, off, "off-cl-path", _ends_text(told, ends), tolerance))
+        found.append(_place_finding(program, against, off, "off-cl-path", _ends_text(against, ends), tolerance))
     if between.any():
         text = say(
             "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Divide blocks "
             "({linearize}).",
             linearize=Choice("linearize", ("on",)),
         )
-        found.append(_place_finding(program, told, np.flatnonzero(between), "between-cl-rows", text, tolerance))
+        found.append(_place_finding(program, against, np.flatnonzero(between), "between-cl-rows", text, tolerance))
     if own.any():
         text = say("leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.")
-        found.append(_place_finding(program, told, np.flatnonzero(own), "way-not-in-cl-path", text, tolerance, Severity.NOTE))
-    leaning = np.flatnonzero((told.axis > axis_tolerance) & (told.end <= max(100.0 * tolerance, 1.0)))
+        found.append(_place_finding(program, against, np.flatnonzero(own), "way-not-in-cl-path", text, tolerance, Severity.NOTE))
+    leaning = np.flatnonzero((against.axis > axis_tolerance) & (against.end <= max(100.0 * tolerance, 1.0)))
     if len(leaning):
-        found.append(_axis_finding(program, told, leaning, axis_tolerance))
-    if len(told.missed):
-        found.append(_missed_finding(told, path, tolerance))
+        found.append(_axis_finding(program, against, leaning, axis_tolerance))
+    if len(against.missed):
+        found.append(_missed_finding(against, path, tolerance))
     return tuple(found)
 
 
-def _ends_text(told: AgainstPath, ends: Bools) -> Sentence:
+def _ends_text(against: AgainstPath, ends: Bools) -> Sentence:
     if ends.mean() < ALL_ALIKE:
         return say("leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts.")
-    off = np.percentile(told.end, (5, 95))
+    off = np.percentile(against.end, (5, 95))
     return say(
         "are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or "
         "tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.",
@@ -248,30 +248,30 @@ def _ends_text(told: AgainstPath, ends: Bools) -> Sentence:
 
 
 def _place_finding(
-    program: Program, told: AgainstPath, at: Ints, code: str, text: str, tolerance: float, severity: Severity = Severity.ERROR
+    program: Program, against: AgainstPath, at: Ints, code: str, text: str, tolerance: float, severity: Severity = Severity.ERROR
 ) -> Finding:
-    worst = int(at[told.off[at].argmax()])
-    row = int(told.block[worst])
+    worst = int(at[against.off[at].argmax()])
+    row = int(against.block[worst])
     whole = plural(
         len(at),
         "1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first "
         "NC line {first}.",
         "{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.",
-        all=len(told.block),
+        all=len(against.block),
         what=text,
         line=program.line[row],
-        off=Length(told.off[worst], ".5g"),
+        off=Length(against.off[worst], ".5g"),
         tolerance=Length(tolerance),
-        first=program.line[told.block[at[0]]],
+        first=program.line[against.block[at[0]]],
     )
-    x, y, z = told.place[worst].tolist()
-    value, line = float(told.off[worst]), int(program.line[row])
+    x, y, z = against.place[worst].tolist()
+    value, line = float(against.off[worst]), int(program.line[row])
     return Finding(severity, code, whole, value, tolerance, "mm", row, line, (x, y, z))
 
 
-def _axis_finding(program: Program, told: AgainstPath, at: Ints, tolerance: float) -> Finding:
-    worst = int(at[told.axis[at].argmax()])
-    row, lean = int(told.block[worst]), math.degrees(told.axis[worst])
+def _axis_finding(program: Program, against: AgainstPath, at: Ints, tolerance: float) -> Finding:
+    worst = int(at[against.axis[at].argmax()])
+    row, lean = int(against.block[worst]), math.degrees(against.axis[worst])
     text = say(
         "At the end of {count} feed blocks the tool does not stand as the CL path says: worst NC line {line},"
         " by {lean} ({tolerance} allowed); first NC line {first}. Are signs, order and zeros of the "
@@ -280,25 +280,25 @@ def _axis_finding(program: Program, told: AgainstPath, at: Ints, tolerance: floa
         line=program.line[row],
         lean=Angle(lean, ".4g"),
         tolerance=Angle(math.degrees(tolerance)),
-        first=program.line[told.block[at[0]]],
+        first=program.line[against.block[at[0]]],
     )
     line = int(program.line[row])
     return Finding(Severity.ERROR, "axis-off-cl-path", text, lean, math.degrees(tolerance), "deg", row, line)
 
 
-def _missed_finding(told: AgainstPath, path: CLPath, tolerance: float) -> Finding:
-    worst, first = int(told.distance.argmax()), int(told.missed[0])
+def _missed_finding(against: AgainstPath, path: CLPath, tolerance: float) -> Finding:
+    worst, first = int(against.distance.argmax()), int(against.missed[0])
     text = say(
         "{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first "
         "is row {first} of {all}, the farthest row {missed}, {distance} off. Is the program whole, and "
         "made from this file?",
-        count=len(told.missed),
+        count=len(against.missed),
         tolerance=Length(tolerance),
         first=first + 1,
         all=len(path.tip),
-        missed=told.missed[worst] + 1,
-        distance=Length(told.distance[worst], ".4g"),
+        missed=against.missed[worst] + 1,
+        distance=Length(against.distance[worst], ".4g"),
     )
-    x, y, z = path.tip[told.missed[worst]].tolist()
-    value = float(told.distance[worst]) if math.isfinite(told.distance[worst]) else None
+    x, y, z = path.tip[against.missed[worst]].tolist()
+    value = float(against.distance[worst]) if math.isfinite(against.distance[worst]) else None
     return Finding(Severity.ERROR, "cl-rows-missed", text, value, tolerance, "mm", None, None, (x, y, z))

@@ -102,14 +102,14 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
         commanded, most = float(rates.rate[worst, k] * DEGREES[k]), float(kinematics.rate[k] * DEGREES[k])
         unit = "mm/min" if k < 3 else "deg/min"
         text = say(
-            "{blocks} more of {letter} than it can: at most NC line {line}, {asked}, {share} times its "
+            "{blocks} more of {letter} than it can: at most NC line {line}, {commanded_rate}, {share} times its "
             "maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. "
             "Give a lower F there, or inverse time (G93) made for this machine, as {post} does.",
             post=Task("post"),
             blocks=_blocks(rows),
             letter=letter,
             line=program.line[worst],
-            asked=measure(commanded, unit, ".5g"),
+            commanded_rate=measure(commanded, unit, ".5g"),
             share=Number(commanded / most, ".4g"),
             most=measure(most, unit, ".5g", bare=True),
             first=program.line[rows[0]],

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.tool.body import Body
 
 from .against_part import AgainstPart, against_part
 
-ASKED = say(
+REMEDY = say(
     "Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? If they are, the part "
     "is spoilt.",
     cutter=Option("cutter"),
@@ -40,7 +40,7 @@ def tool_in_part(
     never below 0, ``clearance`` not known (NaN) and ``place`` that of the part's deepest point.
     """
     check = check_program(mesh, body, kinematics, program, tolerance, progress=progress, remedy="", rapids=rapids)
-    findings = _asked(check.findings)
+    findings = _with_remedy(check.findings)
     if is_ball(cutter):
         return replace(against_part(kinematics, program, mesh, cutter.radius, tolerance, progress), findings=findings)
     rows, entries = feed_blocks(program), check.cutter
@@ -53,9 +53,9 @@ def is_ball(cutter: Cutter) -> bool:
     return cutter.ring == 0.0 and cutter.taper == 0.0
 
 
-def _asked(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
+def _with_remedy(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """The first of them asks whether part and program belong together; not where the tool enters on no commanded way."""
     if not findings or findings[0].code == INDEPENDENT_RAPID:
         return findings
     first, *others = findings
-    return (replace(first, text=joined((first.text, ASKED))), *others)
+    return (replace(first, text=joined((first.text, REMEDY))), *others)

@@ -35,7 +35,7 @@ FAR_LARGER = 12.0
 """A program that feeds so many times as far as the part is long does not mill it."""
 FEWEST = 10
 """Steps of each file that sizes are compared by."""
-SAID_INCHES = re.compile(
+IN_INCHES = re.compile(
     rb"(?<![A-Za-z0-9_])G0*(?:20|70|700)(?![0-9.])|^[^;\n]*BEGIN PGM [^\n]* INCH", re.IGNORECASE | re.MULTILINE
 )
 """Words that say inches: ISO, Siemens, klartext."""
@@ -63,14 +63,14 @@ def units_of_steps(program: Program, path: CLPath) -> tuple[Finding, ...]:
     """The same where the machine is not known: by the steps during which nothing turns, which every machine makes as they are."""
     feeds = feed_blocks(program)
     still = ~(np.diff(program.words[:, 3:], axis=0) != 0.0).any(axis=1)
-    made = np.linalg.norm(np.diff(program.words[:, :3], axis=0), axis=1)[feeds - 1][still[feeds - 1]]
+    moved = np.linalg.norm(np.diff(program.words[:, :3], axis=0), axis=1)[feeds - 1][still[feeds - 1]]
     held = (np.linalg.norm(np.diff(path.axis, axis=0), axis=1) < 1e-9) & (path.motion[1:] != Motion.RAPID)
-    asked = np.linalg.norm(np.diff(path.tip, axis=0), axis=1)[held]
-    made, asked = made[made > 0.0], asked[asked > 0.0]
+    wanted = np.linalg.norm(np.diff(path.tip, axis=0), axis=1)[held]
+    moved, wanted = moved[moved > 0.0], wanted[wanted > 0.0]
     found = radians_by_axis(program, path)
-    if min(len(made), len(asked)) < FEWEST:
+    if min(len(moved), len(wanted)) < FEWEST:
         return found
-    return (*found, *_apart(float(np.median(made)), float(np.median(asked))))
+    return (*found, *_apart(float(np.median(moved)), float(np.median(wanted))))
 
 
 def _size(place: Floats) -> float:
@@ -135,22 +135,22 @@ def radians_by_axis(program: Program, path: CLPath) -> tuple[Finding, ...]:
     if program.guided is not None or not _could_be_radians(program) or not len(feeds) or not len(axis):
         return ()
     turned = float(np.ptp(program.words[feeds, 3:], axis=0).sum())
-    asked = 2.0 * float(np.degrees(np.arcsin(min(np.linalg.norm(axis - axis[0], axis=1).max() / 2.0, 1.0))))
-    if not 1.05 * turned + 1.0 < asked <= 1.05 * np.degrees(turned) + 1.0:
+    wanted = 2.0 * float(np.degrees(np.arcsin(min(np.linalg.norm(axis - axis[0], axis=1).max() / 2.0, 1.0))))
+    if not 1.05 * turned + 1.0 < wanted <= 1.05 * np.degrees(turned) + 1.0:
         return ()
     text = say(
-        "The tool axis of the CL path turns by {asked}, the rotary words by {turned} in all: no degrees, but radians would do. "
+        "The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. "
         "Have the post write degrees.",
-        asked=Angle(asked, ".4g"),
+        wanted=Angle(wanted, ".4g"),
         turned=Number(turned, ".4g"),
     )
-    return (Finding(Severity.WARNING, CODE, text, turned, asked, "deg", line=int(program.line[feeds[0]])),)
+    return (Finding(Severity.WARNING, CODE, text, turned, wanted, "deg", line=int(program.line[feeds[0]])),)
 
 
 def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding, ...]:
     """By travels beyond what the machine has, in a program that says inches."""
     feeds = feed_blocks(program)
-    if not len(feeds) or program.guided is not None or not SAID_INCHES.search(REMARK.sub(b"", text)):
+    if not len(feeds) or program.guided is not None or not IN_INCHES.search(REMARK.sub(b"", text)):
         return ()
     goes, has = np.ptp(program.words[feeds, :3], axis=0), np.asarray(kinematics.high[:3] - kinematics.low[:3], float)
     if not (goes > has).any() or (goes > INCH * has).any():

@@ -54,8 +54,8 @@ def read_bytes(path: PathName, what: str) -> bytes:
     _check_name(path)
     try:
         with open_file(path) as file:
-            told = say("{what} {path}: its bytes", what=what, path=os.fspath(path))
-            check_memory(os.fstat(file.fileno()).st_size, told, say("give a smaller file, or free memory"))
+            label = say("{what} {path}: its bytes", what=what, path=os.fspath(path))
+            check_memory(os.fstat(file.fileno()).st_size, label, say("give a smaller file, or free memory"))
             return file.read()
     except FileError:
         raise

@@ -44,13 +44,13 @@ def freeze(record: object, rows: int | None, **columns: str) -> None:
 
 def take_rows(table: Floats, rows: Ints) -> Floats:
     """Rows (k,) of a long ``table`` (n, w), in Fortran order: column by column, at memory speed."""
-    columns, made = np.ascontiguousarray(table.T), np.empty((table.shape[1], len(rows)), table.dtype)
+    columns, taken = np.ascontiguousarray(table.T), np.empty((table.shape[1], len(rows)), table.dtype)
 
     def fill(part: slice) -> None:
-        made[:, part] = columns.take(rows[part], axis=1)
+        taken[:, part] = columns.take(rows[part], axis=1)
 
     in_threads(fill, chunks(len(rows)))
-    return made.T
+    return taken.T
 
 
 def run_ids(count: Ints) -> Ints:

@@ -189,9 +189,9 @@ class Sentence(str):
     translated: bool
 
     def __new__(cls, template: str, values: Mapping[str, Any], translated: bool = True) -> Sentence:
-        made = super().__new__(cls, template.format_map({name: str(value) for name, value in values.items()}))
-        made.template, made.values, made.translated = template, values, translated
-        return made
+        sentence = super().__new__(cls, template.format_map({name: str(value) for name, value in values.items()}))
+        sentence.template, sentence.values, sentence.translated = template, values, translated
+        return sentence
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Sentence, (self.template, self.values, self.translated)

@@ -49,28 +49,28 @@ def spread(
     ``progress`` gets ``stage`` and the share that is done, by ``weights`` (none: all alike). Raises what a task or progress
     raises, and SettingsError where the executor gives back anything but a task's own result or its workers die.
     """
-    told = _TaskProgress(progress, stage, weights or [1.0] * len(tasks))
-    told(0.0)
+    overall = _TaskProgress(progress, stage, weights or [1.0] * len(tasks))
+    overall(0.0)
     if executor is None:
-        return [told.end(at, work(common, task, told.within(at))) for at, task in enumerate(tasks)]
+        return [overall.end(at, work(common, task, overall.within(at))) for at, task in enumerate(tasks)]
     results: dict[int, R] = {}
     shared = Shared(common)
     given = _Given(executor, work, shared, tasks)
     try:
         for at in range(len(tasks)):
             given.submit(at)
-            told(0.0)
+            overall(0.0)
         while given.todo:
             future = given.next_ended()
             if future is None:
-                told.hear(given.todo)
+                overall.hear(given.todo)
                 continue
             result = _own_result(future, at := given.todo.pop(future))
             if isinstance(result, Lost):
                 shared.send_bytes()
                 given.submit(at)
             else:
-                results[at] = told.end(at, result)
+                results[at] = overall.end(at, result)
     finally:
         shared.stopped = bool(given.todo)
         shared.close()
@@ -113,11 +113,11 @@ class _TaskProgress:
 
     def __init__(self, progress: Progress, stage: str, weights: Sequence[float]) -> None:
         self._progress, self._stage, self._weights = progress, stage, weights
-        self._all, self._done, self._told = sum(weights), 0.0, 0.0
+        self._all, self._done, self._reported = sum(weights), 0.0, 0.0
 
     def __call__(self, more: float) -> None:
-        self._told = max(self._told, min((self._done + more) / self._all, 1.0) if self._all else 1.0)
-        self._progress(self._stage, self._told)
+        self._reported = max(self._reported, min((self._done + more) / self._all, 1.0) if self._all else 1.0)
+        self._progress(self._stage, self._reported)
 
     def hear(self, todo: Mapping[Future[Any], int]) -> None:
         """Tell how far the tasks are that have not ended, as far as their futures know it."""

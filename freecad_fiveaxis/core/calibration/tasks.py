@@ -104,9 +104,9 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
         found = recover(path, program, start, setup, printed_axis_step(apt), Path(output).stem, progress)
     except ProgramError as refused:
         raise _with_cause(refused, units) from refused
-    told = units + recovery_findings(found, settings.recover.certainty)
+    verdicts = units + recovery_findings(found, settings.recover.certainty)
     machine = replace(found.machine, controller=dialect.name, description=_description(settings, found))
-    found = replace(found, machine=machine, findings=path.findings + read_as + program.findings + told)
+    found = replace(found, machine=machine, findings=path.findings + read_as + program.findings + verdicts)
     return Recovered(settings, found, found.findings)
 
 
@@ -212,6 +212,6 @@ def write_outputs(done: Work) -> list[str]:
     assert target  # checked before the work
     if isinstance(done, Recovered):
         check_new(target)
-    made = done.nc if isinstance(done, Proof) else machine_bytes(done.found.machine)
-    write_all({target: made, **files})
+    content = done.nc if isinstance(done, Proof) else machine_bytes(done.found.machine)
+    write_all({target: content, **files})
     return [target, *files]

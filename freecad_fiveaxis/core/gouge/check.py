@@ -42,7 +42,7 @@ GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collisio
 LIFT, TILT = Choice("gouge", ("lift", "leave-out")), Choice("gouge", ("tilt", "leave-out"))
 DIVIDE = Choice("linearize", ("on",))
 """What helps, as the user asks for it."""
-SAID = {
+WITH_REMEDY = {
     OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
     RAPID_COLLISION: Template(
         "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
@@ -55,7 +55,7 @@ SAID = {
 }
 
 PLAIN = {
-    OVERCUT: SAID[OVERCUT],
+    OVERCUT: WITH_REMEDY[OVERCUT],
     RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
     HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
 }
@@ -174,14 +174,14 @@ def _spots(
         x, y, z = entries.place[block].tolist()
         amount: Length | Sentence = Length(depth[block], ".4g")
         amount = say("at least {depth}", depth=amount) if depth[block] >= whole else amount
-        said = (SAID if remedy else PLAIN)[code].say(
+        sentence = (WITH_REMEDY if remedy else PLAIN)[code].say(
             depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
         )
-        said = joined((said, remedy if code == OVERCUT else ""))
+        sentence = joined((sentence, remedy if code == OVERCUT else ""))
         if k == 0 and blocks > 1:
-            said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
-        told, line = where(block)
-        found.append(Finding(Severity.ERROR, code, said, float(depth[block]), tolerance, "mm", told, line, (x, y, z)))
+            sentence += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
+        row, line = where(block)
+        found.append(Finding(Severity.ERROR, code, sentence, float(depth[block]), tolerance, "mm", row, line, (x, y, z)))
     return found
 
 
@@ -190,11 +190,11 @@ def _buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, .
     if not len(rows):
         return ()
     x, y, z = swept.pose(rows[:1], np.zeros(1)).tip[:, 0].tolist()
-    told, line = where(int(rows[0]))
+    row, line = where(int(rows[0]))
     text = say(
         "In {count} blocks the whole cutter is inside the part, the first at {place}. Check the work zero and"
         " the units of the part.",
         count=len(rows),
         place=Point((x, y, z), ".6g"),
     )
-    return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", told, line, (x, y, z)),)
+    return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", row, line, (x, y, z)),)

@@ -104,7 +104,7 @@ def _none(name: str, tolerance: float, opposite: bool) -> Sentence:
 
 def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bool) -> tuple[Finding, ...]:
     areas = mesh.area
-    area, whole, asked = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
+    area, whole, wanted = float(areas[chosen].sum()), float(areas.sum()), float(faces.area.sum())
     words = MACHINED if machined else AVOIDED
     text = words.say(
         count=int(chosen.sum()),
@@ -113,14 +113,14 @@ def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bo
         name=name,
         gouge=Option("gouge"),
     )
-    said = [Finding(Severity.NOTE, "faces-chosen" if machined else "faces-avoided", text, area, unit="mm2")]
-    if area < (1.0 - MISSED) * asked:
+    reports = [Finding(Severity.NOTE, "faces-chosen" if machined else "faces-avoided", text, area, unit="mm2")]
+    if area < (1.0 - MISSED) * wanted:
         text = say(
-            "{name} has {asked}, but only {area} of the part lie on it. Export the faces from the same solid, "
+            "{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same solid, "
             "with as fine facets, or raise the tolerance.",
             name=name,
-            asked=Area(asked, ".6g"),
+            wanted=Area(wanted, ".6g"),
             area=Area(area, ".6g"),
         )
-        said.append(Finding(Severity.WARNING, "faces-missed", text, asked - area, MISSED * asked, "mm2"))
-    return tuple(said)
+        reports.append(Finding(Severity.WARNING, "faces-missed", text, wanted - area, MISSED * wanted, "mm2"))
+    return tuple(reports)

@@ -81,13 +81,13 @@ def check_fixtures(
     found: list[Finding] = []
     for fixture in fixtures:
         check = check_program(fixture.mesh, body, kinematics, program, tolerance, back, progress, "", rapids)
-        told = [*_entering(fixture, check, program, tolerance), *_unproven(fixture, check, program, tolerance)]
+        new = [*_entering(fixture, check, program, tolerance), *_unproven(fixture, check, program, tolerance)]
         near = find_nearest(
-            body, clearance if not told else 0.0, fixture.mesh, kinematics, program, tolerance, back, progress, rapids
+            body, clearance if not new else 0.0, fixture.mesh, kinematics, program, tolerance, back, progress, rapids
         )
         if near is not None:
-            told.append(near_finding(FIXTURE_NEAR, fixture.name, near, clearance, Point(near.place)))
-        found += told
+            new.append(near_finding(FIXTURE_NEAR, fixture.name, near, clearance, Point(near.place)))
+        found += new
     return tuple(found)
 
 

@@ -124,14 +124,14 @@ def _against_bodies(given: InMachine, program: Program, tolerance: float, progre
         moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
         check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)
-        told = [*_entering(body.name, body.name, check, given, program, tolerance)]
-        told += _unproven(body.name, check, program, tolerance)
-        asked = 0.0 if told else body.clearance or given.clearance
-        near = find_nearest(stack, asked, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids)
+        new = [*_entering(body.name, body.name, check, given, program, tolerance)]
+        new += _unproven(body.name, check, program, tolerance)
+        wanted = 0.0 if new else body.clearance or given.clearance
+        near = find_nearest(stack, wanted, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids)
         if near is not None:
             at, place = _places(near, given, program)
-            told.append(near_finding(MACHINE_NEAR, body.name, near._replace(place=place), asked, at))
-        yield from told
+            new.append(near_finding(MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
+        yield from new
 
 
 def _against_part(

@@ -74,20 +74,20 @@ def obstacles(
 
     def enters_with(part: int) -> Callable[[Ints], Bools]:
         def hit(rows: Ints) -> Bools:
-            hits, asked = np.zeros(len(rows), np.bool_), ~above[rows]
-            hits[asked] = enters(body.only(part), tree, tip[rows[asked]], axis[rows[asked]], reacher.limit)
+            hits, low = np.zeros(len(rows), np.bool_), ~above[rows]
+            hits[low] = enters(body.only(part), tree, tip[rows[low]], axis[rows[low]], reacher.limit)
             return hits
 
         return hit
 
-    asked: tuple[tuple[Obstacle, Callable[[Ints], Bools]], ...] = (
+    checks: tuple[tuple[Obstacle, Callable[[Ints], Bools]], ...] = (
         (Obstacle.LIMITS, lambda rows: ~within_limits(reacher, axis[rows])),
         (Obstacle.TABLE, lambda rows: is_below(body, tip[rows], axis[rows], reacher.table, reacher.limit)),
         (Obstacle.CUTTER, enters_with(CUTTER)),
         (Obstacle.SHANK, enters_with(SHANK)),
         (Obstacle.HOLDER, enters_with(HOLDER)),
     )
-    for obstacle, hit in asked:
+    for obstacle, hit in checks:
         rows = np.flatnonzero(met == Obstacle.NONE)
         met[rows[hit(rows)]] = obstacle
     return met

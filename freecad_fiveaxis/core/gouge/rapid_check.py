@@ -68,11 +68,11 @@ def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids:
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
         x, y, z = ways.place[block].tolist()
         depth, line = float(ways.depth[block]), int(program.line[block + 1])
-        said = ENTERS[rapids].say(part=PARTS[int(ways.part[block])], depth=Length(depth, ".3g"), at=Point((x, y, z), ".4g"))
+        text = ENTERS[rapids].say(part=PARTS[int(ways.part[block])], depth=Length(depth, ".3g"), at=Point((x, y, z), ".4g"))
         if k == 0 and blocks > 1:
-            said += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
-        said = joined((said, REMEDY))
-        found.append(Finding(Severity.ERROR, INDEPENDENT_RAPID, said, depth, tolerance, "mm", block + 1, line, (x, y, z)))
+            text += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
+        text = joined((text, REMEDY))
+        found.append(Finding(Severity.ERROR, INDEPENDENT_RAPID, text, depth, tolerance, "mm", block + 1, line, (x, y, z)))
     return (*found, *_unproven(ways, program, tolerance))
 
 
@@ -91,5 +91,5 @@ def _unproven(ways: WayEntries, program: Program, tolerance: float) -> tuple[Fin
         "NC line {line}; it enters by no more than {bound}.",
         count=len(rows), line=line, bound=Length(bound, ".3g"),
     )  # fmt: skip
-    said = joined((text, REMEDY))
-    return (Finding(Severity.WARNING, UNPROVEN_RAPID, said, bound, tolerance, "mm", int(rows[0]) + 1, line),)
+    text = joined((text, REMEDY))
+    return (Finding(Severity.WARNING, UNPROVEN_RAPID, text, bound, tolerance, "mm", int(rows[0]) + 1, line),)

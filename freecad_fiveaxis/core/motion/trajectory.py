@@ -269,26 +269,26 @@ def tip_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) ->
     ``start``, ``end`` (m, 5): the words at u = 0 and u = 1, mm and **degrees**.
     """
     frame = frames(kinematics)
-    move, at_u = _laid_out(frame, start, end, u)
+    move, at_u = _broadcast(frame, start, end, u)
     return _rows(to_work(frame, tip(frame, at(move, at_u))), move, at_u)
 
 
 def axis_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
     """The real unit tool axis, work frame; shapes as in :func:`tip_at`."""
     frame = frames(kinematics)
-    move, at_u = _laid_out(frame, start, end, u)
+    move, at_u = _broadcast(frame, start, end, u)
     return _rows(to_work(frame, axis(frame, at(move, at_u))), move, at_u)
 
 
 def tip_derivatives_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> tuple[Floats, Floats, Floats]:
     """The real tip and its first and second derivative by u, work frame, mm; shapes as in :func:`tip_at`."""
     frame = frames(kinematics)
-    move, at_u = _laid_out(frame, start, end, u)
+    move, at_u = _broadcast(frame, start, end, u)
     p, first, second = (_rows(to_work(frame, v), move, at_u) for v in derivatives(frame, move, at_u))
     return p, first, second
 
 
-def _laid_out(frame: Frames, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> tuple[Motion, Floats]:
+def _broadcast(frame: Frames, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> tuple[Motion, Floats]:
     first, last, at_u = np.asarray(start, float), np.asarray(end, float), np.asarray(u, float)
     move = motion(frame, first, last)
     return (move.take((slice(None), None)) if at_u.ndim == 2 else move), at_u

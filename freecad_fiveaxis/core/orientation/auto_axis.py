@@ -63,11 +63,11 @@ class Contacts:
     normal: Floats
     fits: Bools
 
-    def free(self, axis: Floats, asked: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
-        """Whether the contacts ``asked`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
-        rows = np.flatnonzero((asked & self.all_fit)[self.contact])
+    def free(self, axis: Floats, wanted: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
+        """Whether the contacts ``wanted`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
+        rows = np.flatnonzero((wanted & self.all_fit)[self.contact])
         into = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < -math.sin(reacher.cutter.undercut)]  # leans in
-        good = asked & self.all_fit
+        good = wanted & self.all_fit
         good[self.contact[into]] = False
         for part in (self.leads, ~self.leads):  # where the first row is not free the others need not be asked
             rows = np.flatnonzero(part & good[self.contact])
@@ -142,10 +142,10 @@ def refine_field(
         return field
     contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
     each = np.arange(len(contacts.first))
-    asked = contacts.all_fit & (each % max(1, len(each) // SOME) == 0)
+    wanted = contacts.all_fit & (each % max(1, len(each) // SOME) == 0)
     axis = np.zeros((len(each), 3))
-    axis[asked] = field.at(contacts.point[asked], contacts.mean[asked], progress)
-    rows = np.flatnonzero(asked & ~contacts.free(axis, asked, long, tree, progress))
+    axis[wanted] = field.at(contacts.point[wanted], contacts.mean[wanted], progress)
+    rows = np.flatnonzero(wanted & ~contacts.free(axis, wanted, long, tree, progress))
     if not len(rows):
         return field
     rows = rows[:: max(1, -(-len(rows) // MORE))]
@@ -213,7 +213,7 @@ def _pulled(
     field: AxisField, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
 ) -> tuple[Floats, Bools]:
     """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes, and what is free."""
-    found, free, asked, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
+    found, free, wanted, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
     if not len(out):
         return found, free
     node, _ = field.near(contacts.point[out], contacts.mean[out])
@@ -222,11 +222,11 @@ def _pulled(
         left, near, tried = out[still], column[still], axis.copy()
         tried[left], _ = nearest_free(axis[left], field.nodes.normal[near], field.freedom.of(near))
         left = left[
-            ~np.any([(one[left] == tried[left]).all(axis=1) for one in asked], axis=0)
+            ~np.any([(one[left] == tried[left]).all(axis=1) for one in wanted], axis=0)
         ]  # nodes side by side: one direction
         freed = contacts.free(tried, np.isin(np.arange(len(free)), left), reacher, tree, progress)
         found[freed], free[freed] = tried[freed], True
-        asked.append(tried)
+        wanted.append(tried)
     return found, free
 
 

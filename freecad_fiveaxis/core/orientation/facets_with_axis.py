@@ -41,7 +41,7 @@ from .axis_field import (
 NEAREST = 6
 """Nodes whose mean a contact takes."""
 
-ASKED = 16384
+BATCH = 16384
 """Points that are asked for an axis at a time."""
 
 ABOUT = 3
@@ -83,7 +83,7 @@ class AxisField:
             return unit((self.axis[node] * weight[:, :, None]).sum(axis=1))
 
         rows, tree = self._tree()
-        parts = batches(len(point), ASKED)
+        parts = batches(len(point), BATCH)
         found = in_threads(mean, parts, lambda share: progress("axis field", share))
         return np.concatenate(found) if parts else np.empty((0, 3))
 

@@ -77,8 +77,8 @@ def find_frames(
     frames = Frames(axis, places.point, places.normal, assign(free, places, axis), places.spacing)
     elsewhere = np.zeros(len(free), np.bool_)
     elsewhere[rest] = looked.free.any(axis=1)
-    said = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _report_frames(frames))
-    return frames, _facets_seen(frames, places, mesh, keep), said
+    reports = (*left_out, *_unseen(frames, elsewhere, mesh, keep, count), _report_frames(frames))
+    return frames, _facets_seen(frames, places, mesh, keep), reports
 
 
 def _cover_of(nodes: Nodes, freedom: Freedom, most: int, least: float | None = None) -> Ints:

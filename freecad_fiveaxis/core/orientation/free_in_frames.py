@@ -46,20 +46,20 @@ def by_frame(path: OffsetPath, frames: Frames, frame: Ints, to_and_fro: bool) ->
     """Give the polylines of ``path`` frame by frame and the axes (n, 3) of their rows; ``to_and_fro``: those of a frame in an
     order that spares way, where there is one."""
     own = frame[path.pass_]
-    made = [take_path_rows(path, np.flatnonzero(own == number)) for number in np.unique(own)]
+    pieces = [take_path_rows(path, np.flatnonzero(own == number)) for number in np.unique(own)]
     axes = [
-        np.repeat(frames.axis[number][None], len(one.point), axis=0) for number, one in zip(np.unique(own), made, strict=True)
+        np.repeat(frames.axis[number][None], len(one.point), axis=0) for number, one in zip(np.unique(own), pieces, strict=True)
     ]
     if to_and_fro:
-        made = [order_with_axes(one, axis)[0] for one, axis in zip(made, axes, strict=True)]
-    return _one_after_the_other(path, made), np.concatenate(axes)
+        pieces = [order_with_axes(one, axis)[0] for one, axis in zip(pieces, axes, strict=True)]
+    return _one_after_the_other(path, pieces), np.concatenate(axes)
 
 
-def _one_after_the_other(path: OffsetPath, made: list[OffsetPath]) -> OffsetPath:
+def _one_after_the_other(path: OffsetPath, pieces: list[OffsetPath]) -> OffsetPath:
     """Paths as one, their polylines counted on."""
-    columns = {name: np.concatenate([getattr(one, name) for one in made]) for name in ROW_COLUMNS}
-    counts = [one.polyline.max(initial=-1) + 1 for one in made]
-    before = np.repeat(np.cumsum([0, *counts[:-1]]), [len(one.point) for one in made])
+    columns = {name: np.concatenate([getattr(one, name) for one in pieces]) for name in ROW_COLUMNS}
+    counts = [one.polyline.max(initial=-1) + 1 for one in pieces]
+    before = np.repeat(np.cumsum([0, *counts[:-1]]), [len(one.point) for one in pieces])
     return OffsetPath(**columns | {"polyline": columns["polyline"] + before}, findings=path.findings)
 
 

@@ -36,12 +36,12 @@ ROUNDS = 2
 
 
 def find_blocked_turns(
-    path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent, asked: Bools | None = None
+    path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent, chosen: Bools | None = None
 ) -> Bools:
     """Find the rows (n,) that the tool comes to through the part while its axis (n, 3) turns evenly from the row before; of rows
-    that are not ``asked`` (n,) none, None: all are."""
+    that are not ``chosen`` (n,) none, None: all are."""
     blocked, cosine = np.zeros(len(axis), np.bool_), (axis[1:] * axis[:-1]).sum(axis=1)
-    turning = (np.diff(path.polyline) == 0) & (True if asked is None else asked[1:])
+    turning = (np.diff(path.polyline) == 0) & (True if chosen is None else chosen[1:])
     turn = np.where(turning, np.arccos(np.clip(cosine, -1.0, 1.0)), 0.0)
     pieces = np.ones(len(axis), np.int64)
     pieces[1:][turn > TURN] = np.clip(np.ceil(turn[turn > TURN] / STEP), 2, MOST)

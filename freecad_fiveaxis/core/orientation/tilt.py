@@ -99,13 +99,13 @@ def tilt_free(
     turned: Bools = np.asarray(offset.any(axis=1))
     beside = turned | np.append(False, turned[:-1]) | np.append(turned[1:], False)
     kept = np.flatnonzero(beside | np.append(row[1:] != row[:-1], True))
-    fine, made = keep_rows(fine, kept), np.where(turned[:, None], _turned(given, offset), given)[kept]
-    fine, made, offset = (fine, made, offset[kept]) if turned.any() else (path, axis, np.zeros_like(axis))
-    swept = straight_motion(task.tips(fine, made), made, above)
+    fine, tilted = keep_rows(fine, kept), np.where(turned[:, None], _turned(given, offset), given)[kept]
+    fine, tilted, offset = (fine, tilted, offset[kept]) if turned.any() else (path, axis, np.zeros_like(axis))
+    swept = straight_motion(task.tips(fine, tilted), tilted, above)
     joined = np.flatnonzero(np.diff(fine.polyline) == 0)
     left = find_entries(body.only(SHANK, HOLDER), tree, swept, tolerance, ROUGHLY, joined)
     findings = (*path.findings, *_findings(fine, offset, left, max_tilt))
-    return replace(fine, findings=findings), made
+    return replace(fine, findings=findings), tilted
 
 
 class _Hits(NamedTuple):

@@ -34,9 +34,9 @@ class Divided(NamedTuple):
     value: Floats
 
 
-def assemble(copy: Copy, part: Mesh, made: Divided) -> Copy:
+def assemble(copy: Copy, part: Mesh, divided: Divided) -> Copy:
     """Make a copy of what a copy was divided into."""
-    return assembled(part, made.vertex[:, :3], made.face, made.label, copy.parent[made.owner])
+    return assembled(part, divided.vertex[:, :3], divided.face, divided.label, copy.parent[divided.owner])
 
 
 def divide(copy: Copy, value: Floats, levels: Floats, carried: Floats | None = None) -> Divided:

@@ -119,12 +119,12 @@ def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> C
     if spiral and found.surface is not None and len(found.levels) > 1 and (np.diff(found.levels) > 0.0).all():
         found = replace(found, value=off_levels(found.value, found.levels))
     contact = _sliced(region, found, {"order": order, "progress": region.progress})
-    made = _spirals(region, found, contact) if spiral else None
-    if made is not None:
-        contact, spirals = made
+    wound = _spirals(region, found, contact) if spiral else None
+    if wound is not None:
+        contact, spirals = wound
     if found.surface is not None:
         contact = found.surface.on_part(contact, region.mesh)
-    if made is not None:
+    if wound is not None:
         contact = merge_passes(contact, spirals)
     return order_pieces(contact) if order == "zigzag" else contact
 
@@ -147,10 +147,10 @@ def _spirals(region: Region, found: PassField, contact: ContactPath) -> tuple[Co
     if copy is None:
         copy = replace(copy_facets(region.mesh, rows), bend=BEND * region.interval)
         value = carry(copy.mesh, value[region.mesh.face[rows]])
-    made = find_spirals(region.mesh, copy, value, found.levels)
-    if made is None:
+    wound = find_spirals(region.mesh, copy, value, found.levels)
+    if wound is None:
         return None
-    spirals, face, pass_ = made
+    spirals, face, pass_ = wound
     if found.surface is None:
         face = rows[face]
     return without_loops(contact, face, pass_), spirals

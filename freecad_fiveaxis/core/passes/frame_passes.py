@@ -52,18 +52,18 @@ class FramePasses(ConstantScallop):
         region.progress("placing passes", 0.0)
         ground = survey_region(region, options)
         whole = copy_region(region, ground)
-        made = list[_Laid]()
+        fields = list[_InFrame]()
         for frame, rows in _territories(whole, region.frames, ground.flat):
             part = taken(whole, region.mesh, rows)
             region.progress("placing passes", frame / len(region.frames.axis))
             if options.within == PLANES:
-                made.append(_Laid(frame, _lay_planes(region, options, part, region.frames.axis[frame])))
+                fields.append(_InFrame(frame, _lay_planes(region, options, part, region.frames.axis[frame])))
             else:
-                made.append(_Laid(frame, _cut_whole(region, ground, part)))
-        return _one_after_the_other(made)
+                fields.append(_InFrame(frame, _cut_whole(region, ground, part)))
+        return _one_after_the_other(fields)
 
 
-class _Laid(NamedTuple):
+class _InFrame(NamedTuple):
     frame: int
     field: PassField
 
@@ -117,16 +117,16 @@ def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
     reach = OVERLAP * step
     turn = reach / ALIKE * np.asarray(mesh.normal)
     corner, middle = mesh.vertex[mesh.face[inside]].reshape(-1, 3), mesh.vertex[mesh.face[rows]].mean(axis=1)
-    place, asked = np.hstack([corner, np.repeat(turn[inside], 3, axis=0)]), np.hstack([middle, turn[rows]])
-    out[rows] = np.isfinite(cKDTree(place).query(asked, distance_upper_bound=reach)[0])
+    place, sought = np.hstack([corner, np.repeat(turn[inside], 3, axis=0)]), np.hstack([middle, turn[rows]])
+    out[rows] = np.isfinite(cKDTree(place).query(sought, distance_upper_bound=reach)[0])
     return out
 
 
-def _one_after_the_other(made: list[_Laid]) -> PassField:
+def _one_after_the_other(fields: list[_InFrame]) -> PassField:
     """The fields of frames as one: none of a frame hangs together with another's, and its levels lie behind those before it."""
-    surface, begin = made[0].field.surface, 0.0
+    surface, begin = fields[0].field.surface, 0.0
     value, levels, frame, findings = list[Floats](), list[Floats](), list[Ints](), list[Finding]()
-    for k, (number, one) in enumerate(made):
+    for k, (number, one) in enumerate(fields):
         assert one.surface is not None and surface is not None
         surface = surface if k == 0 else joined(surface, one.surface)
         value.append(one.value + begin)

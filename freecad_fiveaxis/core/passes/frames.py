@@ -29,8 +29,8 @@ class Frames:
         """The frame (m,) of points (m, 3) mm with unit normals (m, 3): of the nearest place that has one among NEAREST, else
         -1."""
         tree = cKDTree(np.concatenate([self.point, self.spacing * self.normal], axis=1))
-        asked = np.concatenate([point, self.spacing * normal], axis=1)
-        near = tree.query(asked, k=np.arange(1, min(NEAREST, len(self.frame)) + 1))[1]
+        place = np.concatenate([point, self.spacing * normal], axis=1)
+        near = tree.query(place, k=np.arange(1, min(NEAREST, len(self.frame)) + 1))[1]
         frame = self.frame[near]
         first = (frame >= 0).argmax(axis=1)
         return np.asarray(np.take_along_axis(frame, first[:, None], axis=1)[:, 0])

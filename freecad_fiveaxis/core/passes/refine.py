@@ -97,10 +97,10 @@ def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
     strip lies on the border with all of its vertices."""
     vertex, face, side, parent = np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], np.arange(len(rows))
     for _ in range(ROUNDS):
-        made = halve_long_sides(vertex, face, side, metric[:, parent], longest)
-        if made is None:
+        halved = halve_long_sides(vertex, face, side, metric[:, parent], longest)
+        if halved is None:
             break
-        vertex, face, side, owner = made
+        vertex, face, side, owner = halved
         parent = parent[owner]
     vertex, face, side, owner = _split_across(vertex, face, side)
     parent = parent[owner]
@@ -114,8 +114,8 @@ def copy_facets(part: Mesh, rows: Ints) -> Copy:
 
 def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     """Some facets (k,) of a copy as a copy of their own."""
-    made = assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
-    return replace(made, bend=copy.bend, short=copy.short)
+    halved = assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
+    return replace(halved, bend=copy.bend, short=copy.short)
 
 
 def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:

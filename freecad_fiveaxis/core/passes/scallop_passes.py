@@ -63,7 +63,7 @@ AMPLE = 1.001
 SURELY = 1.0 - 1e-12
 """Of a distance: what is so near is so by any rounding."""
 
-ASKED = 16384
+BATCH = 16384
 """Facets that are asked for gaps at a time."""
 
 DENSE = 0.2
@@ -130,13 +130,13 @@ def lay_steps(surface: Surface, curve: Floats | None) -> Floats:
 def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
     """Lay passes one unit of ``steps`` (v,) apart, a field at the vertices of the surface's copy, the pieces one after the
     other; and half-way between them where a place is left out."""
-    main = _laid(surface.copy, steps, FIRST, 0.0)
+    main = _field_from(surface.copy, steps, FIRST, 0.0)
     region.progress("placing passes", 0.8)
     gaps = _gaps(surface, steps, main, lambda share: region.progress("placing passes", 0.8 + 0.2 * share))
     if not gaps.any():
         return main
     between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
-    more = _laid(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
+    more = _field_from(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
     both = joined(surface.copy, between)
     region.progress("placing passes", 1.0)
     value, levels = np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels])
@@ -222,7 +222,7 @@ def _touching(face: Ints, chosen: Bools) -> Bools:
     return np.asarray(touched[face].any(axis=1))
 
 
-def _laid(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
+def _field_from(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
     """The field with the pieces one after the other from ``begin`` on, and the levels ``first`` beyond each whole number; of a
     piece in which there is none of those the middle."""
     pieces = int(copy.component.max(initial=-1)) + 1
@@ -266,7 +266,7 @@ def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell
     def ask(some: slice) -> Bools:
         return _left_of(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
 
-    return np.concatenate(in_threads(ask, batches(len(mesh.face), ASKED), tell))
+    return np.concatenate(in_threads(ask, batches(len(mesh.face), BATCH), tell))
 
 
 def _left_of(tree: cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:

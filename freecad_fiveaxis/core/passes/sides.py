@@ -92,9 +92,9 @@ def untouched_sides(mesh: Mesh, keep: Bools, touched: Ints, planes: Floats, angl
     number = _hanging_together(mesh, out, rows)
     area = np.bincount(number, mesh.area[rows])
     length = np.maximum(*(_extent((mesh.vertex @ way)[mesh.face[rows]], number) for way in (travel, UP)))
-    told = (area > SHARE * mesh.area[keep].sum()) & (area > WIDE * interval * length)
+    wide = (area > SHARE * mesh.area[keep].sum()) & (area > WIDE * interval * length)
     order = np.argsort(-area, kind="stable")
-    parts = [rows[number == one] for one in order[told[order]].tolist()]
+    parts = [rows[number == one] for one in order[wide[order]].tolist()]
     sides = [(part, _side(mesh, part, across)) for part in parts]
     return tuple(side for part, side in sides if not _is_strip(mesh, keep, part, side, planes, across))[:MOST]
 

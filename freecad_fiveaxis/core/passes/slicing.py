@@ -161,12 +161,12 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
         count = np.maximum(one, two) - low
         row = run_ids(count)
         plane = np.arange(len(row)) + (low + count - np.cumsum(count)).take(row)
-        made = []
+        cuts = []
         for piece in chunks(len(row)):
             at = row[piece]
             up, down = upper.take(at), lower.take(at)
-            made.append(_Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece]))
-        return made
+            cuts.append(_Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece]))
+        return cuts
 
     return [piece for pieces in in_threads(of, chunks(number)) for piece in pieces]
 

@@ -131,8 +131,8 @@ def _split_at(pieces: _Pieces, value: Floats) -> _Pieces:
     if not marked.any():
         return pieces
     top = np.where(crossed.any(axis=1), crossed.argmax(axis=1), marked[side].argmax(axis=1))
-    made = split_sides(pieces.vertex, pieces.face, pieces.label, side, marked, top, at[marked])
-    return _handed_on(pieces, *made)
+    halved = split_sides(pieces.vertex, pieces.face, pieces.label, side, marked, top, at[marked])
+    return _handed_on(pieces, *halved)
 
 
 def _handed_on(pieces: _Pieces, vertex: Floats, face: Ints, label: Ints, of: Ints) -> _Pieces:
@@ -193,10 +193,10 @@ def _finer(pieces: _Pieces, tree: cKDTree, overlap: float) -> _Pieces:
         near = tree.query(middle, distance_upper_bound=float(reach.max()) + 2.0 * overlap)[0] < reach + overlap
         metric = np.zeros((6, len(near)))
         metric[:3] = np.where(near, 1.0, FAR)
-        made = halve_long_sides(pieces.vertex, pieces.face, pieces.label, metric, FINE * overlap)
-        if made is None:
+        halved = halve_long_sides(pieces.vertex, pieces.face, pieces.label, metric, FINE * overlap)
+        if halved is None:
             break
-        pieces = _handed_on(pieces, *made)
+        pieces = _handed_on(pieces, *halved)
     return pieces
 
 

@@ -201,7 +201,7 @@ class _March:
         self._bias = 1.0  # of the prediction, learnt from the interval before
         self._planes: list[float] = []
         self._bound: list[_Step] = []  # where the least interval is larger than the scallop allows
-        self._told, self._far = 0.0, 0.0
+        self._reported, self._far = 0.0, 0.0
         _check_count(sum(high - low for low, high in strip.ranges) / self._flat, "scallop", scallop)
         self._check_samples()
 
@@ -313,19 +313,19 @@ class _March:
     def _report(self, planes: int, offset: float) -> None:
         _check_count(planes, "scallop", self._scallop)
         now = time.monotonic()
-        if now - self._told > PERIOD:
+        if now - self._reported > PERIOD:
             low, high = self._strip.ranges[0][0], self._strip.ranges[-1][1]
             self._far = max(self._far, (offset - low) / (high - low))  # a march that is repeated does not count back
             self._progress("placing planes", self._far)
-            self._told = now
+            self._reported = now
 
     def _findings(self) -> tuple[Finding, ...]:
         if not self._bound:
             return ()
         worst = max(self._bound, key=lambda step: step.height)
         x, y, z = (float(v) for v in worst.place)
-        said = BOUND_APART if worst.height > self._radius else BOUND
-        text = said.say(
+        template = BOUND_APART if worst.height > self._radius else BOUND
+        text = template.say(
             least=Length(self._least),
             count=len(self._bound),
             height=Length(worst.height, ".4g"),

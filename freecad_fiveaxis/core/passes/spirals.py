@@ -114,9 +114,9 @@ def _divided_at_loops(part: Mesh, copy: Copy, value: Floats, levels: Floats) -> 
     given in which they lie."""
     knots, number = _knots(levels)
     value = off_levels(value, levels)
-    made = divide(copy, value[copy.mesh.face], levels)
-    whole = replace(assemble(copy, part, made), bend=copy.bend)
-    return whole, carry(whole.mesh, np.interp(made.value, knots, number)), made.slab, made.owner
+    cuts = divide(copy, value[copy.mesh.face], levels)
+    whole = replace(assemble(copy, part, cuts), bend=copy.bend)
+    return whole, carry(whole.mesh, np.interp(cuts.value, knots, number)), cuts.slab, cuts.owner
 
 
 def _knots(levels: Floats) -> tuple[Floats, Floats]:
@@ -145,16 +145,16 @@ def _cut_open(part: Mesh, ring: Copy, index: Floats) -> Rings:
     """The rings, a component each, divided where turns begin and cut open there."""
     turns = find_turns(ring.mesh, ring.component, index)
     planes = np.arange(np.floor(turns.min()), np.ceil(turns.max()) + 1.0)
-    made = divide(ring, turns, planes, index[:, None])
-    share = made.value - planes[made.slab - 1][:, None]
-    face = made.face + len(made.vertex) * (share == 1.0)  # vertices at which a turn ends are others than those where one begins
-    copy = assembled(part, np.tile(made.vertex[:, :3], (2, 1)), face, made.label, ring.parent[made.owner])
+    cuts = divide(ring, turns, planes, index[:, None])
+    share = cuts.value - planes[cuts.slab - 1][:, None]
+    face = cuts.face + len(cuts.vertex) * (share == 1.0)  # vertices at which a turn ends are others than those where one begins
+    copy = assembled(part, np.tile(cuts.vertex[:, :3], (2, 1)), face, cuts.label, ring.parent[cuts.owner])
     pieces = int(ring.component.max(initial=-1)) + 1
     first, last = np.full(pieces, np.inf), np.full(pieces, -np.inf)
     np.minimum.at(first, ring.component, index)
     np.maximum.at(last, ring.component, index)
-    belongs = np.repeat(ring.component[ring.mesh.face[made.owner, 0]][:, None], 3, axis=1)
-    belongs, height, share = (carry(copy.mesh, corner) for corner in (belongs, made.vertex[made.face, 3], share))
+    belongs = np.repeat(ring.component[ring.mesh.face[cuts.owner, 0]][:, None], 3, axis=1)
+    belongs, height, share = (carry(copy.mesh, corner) for corner in (belongs, cuts.vertex[cuts.face, 3], share))
     return Rings(replace(copy, bend=ring.bend), belongs, height, share, first.astype(np.int64), last.astype(np.int64))
 
 
@@ -172,13 +172,13 @@ def _all_turns(rings: Rings) -> Turns:
         (own + over - rings.share, begin[between] + turn, between, turn + 1, False),
         (own + over, begin + loops, every, loops + 1, False),
     ]
-    made = [(slice_field(mesh, value, levels), ring, turn, back) for value, levels, ring, turn, back in fields]
-    number = [contact.pass_[_begins(contact)] for contact, *_ in made]
+    cuts = [(slice_field(mesh, value, levels), ring, turn, back) for value, levels, ring, turn, back in fields]
+    number = [contact.pass_[_begins(contact)] for contact, *_ in cuts]
     return Turns(
-        put_beside(contact for contact, *_ in made),
-        np.concatenate([ring[at] for at, (_, ring, _, _) in zip(number, made, strict=True)]),
-        np.concatenate([turn[at] for at, (_, _, turn, _) in zip(number, made, strict=True)]),
-        np.concatenate([np.full(len(at), back) for at, (*_, back) in zip(number, made, strict=True)]),
+        put_beside(contact for contact, *_ in cuts),
+        np.concatenate([ring[at] for at, (_, ring, _, _) in zip(number, cuts, strict=True)]),
+        np.concatenate([turn[at] for at, (_, _, turn, _) in zip(number, cuts, strict=True)]),
+        np.concatenate([np.full(len(at), back) for at, (*_, back) in zip(number, cuts, strict=True)]),
     )
 
 

@@ -53,11 +53,11 @@ def lay_by_slope(region: Region, options: PassOptions, division: Division) -> tu
         return lay_whole(region, options, division.steep, division.order, division.spiral)
     if not (kept & slopes.steep).any():
         return lay_whole(region, options, division.shallow, division.order, division.spiral)
-    down, said = _laid(region, options, slopes, division, steep=True)
-    flat, also = _laid(region, options, slopes, division, steep=False)
+    down, reports = _cut_strips(region, options, slopes, division, steep=True)
+    flat, also = _cut_strips(region, options, slopes, division, steep=False)
     down = _top_down(down, division.order)
     flat = replace(flat, pass_=flat.pass_ + int(down.pass_.max(initial=-1)) + 1)
-    return replace(put_beside([down, flat]), findings=(*down.findings, *flat.findings)), (*said, *also)
+    return replace(put_beside([down, flat]), findings=(*down.findings, *flat.findings)), (*reports, *also)
 
 
 def lay_whole(
@@ -69,7 +69,7 @@ def lay_whole(
     return contact, strategy.untouched(region, options, field, contact.face)
 
 
-def _laid(
+def _cut_strips(
     region: Region, options: PassOptions, slopes: Slopes, division: Division, steep: bool
 ) -> tuple[ContactPath, tuple[Finding, ...]]:
     """The passes of the one strategy on its part and the strip, and what they do not touch of its part."""
@@ -83,10 +83,10 @@ def _laid(
     field = strategy.field(part, options)
     contact = cut(part, field, division.order, division.spiral)
     mostly = replace(region, keep=_mostly(slopes, kept & own, region.keep))
-    said = strategy.untouched(mostly, options, field, np.unique(copy.parent[contact.face]))
-    said = tuple(one for one in said if not _at_rim(one, copy.mesh.vertex[copy.mesh.face[slopes.strip[rows]]], region))
+    reports = strategy.untouched(mostly, options, field, np.unique(copy.parent[contact.face]))
+    reports = tuple(one for one in reports if not _at_rim(one, copy.mesh.vertex[copy.mesh.face[slopes.strip[rows]]], region))
     contact = _without_stubs(contact, slopes.strip[rows], STUB * region.interval)
-    return replace(copy, bend=BEND * region.interval).on_part(contact, region.mesh), said
+    return replace(copy, bend=BEND * region.interval).on_part(contact, region.mesh), reports
 
 
 def _mostly(slopes: Slopes, own: Bools, keep: Bools) -> Bools:

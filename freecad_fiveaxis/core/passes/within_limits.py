@@ -235,8 +235,8 @@ def _left_out(
     largest = rows[np.argmax(area[rows])]
     x, y, z = (float(v) for v in mesh.vertex[mesh.face[largest]].mean(axis=0))
     share = Number(100.0 * lost / total, ".3g")
-    said = text.say(count=len(rows), area=Area(lost, ".6g"), share=share, **values)
-    return Finding(severity, code, said, value=lost, unit="mm2", place=(x, y, z))
+    sentence = text.say(count=len(rows), area=Area(lost, ".6g"), share=share, **values)
+    return Finding(severity, code, sentence, value=lost, unit="mm2", place=(x, y, z))
 
 
 def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: float) -> Sentence:

@@ -48,16 +48,17 @@ def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLP
     sat, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     sat, axis = bounded_by_hub(context, sat, axis)
     sat, axis = far_enough_rows(context, *left_out_rows(context, sat, axis))
-    body, retreat = kept_off(settings), find_ways_out(context, sat, axis)
-    path = link_rows(sat, axis, cutter, *context.box, options, context.progress, body, retreat)
+    path = link_rows(
+        sat, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, sat, axis)
+    )
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
         path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
     return path if sat is offset else replace(path, findings=sat.findings[len(offset.findings) :] + path.findings)
 
 
-def find_ways_out(context: MillContext, sat: OffsetPath, axis: Floats) -> Floats | None:
-    """The directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes are chosen freely, only
-    there rows are kept that it cannot leave along its axis."""
+def _retreats(context: MillContext, sat: OffsetPath, axis: Floats) -> Floats | None:
+    """Find the directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes are chosen freely,
+    only there rows are kept that it cannot leave along its axis."""
     if context.field is None and context.frames is None:
         return None
     reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)

@@ -69,7 +69,7 @@ def sheet(proof: Any) -> str:
         table(
             [
                 ["", "X", "Y", "Z"],
-                *([wording.told(text), *(length_text(part) for part in off.tolist())] for text, off in plan.foretold),
+                *([wording.told(text), *(length_text(part) for part in off.tolist())] for text, off in plan.predicted_errors),
             ]
         )
     )

@@ -47,15 +47,15 @@ def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOption
     lines = text.split(dialect.newline)
     at = dialect.first_line - 1
     before = BEFORE if plan.wishes.mark is not None else f"{BARE} - {BEFORE}"
-    made = [*lines[:at], dialect.remark(before), WAIT]
+    numbered = [*lines[:at], dialect.remark(before), WAIT]
     number = 0
     for stop in plan.stops:
-        made += lines[at : at + len(stop.q)]
+        numbered += lines[at : at + len(stop.q)]
         at += len(stop.q)
         if stop.see:
             number += 1
-            made += [dialect.remark(f"stop {number} - {_ascii(stop)}"), WAIT]
-    return dialect.newline.join(numbered_anew(dialect, [*made, *lines[at:]])).encode("ascii")
+            numbered += [dialect.remark(f"stop {number} - {_ascii(stop)}"), WAIT]
+    return dialect.newline.join(numbered_anew(dialect, [*numbered, *lines[at:]])).encode("ascii")
 
 
 def _ascii(stop: Stop) -> str:

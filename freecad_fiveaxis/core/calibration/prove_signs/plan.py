@@ -67,8 +67,8 @@ class Stop:
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """``height`` mm of the tip over the mark in the single moves, ``distance`` mm at the last stop; ``foretold``: what is wrong,
-    and where (3,) mm the tip of such a machine stands there, counted from where it should."""
+    """``height`` mm of the tip over the mark in the single moves, ``distance`` mm at the last stop; ``predicted_errors``: what is
+    wrong, and where (3,) mm the tip of such a machine stands there, counted from where it should."""
 
     machine: Machine
     kinematics: Chain
@@ -76,7 +76,7 @@ class Plan:
     stops: tuple[Stop, ...]
     height: float
     distance: float
-    foretold: tuple[tuple[str, Floats], ...]
+    predicted_errors: tuple[tuple[str, Floats], ...]
     findings: tuple[Finding, ...]
 
     @property
@@ -96,9 +96,9 @@ def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
     _check_limits(kinematics, np.concatenate([stop.q for stop in stops]))
     last = _last_pose(kinematics, wishes, both, distance)[None]
     right = forward(kinematics, last)[0][0]
-    foretold = tuple((one.text, one.reached(last)[0][0] - right) for one in wrong)
-    findings = (*_unasked(wishes), *_findings(foretold))
-    return Plan(machine, kinematics, wishes, stops, height, distance, foretold, findings)
+    predicted_errors = tuple((one.text, one.reached(last)[0][0] - right) for one in wrong)
+    findings = (*_unasked(wishes), *_findings(predicted_errors))
+    return Plan(machine, kinematics, wishes, stops, height, distance, predicted_errors, findings)
 
 
 def _turn(kinematics: Chain, k: int, angle: float) -> float:
@@ -193,9 +193,9 @@ def _stops(
         letter, change = kinematics.letters[k], np.zeros(5)
         change[k] = _travel(kinematics, k, base, wishes.travel) if k < 3 else angles[k - 3]
         other = kinematics.letters[7 - k] if k >= 3 else ""
-        said = linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
+        sentence = linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
         amount = Length(change[k], "+g") if k < 3 else Angle(math.degrees(change[k]), "+g")
-        stops.append(Stop(say("{letter} alone, {amount}", letter=letter, amount=amount), (base + change)[None], *said))
+        stops.append(Stop(say("{letter} alone, {amount}", letter=letter, amount=amount), (base + change)[None], *sentence))
         stops.append(Stop(say("{letter} back", letter=letter), base[None]))
     last, turned = _last_pose(kinematics, wishes, both, distance), base + np.array([0.0, 0.0, 0.0, *both])
     stops.append(
@@ -282,16 +282,16 @@ def _unasked(wishes: Wishes) -> list[Finding]:
     return [Finding(Severity.WARNING, "mark-not-given", text, z, None, "mm")]
 
 
-def _findings(foretold: tuple[tuple[str, Floats], ...]) -> list[Finding]:
+def _findings(predicted_errors: tuple[tuple[str, Floats], ...]) -> list[Finding]:
     found = []
-    for text, moved in foretold:
+    for text, moved in predicted_errors:
         size = float(np.linalg.norm(moved))
         if size < VISIBLE:
-            said = say(
+            sentence = say(
                 "If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops",
                 text=text,
                 size=Length(size, ".2g"),
             )
-            said += " before it, or give a --mark farther from the rotary axes or a larger --angle."
-            found.append(Finding(Severity.WARNING, "wrong-sign-hardly-seen", said, size, VISIBLE, "mm"))
+            sentence += " before it, or give a --mark farther from the rotary axes or a larger --angle."
+            found.append(Finding(Severity.WARNING, "wrong-sign-hardly-seen", sentence, size, VISIBLE, "mm"))
     return found

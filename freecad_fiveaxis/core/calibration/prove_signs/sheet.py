@@ -70,11 +70,11 @@ def sheet_text(plan: Plan, program: Program) -> str:
     lines += [
         "",
         "At the last stop, in the part's own directions, the tip would stand off the right place by",
-        *text_table(_foretold(plan)),
+        *text_table(_predicted(plan)),
     ]
     for one in plan.findings:
-        said = f"{one.severity.name} {one.code}: {one.text}"
-        lines += textwrap.wrap(said, WIDTH, initial_indent="  ", subsequent_indent="    ")
+        subtitle = f"{one.severity.name} {one.code}: {one.text}"
+        lines += textwrap.wrap(subtitle, WIDTH, initial_indent="  ", subsequent_indent="    ")
     return "\n".join(lines) + "\n"
 
 
@@ -82,7 +82,7 @@ def sheet_json(plan: Plan, program: Program, inputs: Mapping[str, object] | None
     """For scripts: mm, degrees. Keys: version, machine, height, distance, stops (as rows), foretold, findings, inputs."""
     record = {
         "version": VERSION, "machine": plan.machine.name, "height": plan.height, "distance": plan.distance,
-        "stops": rows(plan, program), "foretold": [{"wrong": text, "off": off} for text, off in plan.foretold],
+        "stops": rows(plan, program), "foretold": [{"wrong": text, "off": off} for text, off in plan.predicted_errors],
         "findings": plan.findings, "inputs": inputs or {},
     }  # fmt: skip
     return json_text(record)
@@ -101,11 +101,11 @@ def sheet_html(plan: Plan, program: Program) -> str:
         STYLE,
         section("Before you start", ready + f"<p>{escape(STAND)}</p>"),
         section("Stops", table(Table(head, cells))),
-        section("If the tool does not point at the cross", f'<p class="note">{note}</p>' + table(_foretold(plan))),
+        section("If the tool does not point at the cross", f'<p class="note">{note}</p>' + table(_predicted(plan))),
         section("Findings", findings_list(plan.findings)),
     ]
-    told, said = notices(plan), f"{plan.machine.name}, before anything is cut"
-    return page("Proving the signs", said, " ".join([*told, verdict(plan)]), "bad" if told else "open", body)
+    warnings, subtitle = notices(plan), f"{plan.machine.name}, before anything is cut"
+    return page("Proving the signs", subtitle, " ".join([*warnings, verdict(plan)]), "bad" if warnings else "open", body)
 
 
 def _words(words: object) -> str:
@@ -113,10 +113,10 @@ def _words(words: object) -> str:
     return " ".join(f"{letter}{value + 0.0:.4f}".rstrip("0").rstrip(".") for letter, value in words.items())
 
 
-def _foretold(plan: Plan) -> Table:
+def _predicted(plan: Plan) -> Table:
     head = ("if", "X, mm", "Y, mm", "Z, mm", "together, mm")
     cells = [
         [text, *(f"{value + 0.0:.1f}" for value in off.tolist()), f"{float(np.linalg.norm(off)):.1f}"]
-        for text, off in plan.foretold
+        for text, off in plan.predicted_errors
     ]
     return Table(head, cells)

@@ -43,8 +43,8 @@ def recovery_text(found: Recovery) -> str:
     """For the terminal: the sentence, the parameters, the findings."""
     lines = [*textwrap.wrap(verdict(found), WIDTH), "", *text_table(_table(found)), ""]
     for one in found.findings:
-        said = f"{one.severity.name} {one.code}: {one.text}"
-        lines += textwrap.wrap(said, WIDTH, initial_indent="  ", subsequent_indent="    ")
+        summary_line = f"{one.severity.name} {one.code}: {one.text}"
+        lines += textwrap.wrap(summary_line, WIDTH, initial_indent="  ", subsequent_indent="    ")
     return "\n".join(lines) + "\n"
 
 
@@ -96,10 +96,10 @@ NOTE = (
 
 
 def _table(found: Recovery) -> Table:
-    told = parameters(found)
-    given = any(one.given is not None for one in told)
+    rows = parameters(found)
+    given = any(one.given is not None for one in rows)
     head = ["parameter", "value", "certain within", "were zeros unknown", *(["machine given", "apart"] if given else [])]
-    return Table(head, [_cells(one, given) for one in told])
+    return Table(head, [_cells(one, given) for one in rows])
 
 
 def _cells(one: Parameter, given: bool) -> list[str]:

@@ -28,14 +28,14 @@ UNSURE = 5.0
 
 def recovery_findings(found: Recovery, tolerance: float) -> tuple[Finding, ...]:
     """All of them. ``tolerance`` mm: offsets that are that certain, and that near to the given ones, are good."""
-    told = parameters(found)
+    fits = parameters(found)
     return (
         *_layouts(found),
         *_residuals(found, tolerance),
-        *_certainties(found, told, tolerance),
-        *_zeros(told),
+        *_certainties(found, fits, tolerance),
+        *_zeros(fits),
         *_signs(found),
-        *_mismatches(found, told, tolerance),
+        *_mismatches(found, fits, tolerance),
         *_assumed(found),
     )
 
@@ -99,8 +99,8 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
         yield Finding(Severity.NOTE, "blocks-without-row", text, float(found.skipped), unit="1")
 
 
-def _certainties(found: Recovery, told: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
-    for one in told:
+def _certainties(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
+    for one in fits:
         if not one.fitted:
             continue
         kept = say("as in the machine given") if one.given is not None else say("as 0")
@@ -121,11 +121,11 @@ def _certainties(found: Recovery, told: tuple[Parameter, ...], tolerance: float)
             yield Finding(Severity.WARNING, "uncertain", text, one.certainty, tolerance, "mm")
 
 
-def _zeros(told: tuple[Parameter, ...]) -> Iterator[Finding]:
-    linear = [one for one in told[4:] if one.unit == "mm" and _elsewhere(one)]
+def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
+    linear = [one for one in fits[4:] if one.unit == "mm" and _elsewhere(one)]
     if len(linear) > 1:
         yield _shifted(linear)
-    for one in told[4:]:
+    for one in fits[4:]:
         if one in linear and len(linear) > 1:
             continue
         if _elsewhere(one):
@@ -142,7 +142,7 @@ def _zeros(told: tuple[Parameter, ...]) -> Iterator[Finding]:
             severity = Severity.WARNING if one.unit == "mm" else Severity.ERROR
             yield Finding(severity, "zero-elsewhere", text, one.value, 0.0, one.unit)
     assumed = [
-        one.name[0] for one in told[4:] if not one.fitted and not one.certainty_free < (100.0 if one.unit == "mm" else UNSURE)
+        one.name[0] for one in fits[4:] if not one.fitted and not one.certainty_free < (100.0 if one.unit == "mm" else UNSURE)
     ]
     if assumed:
         text = say(
@@ -187,7 +187,7 @@ def _plus(axis: Axis) -> str:
     return way_name(-np.array(axis.direction))
 
 
-def _mismatches(found: Recovery, told: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
+def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
     start = found.start
     if start is None:
         return
@@ -218,7 +218,7 @@ def _mismatches(found: Recovery, told: tuple[Parameter, ...], tolerance: float) 
     for axis in start.rotary:
         if axis.letter in directions:
             yield from _direction_mismatch(axis, np.array(directions[axis.letter]), start.name, effect)
-    for one in told:
+    for one in fits:
         limit = max(one.certainty, tolerance)
         if one.determined and one.given is not None and one.apart > limit:
             text = say(

@@ -187,8 +187,8 @@ def _split_junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints
         half, at, share = _junctions(vertex, face, rim)
         usable = np.ones(len(face), np.bool_)
         while len(half):
-            made, owner = _divided(face, half, at, share)
-            bad = _unfit_parts(vertex, face, made, owner)
+            split, owner = _divided(face, half, at, share)
+            bad = _unfit_parts(vertex, face, split, owner)
             if not bad.any():
                 break
             usable &= ~bad
@@ -197,7 +197,7 @@ def _split_junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints
         if not len(half):
             break
         found.append(at)
-        face = made
+        face = split
     return face, np.unique(np.concatenate(found))
 
 
@@ -263,10 +263,10 @@ def _divided(face: Ints, half: Ints, at: Ints, share: Floats) -> tuple[Ints, Int
     return np.concatenate([face[whole], parts]), np.concatenate([whole, owner])
 
 
-def _unfit_parts(vertex: Floats, face: Ints, made: Ints, owner: Ints) -> Bools:
+def _unfit_parts(vertex: Floats, face: Ints, split: Ints, owner: Ints) -> Bools:
     """Facets (f,) whose parts would turn over, have a flawed edge, or close no edge."""
-    side, divided = _sides(made), np.bincount(owner, minlength=len(face)) > 1
-    turned = (_normals(vertex, made) * _normals(vertex, face)[owner]).sum(axis=1) < 0.9
-    flawed = _flawed(vertex, made, side).reshape(-1, 3)[:, 0]
+    side, divided = _sides(split), np.bincount(owner, minlength=len(face)) > 1
+    turned = (_normals(vertex, split) * _normals(vertex, face)[owner]).sum(axis=1) < 0.9
+    flawed = _flawed(vertex, split, side).reshape(-1, 3)[:, 0]
     closes = np.bincount(owner, side.shared.reshape(-1, 3)[:, 0] == 2, len(face)) > 0
     return divided & ((np.bincount(owner, turned | flawed, len(face)) > 0) | ~closes)

@@ -204,16 +204,16 @@ def _ascii_error(word: list[bytes], before: int) -> MeshError:
         facet, at = before + i // _PER_FACET + 1, i % _PER_FACET
         wanted = _WORDS.get(at)
         if given != wanted if wanted else at in _CORNER_WORDS and not _is_number(given):
-            said = given[:20].decode("ascii", "backslashreplace")
+            odd = given[:20].decode("ascii", "backslashreplace")
             need = f"'{wanted.decode()}'" if wanted else "a number"
             return MeshError(
                 say(
-                    "facet {facet} is malformed: '{said}' stands where {need} belongs; export the file again",
+                    "facet {facet} is malformed: '{odd}' stands where {need} belongs; export the file again",
                     facet=facet,
-                    said=said,
+                    odd=odd,
                     need=need,
                 ),
-                said,
+                odd,
             )
     return MeshError(
         say("the file ends within facet {facet}: it is cut off; export it again", facet=before + len(word) // _PER_FACET + 1),

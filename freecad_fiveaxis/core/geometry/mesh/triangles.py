@@ -234,10 +234,10 @@ def join_loose(mesh: Mesh) -> Mesh:
     found = join_facets(mesh.vertex, mesh.face, rim) if edge.any() else None
     if found is None:
         return mesh
-    made = from_faces(mesh.vertex, found.face)
+    joined = from_faces(mesh.vertex, found.face)
     kept = [one for one in mesh.findings if one.code == "degenerate-facets"]
     findings = [_join_finding(mesh.vertex, *one) for one in zip(_JOIN_FINDINGS, found[1:], strict=True) if len(one[1])]
-    return replace(made, findings=(*kept, *findings, *made.findings))
+    return replace(joined, findings=(*kept, *findings, *joined.findings))
 
 
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
@@ -390,8 +390,8 @@ _JOIN_FINDINGS = (
 
 
 def _join_finding(vertex: Floats, named: tuple[str, Template], row: Ints) -> Finding:
-    (code, said), place = named, _place(vertex, row[:1])
-    text = said.say(count=len(row), at=_at(place))
+    (code, template), place = named, _place(vertex, row[:1])
+    text = template.say(count=len(row), at=_at(place))
     return Finding(Severity.NOTE, code, text, value=float(len(row)), limit=0.0, unit="1", place=place)
 
 
@@ -431,14 +431,14 @@ def _edge_findings(key: Words, half: Ints, low: int, vertex: Floats, face: Ints)
     kind = np.minimum(count, 3)[group]
     facet = half & ((1 << low) - 1)
     findings = []
-    for number, (code, said) in enumerate(_EDGE_FINDINGS, start=1):
+    for number, (code, template) in enumerate(_EDGE_FINDINGS, start=1):
         at = np.flatnonzero(kind == number)
         if len(at):
             worst = at[np.argmin(facet[at])]
             corner = half[worst] >> low
             place = _place(vertex, face[facet[worst], [corner, (corner + 1) % 3]])
             edges = int(np.count_nonzero(np.minimum(count, 3) == number))
-            text = said.say(edges=edges, at=_at(place))
+            text = template.say(edges=edges, at=_at(place))
             findings.append(Finding(Severity.WARNING, code, text, value=float(edges), limit=0.0, unit="1", place=place))
     return findings, bool((2 * forward == count).all())
 

@@ -64,6 +64,6 @@ HEADS = (
     ),
     Kinematics(
         "maxkins", "XYZABCUVW", "XYZBC", _head_over_table, _max_remarks, spare="AUVW", fixed=True,
-        pins=(Pin(PIVOT, 0.666), Pin("conventional-directions", asked=False, length=False)),
+        pins=(Pin(PIVOT, 0.666), Pin("conventional-directions", required=False, length=False)),
     ),
 )  # fmt: skip

@@ -62,7 +62,7 @@ def _summed(kind: Kinematics, name: str) -> bool:
 
 
 def _lacking(given: Mapping[str, float | None], kind: Kinematics) -> list[Finding]:
-    lacking = [f"{pin.name} ({pin.default:g})" for pin in kind.pins if pin.asked and given[pin.name] is None]
+    lacking = [f"{pin.name} ({pin.default:g})" for pin in kind.pins if pin.required and given[pin.name] is None]
     if not lacking:
         return []
     text = say(

@@ -26,11 +26,11 @@ Z: Vector = (0.0, 0.0, 1.0)
 class Pin:
     """An input. ``default``: the module's own value; ``length``: in the machine's units, else in degrees or a bit.
 
-    ``asked``: a finding says so where nothing sets it."""
+    ``required``: a finding says so where nothing sets it."""
 
     name: str
     default: float = 0.0
-    asked: bool = True
+    required: bool = True
     length: bool = True
 
 

@@ -20,8 +20,8 @@ from freecad_fiveaxis.core.machine import Vector
 
 from .record import Given, Kinematics, Pin, Turn, X, Y, Z, turned
 
-CONVENTIONAL = Pin("conventional-directions", asked=False, length=False)
-CENTRE = tuple(Pin(f"{letter}-rot-point", asked=False) for letter in "xyz")
+CONVENTIONAL = Pin("conventional-directions", required=False, length=False)
+CENTRE = tuple(Pin(f"{letter}-rot-point", required=False) for letter in "xyz")
 
 
 def _centre(given: Given) -> Vector:

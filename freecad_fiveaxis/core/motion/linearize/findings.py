@@ -41,7 +41,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
     rows = _end_rows(outcome)
     divided, even = outcome.count > 1, outcome.even & (outcome.count > 1)
     coarse, whole = np.isfinite(outcome.held) & (outcome.held > tolerance), np.isinf(outcome.held)
-    told = []
+    reports = []
     if divided.any():
         text = say(
             "{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by proof.",
@@ -49,7 +49,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             tolerance=Length(tolerance),
             pieces=outcome.count[divided].sum(),
         )
-        told.append(Finding(Severity.NOTE, "linearized", text, float(divided.sum()), None, "1"))
+        reports.append(Finding(Severity.NOTE, "linearized", text, float(divided.sum()), None, "1"))
     if even.any():
         text = say(
             "In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis "
@@ -57,7 +57,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             "pole to avoid it.",
             count=even.sum(),
         )
-        told.append(_at(kinematics, Severity.NOTE, "rotary-words-even", text, float(even.sum()), None, "1", words, rows[even]))
+        reports.append(_at(kinematics, Severity.NOTE, "rotary-words-even", text, float(even.sum()), None, "1", words, rows[even]))
     if coarse.any():
         value = float(outcome.held[coarse].max())
         worst = rows[coarse][np.argmax(outcome.held[coarse]) :]
@@ -73,7 +73,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             spot=_spot(kinematics, words[worst[0]]),
             value=Length(value, ".3g"),
         )
-        told.append(_at(kinematics, Severity.WARNING, "linearize-rounding", text, value, tolerance, "mm", words, worst))
+        reports.append(_at(kinematics, Severity.WARNING, "linearize-rounding", text, value, tolerance, "mm", words, worst))
     if whole.any():
         text = say(
             "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of "
@@ -83,10 +83,10 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             tolerance=Length(tolerance),
             spot=_spot(kinematics, words[rows[whole][0]]),
         )
-        told.append(
+        reports.append(
             _at(kinematics, Severity.WARNING, "linearize-impossible", text, float(whole.sum()), 0.0, "1", words, rows[whole])
         )
-    return (*told, *_beyond_limits(kinematics, words, new))
+    return (*reports, *_beyond_limits(kinematics, words, new))
 
 
 def _end_rows(outcome: Outcome) -> Ints:
@@ -122,7 +122,7 @@ def _spot(kinematics: Chain, words: Floats) -> Sentence:
 
 def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]:
     """An error for each axis that inserted rows drive beyond its limits, at the worst place."""
-    told = []
+    reports = []
     q = words_to_q(words[new])
     for k, letter in enumerate(kinematics.letters):
         excess = np.maximum(kinematics.low[k] - q[:, k], q[:, k] - kinematics.high[k])
@@ -140,7 +140,7 @@ def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]
                 count=(excess > LIMIT_SLACK).sum(),
                 origin=Option("origin"),
             )
-            told.append(
+            reports.append(
                 _at(kinematics, Severity.ERROR, "linearize-limit", text, float(words[row, k]), limit, unit, words, new[worst:])
             )
-    return told
+    return reports

@@ -116,17 +116,21 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
     """As _round_words, of the words that a guided block says: the tip (mm) and the rotary words (deg), which are only rounded
     where they are said. A row moves where tip, or what is said of the axis, changes."""
     rotary = 15 if guide.vector else dialect.rotary_decimals
-    said = np.column_stack([rounded(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])])
+    programmed = np.column_stack([rounded(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])])
     if guide.vector is None:
-        said[:, 3:] = rounded(said[:, 3:], rotary)
-    told = said if guide.vector is None else np.column_stack([said[:, :3], rounded(joints.path.axis, guide.vector_decimals)])
-    moving = np.flatnonzero(np.append(np.ones(min(len(said), 1), np.bool_), (np.diff(told, axis=0) != 0.0).any(axis=1)))
-    return said[moving], moving
+        programmed[:, 3:] = rounded(programmed[:, 3:], rotary)
+    written = (
+        programmed
+        if guide.vector is None
+        else np.column_stack([programmed[:, :3], rounded(joints.path.axis, guide.vector_decimals)])
+    )
+    moving = np.flatnonzero(np.append(np.ones(min(len(programmed), 1), np.bool_), (np.diff(written, axis=0) != 0.0).any(axis=1)))
+    return programmed[moving], moving
 
 
-def _guided(joints: JointPath, row: Ints, said: Floats, kinematics: Chain, guide: Guide) -> tuple[Guided, Floats, Floats]:
+def _guided(joints: JointPath, row: Ints, programmed: Floats, kinematics: Chain, guide: Guide) -> tuple[Guided, Floats, Floats]:
     """What the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m, 5)."""
-    tip, angles, vector = said[:, :3], said[:, 3:], None
+    tip, angles, vector = programmed[:, :3], programmed[:, 3:], None
     if guide.vector is not None:
         vector = rounded(take_rows(joints.path.axis, row), guide.vector_decimals)
         angles = turned_to(kinematics, vector, angles)
@@ -212,16 +216,17 @@ class _Times(NamedTuple):
 
 
 def _time_blocks(
-    words: Floats, said: Floats, motion: Bytes, tip_feed: Floats, kinematics: Chain, scale: _FeedScale, progress: Progress
+    words: Floats, programmed: Floats, motion: Bytes, tip_feed: Floats, kinematics: Chain, scale: _FeedScale, progress: Progress
 ) -> _Times:
-    """``words`` (m, 5): where the axes stand; ``said`` (m, 5): the same, or the tip and the rotary words where it is guided."""
-    count, guided = len(words), said is not words
+    """``words`` (m, 5): where the axes stand; ``programmed`` (m, 5): the same, or the tip and the rotary words where
+    it is guided."""
+    count, guided = len(words), programmed is not words
     times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
 
     def fill(steps: slice) -> None:
         rows, ends = slice(steps.start + 1, steps.stop + 1), slice(steps.start, steps.stop + 1)
-        q, told, rapid = words_to_q(words[ends]), said[ends], np.flatnonzero(motion[rows] == Motion.RAPID)
-        change, wanted, along = np.diff(told, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
+        q, ends_at, rapid = words_to_q(words[ends]), programmed[ends], np.flatnonzero(motion[rows] == Motion.RAPID)
+        change, wanted, along = np.diff(ends_at, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
         wanted[rapid], along[rapid] = 1.0, False
         distance = scale.distance(change)
         travel = np.linalg.norm(change[:, :3], axis=1) if guided else tip_travel(kinematics, q, along)
@@ -250,11 +255,11 @@ def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Fin
 
     A row without a block of its own (the row before it has the same words) is at that row's.
     """
-    told = []
+    placed = []
     for finding in findings:
         block = None if finding.block is None else int(np.searchsorted(program.row, finding.block, side="right")) - 1
-        told.append(finding if block is None else replace(finding, block=block, line=int(program.line[block])))
-    return tuple(told)
+        placed.append(finding if block is None else replace(finding, block=block, line=int(program.line[block])))
+    return tuple(placed)
 
 
 HELD = Template("In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.")
@@ -279,6 +284,6 @@ def _feed_findings(commanded: Floats, held: Bools, scale: _FeedScale) -> tuple[F
     for blocks, severity, code, text, value, limit, unit_of in cases:
         if len(blocks):
             block = int(blocks[0])
-            said = text.say(count=len(blocks))
-            found.append(Finding(severity, code, said, value, limit, unit_of, block, scale.dialect.first_line + block))
+            programmed = text.say(count=len(blocks))
+            found.append(Finding(severity, code, programmed, value, limit, unit_of, block, scale.dialect.first_line + block))
     return tuple(found)

@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.sentences import Angle, Turn, say
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
-from .choice import Led, near_polylines, rerouted_axes
+from .choice import ReroutedAxes, near_polylines, rerouted_axes
 from .drive import starts
 from .meridian import Globe, angle_between
 
@@ -65,7 +65,7 @@ def check_change(change: float) -> None:
         )
 
 
-def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: Led, change: float) -> tuple[Finding, ...]:
+def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: ReroutedAxes, change: float) -> tuple[Finding, ...]:
     """What was led, and what still turns fast near the pole."""
     globe, letter, limit = Globe.of(kinematics), kinematics.letters[3], math.degrees(change)
     findings = []

@@ -56,7 +56,7 @@ class Attempt:
 
 
 @dataclass(frozen=True, eq=False)
-class Led:
+class ReroutedAxes:
     """Tool ``axis`` (n, 3); ``near`` (p,) polylines that come near the pole, ``rerouted`` (p,) those whose axis was changed;
     figures of every polyline ``before`` and ``after``."""
 
@@ -75,7 +75,9 @@ def near_polylines(offset: OffsetPath, axis: Floats, globe: Globe, angle: float)
     return np.asarray(np.minimum.reduceat(near, begin) <= math.sin(min(angle, 0.5 * math.pi)))
 
 
-def rerouted_axes(offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, progress: Progress = silent) -> Led | None:
+def rerouted_axes(
+    offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, progress: Progress = silent
+) -> ReroutedAxes | None:
     """The axes (n, 3) led within ``change`` rad as in :func:`~.deform.deform_axes`, with the figures; None where no polyline
     comes near the pole."""
     globe = Globe.of(kinematics)
@@ -88,16 +90,16 @@ def rerouted_axes(offset: OffsetPath, axis: Floats, kinematics: Chain, change: f
     for round_ in range(2 * ROUNDS):
         progress("driving what is led", round_ / (2 * ROUNDS))
         chosen = _chosen(attempts, dropped)
-        made, rerouted = _assembled(axis, attempts, chosen, len(near))
-        after = figures(offset, drive(offset, made, kinematics)) if chosen else before
+        tried, rerouted = _assembled(axis, attempts, chosen, len(near))
+        after = figures(offset, drive(offset, tried, kinematics)) if chosen else before
         failed = _failed(attempts, chosen, rerouted, before, after)
         if not failed:
-            return Led(made, near, rerouted, before, after)
+            return ReroutedAxes(tried, near, rerouted, before, after)
         for number, routes in failed.items():
             dropped[number] |= routes if round_ < ROUNDS else set(range(len(attempts[number].routes)))
             if not attempts[number].whole and round_ < ROUNDS:
                 attempts[number] = _with_ways(attempts[number], offset, kinematics, globe, change, whole=True)
-    return Led(axis, near, np.zeros(len(near), bool), before, before)
+    return ReroutedAxes(axis, near, np.zeros(len(near), bool), before, before)
 
 
 def _attempts(
@@ -168,11 +170,11 @@ def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
 
 def _assembled(axis: Floats, attempts: list[Attempt], chosen: dict[int, int], count: int) -> tuple[Floats, Bools]:
     """The axes with the chosen ways, and which of ``count`` polylines are led."""
-    made, rerouted = np.array(axis), np.zeros(count, bool)
+    tried, rerouted = np.array(axis), np.zeros(count, bool)
     for number, route in chosen.items():
         attempt = attempts[number]
-        made[attempt.rows], rerouted[attempt.polyline] = attempt.routes[route][1].axis, True
-    return made, rerouted
+        tried[attempt.rows], rerouted[attempt.polyline] = attempt.routes[route][1].axis, True
+    return tried, rerouted
 
 
 def _failed(

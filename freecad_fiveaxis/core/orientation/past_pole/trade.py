@@ -94,13 +94,13 @@ def trade_off(
     for count, change in enumerate(allowed):
         progress("trade of axis change", count / len(allowed))
         rerouted = rerouted_axes(offset, axis, kinematics, change) if change else None
-        made, passes = (axis, 0) if rerouted is None else (rerouted.axis, int(rerouted.rerouted.sum()))
+        corrected, passes = (axis, 0) if rerouted is None else (rerouted.axis, int(rerouted.rerouted.sum()))
         table.append(
             (
                 change,
-                float(angle_between(made, axis).max()),
+                float(angle_between(corrected, axis).max()),
                 passes,
-                *_driven(offset, made, kinematics, tolerance, (radius, ring)),
+                *_driven(offset, corrected, kinematics, tolerance, (radius, ring)),
             )
         )
     return Trade(*(np.array(column) for column in zip(*table, strict=True)))
@@ -130,12 +130,12 @@ def trade_findings(
         change=Angle(math.degrees(change), ".3g"),
         letter=kinematics.letters[3],
         tolerance=Length(tolerance),
-        rows=joined(_told(trade), "; "),
+        rows=joined(_rows(trade), "; "),
     )
     return (Finding(Severity.NOTE, "axis-change-trade", text, math.degrees(change), None, "deg"),)
 
 
-def _told(trade: Trade) -> Iterator[Sentence]:
+def _rows(trade: Trade) -> Iterator[Sentence]:
     columns = (trade.allowed, trade.peak, trade.first, trade.blocks)
     for row, (allowed, peak, first, blocks) in enumerate(zip(*columns, strict=True)):
         yield say(
