@@ -49,6 +49,16 @@ def test_in_a_t_slot_it_goes_along_the_slot_by_the_shorter_way():
     np.testing.assert_allclose(way, [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]], atol=1e-12)
 
 
+def test_a_tool_that_looks_down_does_not_leave_through_the_table():
+    """It looks 10 deg below level, 15 mm above the table: along its axis it would go through that."""
+    tip, lean = np.array([[0.0, -30.0, 5.0]]), np.radians(10.0)
+    axis = np.array([[0.0, -np.cos(lean), -np.sin(lean)]])
+    free, _ = find_retreats(Reacher(LOLLIPOP), facet_tree(shelf()), tip, axis)
+    way, found = find_retreats(Reacher(LOLLIPOP, table=-10.0), facet_tree(shelf()), tip, axis)
+    assert free.tolist() == axis.tolist() and found.all()
+    assert abs(way[0] @ axis[0]) < 1e-12 and way[0, 2] > -1e-6
+
+
 def test_a_ball_end_mill_is_not_let_out_there():
     tip = np.array([[0.0, -3.0, 0.0]])
     way, found = find_retreats(Reacher(Cutter(10.0, 40.0)), facet_tree(shelf()), tip, UP)

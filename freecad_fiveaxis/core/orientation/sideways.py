@@ -19,7 +19,7 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge.obstacles import Reacher
+from freecad_fiveaxis.core.gouge.obstacles import Reacher, is_below
 from freecad_fiveaxis.core.gouge.search import which_enter
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions, straight_motion
 from freecad_fiveaxis.core.tool import Cutter
@@ -42,10 +42,9 @@ def find_retreats(
 ) -> tuple[Floats, Bools]:
     """Find the retreat (m, 3) from tips (m, 3) mm with unit ``axis`` (m, 3), and whether (m,) there is one; elsewhere it is the
     axis."""
-    long = with_way_out(reacher, tree)
-    trapped = np.flatnonzero(
-        which_enter(long.body, tree, still_positions(tip, axis), reacher.limit, np.arange(len(tip)), progress)
-    )
+    long, every = with_way_out(reacher, tree), np.arange(len(tip))
+    out = which_enter(long.body, tree, still_positions(tip, axis), reacher.limit, every, progress)
+    trapped = np.flatnonzero(out | is_below(long.body, tip, axis, reacher.table, reacher.limit))
     retreat, found = np.array(axis), np.ones(len(tip), np.bool_)
     found[trapped] = False
     tried, far = _across(axis[trapped]), long.far + reacher.body.reach

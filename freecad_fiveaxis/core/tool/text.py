@@ -6,7 +6,7 @@ kind      the first word of an option: ``ball:10``, ``flat:10``, ``bull:10:2`` (
           lollipop that up to the end of its neck.
 APT       ``CUTTER/d,r,e,f,a,b,h``: d the diameter at which the bottom's and the flank's lines cross, r corner radius, e and f
           place of the corner circle's centre from axis and tip, a the bottom's angle, b the flank's (deg), h the height. It has
-          no word for a neck: a lollipop's is written behind it (see :mod:`~.cl.apt.writer`).
+          no word for a neck: a lollipop's is written behind it (see :mod:`~.toolpath.apt.writer`).
 """
 
 from __future__ import annotations
