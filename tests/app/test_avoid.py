@@ -131,11 +131,12 @@ def test_a_mesh_has_no_faces_to_leave_alone(doc, dome, step):
         app.create_toolpath(doc, ready, avoid=["Face1"], **GIVEN)
 
 
-def test_it_is_kept_in_the_file_changed_and_taken_back(doc, step, reopen):
+def test_it_is_kept_in_the_file_changed_and_taken_back(doc, step, reopen, anew):
     low, high = face_at(step, z=5, x=15), face_at(step, z=10)
     path = app.create_toolpath(doc, step, avoid=[low], **GIVEN)
     nc, name = results.nc_of(path), path.Name
     again = reopen(doc)
+    anew()
     path, step = again.getObject(name), again.getObject("Step")
     assert path.Mesh.Avoid == (step, [low]) and not results.out_of_date(path) and results.nc_of(path) == nc
     changes.change_toolpath(path, GIVEN)
@@ -192,19 +193,20 @@ def test_faces_of_another_solid_than_the_base_are_told(doc, step):
     assert path.Mesh.Avoid == (step, ["Face1"])
 
 
-def test_an_older_document_opens_unchanged(doc, step, reopen):
+def test_an_older_document_opens_unchanged(doc, step, reopen, anew):
     path = app.create_toolpath(doc, step, **GIVEN)
     nc, name, made_of = results.nc_of(path), path.Name, path.Mesh.MadeOf
     path.Mesh.removeProperty("Avoid")
     doc.recompute()
     again = reopen(doc).getObject(name)
+    anew()
     assert again.Mesh.Avoid is None and again.Mesh.MadeOf == made_of and again.Mesh.State == ["Up-to-date"]
     assert not results.out_of_date(again) and results.nc_of(again) == nc
     assert tessellation.made_of(again.Mesh) == made_of
 
 
 @pytest.mark.parametrize("faces", [(), ("wall", "low", "high")])
-def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_for(doc, step, reopen, faces):
+def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_for(doc, step, reopen, faces, anew):
     """Earlier versions did not keep which facets lie on them: the allowance was refused as one without faces."""
     named = {"low": face_at(step, z=5, x=15), "high": face_at(step, z=10), "wall": face_at(step, x=10, z=7.5)}
     given = {**GIVEN, "faces": [named[one] for one in faces], "avoid": [named["wall"]]}
@@ -215,6 +217,7 @@ def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_f
     path.Mesh.removeProperty("AvoidedRuns")
     doc.recompute()
     again = reopen(doc).getObject(name)
+    anew()
     assert not again.Mesh.AvoidedRuns and not results.out_of_date(again) and results.nc_of(again) == nc
     again.AvoidAllowance = 1
     again.Document.recompute()

@@ -106,10 +106,11 @@ def test_the_part_itself_and_what_is_no_solid_are_no_fixtures(doc, plate):
     assert len(doc.Objects) == many + 1
 
 
-def test_fixtures_are_kept_in_the_file_of_the_document(doc, plate, reopen):
+def test_fixtures_are_kept_in_the_file_of_the_document(doc, plate, reopen, anew):
     part, clamp = plate
     path = app.create_toolpath(doc, part, fixtures=[clamp], **GIVEN)
     nc, name = results.nc_of(path), path.Name
     again = reopen(doc).getObject(name)
+    anew()
     assert [one.Label for one in again.Fixtures] == ["Clamp"]
     assert not results.out_of_date(again) and results.nc_of(again) == nc
