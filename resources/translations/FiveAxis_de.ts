@@ -4468,8 +4468,8 @@
         <translation>N{number} steht in keiner Zeile dieses Programms</translation>
     </message>
     <message>
-        <source>Of the file's tools ({told}) the moves of tool {tool} are taken: {count} of {all}.</source>
-        <translation>Von den Werkzeugen der Datei ({told}) werden die Bewegungen von Werkzeug {tool} genommen: {count} von {all}.</translation>
+        <source>Of the file's tools ({listed}) the moves of tool {tool} are taken: {count} of {all}.</source>
+        <translation>Von den Werkzeugen der Datei ({listed}) werden die Bewegungen von Werkzeug {tool} genommen: {count} von {all}.</translation>
     </message>
     <message>
         <source>Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.</source>
@@ -4596,8 +4596,8 @@
         <translation>Die CL-Datei ist für einen Fräser von {diameter}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
     </message>
     <message>
-        <source>The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.</source>
-        <translation>Die CL-Datei ist für {said}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
+        <source>The CL file is for a {named}, retracts are laid out for a {given}; give {cutter}.</source>
+        <translation>Die CL-Datei ist für {named}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
     </message>
     <message>
         <source>The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.</source>
@@ -4640,8 +4640,8 @@
         <translation>Die Enden von {count} Kreisbögen sind so nahe, wie die gedruckten Stellen es zulassen (zuerst Zeile {line}): Sie können volle Kreise oder fast nichts sein; dort wird {taken} genommen, wie die Richtung sagt.</translation>
     </message>
     <message>
-        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool, or choose one: {option}.</source>
-        <translation>Die Datei wechselt das Werkzeug ({told}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
+        <source>The file changes tools ({listed}), the program does not: it cuts all of it with one. Write one file for each tool, or choose one: {option}.</source>
+        <translation>Die Datei wechselt das Werkzeug ({listed}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
     </message>
     <message>
         <source>The file ends in control characters; they are passed over.</source>
@@ -6412,8 +6412,8 @@
         <translation>Tisch</translation>
     </message>
     <message>
-        <source>the CL file has no tool {tool}; it has {told}</source>
-        <translation>die CL-Datei hat kein Werkzeug {tool}; sie hat {told}</translation>
+        <source>the CL file has no tool {tool}; it has {listed}</source>
+        <translation>die CL-Datei hat kein Werkzeug {tool}; sie hat {listed}</translation>
     </message>
     <message>
         <source>the CL file holds fewer than two rows: there is no path to compare with</source>
