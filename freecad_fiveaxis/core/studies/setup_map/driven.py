@@ -66,6 +66,7 @@ class Cost:
 
     @property
     def within(self) -> bool:
+        """Say whether all axes stay within their ranges."""
         return self.over <= LINEAR_SLACK
 
 
