@@ -32,14 +32,19 @@ from .settings.tree import FROM_AXIS
 
 def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
     """Set the cutter on every contact, leave out what would enter where that is asked for, and link the passes over the part."""
-    path = link_contacts(context, passes.cut, passes.corrected)
-    entering = AIM * context.settings.proof.tolerance if any(one.code == "left-out" for one in path.findings) else 0.0
-    return LinkedPath(**vars(passes), path=path, entering=entering)
+    path, left_out = _linked(context, passes.cut, passes.corrected)
+    entering = AIM * context.settings.proof.tolerance if left_out else 0.0
+    return LinkedPath(**vars(passes), path=path, cured=left_out, entering=entering)
 
 
 def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
     """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
     each of them, whatever led its axis there."""
+    return _linked(context, offset, axis)[0]
+
+
+def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
+    """The same, and whether rows were left out because the tool would enter the part there."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     options = LinkOptions(
         clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
@@ -47,13 +52,17 @@ def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLP
     )  # fmt: skip
     seated, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     seated, axis = bounded_by_hub(context, seated, axis)
-    seated, axis = far_enough_rows(context, *left_out_rows(context, seated, axis))
+    free, axis = left_out_rows(context, seated, axis)
+    left_out = free is not seated
+    seated, axis = far_enough_rows(context, free, axis)
     path = link_rows(
         seated, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, seated, axis)
     )
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
         path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
-    return path if seated is offset else replace(path, findings=seated.findings[len(offset.findings) :] + path.findings)
+    if seated is not offset:
+        path = replace(path, findings=seated.findings[len(offset.findings) :] + path.findings)
+    return path, left_out
 
 
 def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats | None:
@@ -86,7 +95,7 @@ def lift_path(context: MillContext, linked: LinkedPath) -> LinkedPath:
     driven, above = tip_to_driven(settings), tip_to_surface(settings)
     aside = rows_left_aside(linked.path, settings.cutter.cutter)
     lifted = lift_free(linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside)
-    return replace(linked, path=lifted.path, entering=lifted.left)
+    return replace(linked, path=lifted.path, cured=linked.cured or bool((lifted.lift > 0.0).any()), entering=lifted.left)
 
 
 def keep_links_near(context: MillContext, linked: LinkedPath) -> LinkedPath:

@@ -59,9 +59,6 @@ SAMPLES = 10_000
 """Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
 
 
-CURED = frozenset({"lifted", "left-out"})
-"""The codes of findings that tell of a path changed by a cure."""
-
 JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
@@ -77,10 +74,10 @@ def commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
 
 
 def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where there was no
-    cure, or where the map of what is left tells it."""
+    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where the map of what is
+    left tells it."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
-    if settings.gouge.left == "on" or not CURED & {finding.code for finding in path.findings}:
+    if settings.gouge.left == "on":
         return ()
     cutter = settings.cutter.cutter
     swept = commanded_motion(settings, path)

@@ -46,9 +46,11 @@ class AssignedAxes(OffsetContacts):
 
 @dataclass(frozen=True, eq=False)
 class LinkedPath(AssignedAxes):
-    """The CL path, with findings of its own. ``entering``: how deep, mm, what a cure leaves of entries into the part may be."""
+    """The CL path, with findings of its own. ``cured``: whether rows were lifted or left out for the part's sake; ``entering``:
+    how deep, mm, what that leaves of entries into the part may be."""
 
     path: CLPath
+    cured: bool
     entering: float
 
 

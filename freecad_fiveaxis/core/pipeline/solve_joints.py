@@ -91,7 +91,8 @@ def keep_rapids_clear(context: MillContext, solved: SolvedJoints) -> SolvedJoint
 def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     """Round the words, write the NC file, and collect what all stages have found."""
     found = solved.findings + solved.cut.findings + solved.axis_findings + solved.path.findings
-    program = posted(context, solved.path, solved.joints, found + uncut_by_cure(context, solved.path))
+    uncut = uncut_by_cure(context, solved.path) if solved.cured else ()
+    program = posted(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
         **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis, keep=context.keep,
         boundary=context.boundary, keep_off=context.keep_off,
