@@ -19,7 +19,7 @@ def meshed(folder, path, named="", linear=solids.LINEAR):
     (folder / solids.TASK).write_text(json.dumps(task))
     (folder / solids.MESH).unlink() if (folder / solids.MESH).exists() else None
     mesher.main(str(folder))
-    made = json.loads((folder / solids.MADE).read_text())
+    made = json.loads((folder / solids.OUTCOME).read_text())
     return made, Mesh.Mesh(str(folder / solids.MESH)) if (folder / solids.MESH).exists() else None
 
 
@@ -73,7 +73,7 @@ def test_a_file_that_holds_no_solid_says_so(tmp_path):
 
 
 def test_the_words_of_both_sides_are_the_same():
-    ours = solids.FOLDER, solids.TASK, solids.MESH, solids.MADE, solids.DOCUMENT
+    ours = solids.FOLDER, solids.TASK, solids.MESH, solids.OUTCOME, solids.DOCUMENT
     assert ours == (mesher.FOLDER, mesher.TASK, mesher.STL, mesher.MADE, mesher.DOCUMENT)
     assert os.path.samefile(mesher.__file__, solids.script()) and solids.NAMES == meshing.NAMES
     assert (solids.LINEAR, solids.ANGULAR) == (tessellation.LINEAR, tessellation.ANGULAR), "as the window meshes"

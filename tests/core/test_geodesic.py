@@ -238,7 +238,7 @@ def test_more_passes_than_any_job_can_want_are_refused_before_they_are_laid():
 
 
 def test_laying_passes_tells_its_progress_and_can_be_stopped_while_gaps_are_looked_for(monkeypatch):
-    monkeypatch.setattr(scallop_passes, "ASKED", 64)
+    monkeypatch.setattr(scallop_passes, "BATCH", 64)
     monkeypatch.setattr(chunks, "ALONE", True)  # a helper may take it all, and then has nothing to tell
 
     def lay(stop=math.inf):

@@ -2,6 +2,7 @@
 """The tool in all places of its way out at once: the same as looking at each of them, and what `auto` makes of that."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -118,7 +119,7 @@ def test_a_contact_is_free_where_all_its_rows_are_and_none_is_asked_in_vain(monk
 
     monkeypatch.setattr(auto_axis, "are_free", answered)
     asked = random.random(200) < 0.8
-    free = known.free(np.tile(UP, (200, 1)), asked, None, None, None)
+    free = known.free(np.tile(UP, (200, 1)), asked, SimpleNamespace(cutter=Cutter(6.0)), None, None)
     row_free = (stand[:, 0] > -0.5) & fits & (normal[:, 2] > 0)
     assert free.tolist() == [bool(asked[k] and row_free[contact == k].all()) for k in range(200)]
     maybe = [k for k in range(200) if asked[k] and (fits & (normal[:, 2] > 0))[contact == k].all()]
