@@ -157,9 +157,8 @@ class _Table:
     def _take(self, hole: Hole, code: int, row: int, axis: int) -> str | None:
         """The words of a line into ``hole``; the reason where they make none."""
         if code != hole.code and self.ways.rises:
-            hole.programmed_r = hole.programmed_z = hole.r = hole.z = hole.q = (
-                np.nan
-            )  # LinuxCNC wants R and Z again with another code
+            # LinuxCNC wants R and Z again with another code
+            hole.programmed_r = hole.programmed_z = hole.r = hole.z = hole.q = np.nan
         hole.code = code
         programmed_z = self.value[row, axis] if self.kind[row, axis] else np.nan
         if self.ways.rises:

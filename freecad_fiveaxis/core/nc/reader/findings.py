@@ -254,13 +254,9 @@ def point_findings(words: Words) -> tuple[Finding, ...]:
 
 
 def wrap_findings(
-    letters: str,
-    wrap: tuple[str, str],
-    meant: list[tuple[Floats, Bytes]],
-    motions: Moves,
-    feeding: Bools,
+    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], motions: Moves, feeding: Bools,
     dialect: Dialect | None,
-) -> list[Finding]:
+) -> list[Finding]:  # fmt: skip
     """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and where the controller
     does what the machine file says only if it is set so. ``meant``: as of :func:`.positions.moves`; ``feeding`` (m,)."""
     found, skipped = [], len(meant[0][0]) - len(motions.at)

@@ -246,7 +246,7 @@ def _moves(
 
 
 def _tool_vectors(lines: Lines, mode: Ints, on: Bools) -> Floats:
-    """The tool axis (lines, 3) that each guided line tells as a vector, NaN where none."""
+    """The tool axis (lines, 3) that each guided line gives as a vector, NaN where none."""
     private = [lines.column(letter) for letter in codes.VECTOR]
     vector = np.stack(private, axis=1)
     if not np.isin(lines.code, codes.VECTORS_ON).any():
@@ -324,14 +324,8 @@ def _program(
     kinematics: Chain, motions: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
     dialect: Dialect | None, planes: Planes | None,
 ) -> Program:  # fmt: skip
-    before, programmed, on, line, vector, meaning = (
-        motions.before,
-        motions.programmed,
-        motions.on,
-        motions.at,
-        motions.vector,
-        motions.meaning,
-    )
+    before, programmed, on, line = motions.before, motions.programmed, motions.on, motions.at
+    vector, meaning = motions.vector, motions.meaning
     if chords is not None:
         row, before, programmed = chords.row, chords.before, chords.programmed
         feed = np.where(inverse, feed * chords.count, feed)
