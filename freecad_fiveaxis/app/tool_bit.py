@@ -121,7 +121,7 @@ def _cutter(name: str, shape: str, size: Sizes) -> Cutter:
 
 
 def _kind(shape: str) -> str:
-    """``ballend`` of ``Ballend``, ``ballend.fcstd``, ``C:\\shapes\\ballend.fcstd`` or ``Ball End``."""
+    r"""``ballend`` of ``Ballend``, ``ballend.fcstd``, ``C:\shapes\ballend.fcstd`` or ``Ball End``."""
     name = PureWindowsPath(shape).name.lower()  # of the other systems' paths too
     return "".join(letter for letter in name.removesuffix(".fcstd") if letter.isalnum())
 

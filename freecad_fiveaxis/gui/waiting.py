@@ -135,7 +135,7 @@ def stage_words() -> dict[str, str]:
 
 @contextmanager
 def waiting(text: str) -> Iterator[Waiting]:
-    """``with waiting("Tool path"): ...``: all long work within reports to a dialog and can be stopped there."""
+    """Show a dialog of that title for all long work within a ``with``; the work can be stopped there."""
     from freecad_fiveaxis.app.long_work import reporting
 
     listener = Waiting(text)

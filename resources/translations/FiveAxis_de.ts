@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>Angle of the passes to the X axis, counter-clockwise seen from above</source>
-        <translation>Winkel der Zeilen zur X-Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
+        <translation>Winkel der Bahnen zur X-Achse, von oben gesehen gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Angular Deflection</source>
@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>Area that each marker stands for, as a side that no pass cuts, mm²; 0: none</source>
-        <translation>Fläche, für die jede Marke steht, etwa eine Seite, die keine Zeile fräst, mm²; 0: keine</translation>
+        <translation>Fläche, für die jede Marke steht, etwa eine Seite, die keine Bahn fräst, mm²; 0: keine</translation>
     </message>
     <message>
         <source>Areas</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>Constant distance of the passes, instead of a scallop height</source>
-        <translation>Fester Abstand der Zeilen statt einer Kuppenhöhe</translation>
+        <translation>Fester Abstand der Bahnen statt einer Kuppenhöhe</translation>
     </message>
     <message>
         <source>Constant scallop in each frame, or planes along the frame's axis and the direction of passes</source>
@@ -609,7 +609,7 @@
     </message>
     <message>
         <source>Largest height of the ridges that stay between two passes</source>
-        <translation>Größte Höhe der Grate, die zwischen zwei Zeilen stehen bleiben</translation>
+        <translation>Größte Höhe der Grate, die zwischen zwei Bahnen stehen bleiben</translation>
     </message>
     <message>
         <source>Lead</source>
@@ -837,7 +837,7 @@
     </message>
     <message>
         <source>Passes</source>
-        <translation>Zeilen</translation>
+        <translation>Bahnen</translation>
     </message>
     <message>
         <source>Passes From</source>
@@ -857,11 +857,11 @@
     </message>
     <message>
         <source>Passes come no closer than this, also on steep walls</source>
-        <translation>Enger liegen die Zeilen nicht, auch nicht an steilen Wänden</translation>
+        <translation>Enger liegen die Bahnen nicht, auch nicht an steilen Wänden</translation>
     </message>
     <message>
         <source>Passes over the part</source>
-        <translation>Zeilen über das Werkstück</translation>
+        <translation>Bahnen über das Werkstück</translation>
     </message>
     <message>
         <source>Path</source>
@@ -1073,7 +1073,7 @@
     </message>
     <message>
         <source>Show the ways between passes at feed, and where the tool is lifted off the part</source>
-        <translation>Die Wege zwischen den Zeilen im Vorschub zeigen, und wo das Werkzeug vom Werkstück abgehoben ist</translation>
+        <translation>Die Wege zwischen den Bahnen im Vorschub zeigen, und wo das Werkzeug vom Werkstück abgehoben ist</translation>
     </message>
     <message>
         <source>Show what cuts, in the colours of its deviation</source>
@@ -1912,7 +1912,7 @@
     </message>
     <message>
         <source>Direction of passes</source>
-        <translation>Richtung der Zeilen</translation>
+        <translation>Richtung der Bahnen</translation>
     </message>
     <message>
         <source>Distance of the ball's centre from the commanded line</source>
@@ -2432,7 +2432,7 @@
     </message>
     <message>
         <source>Passes</source>
-        <translation>Zeilen</translation>
+        <translation>Bahnen</translation>
     </message>
     <message>
         <source>Passes begin at</source>
@@ -3492,7 +3492,7 @@
     </message>
     <message>
         <source>linking the passes</source>
-        <translation>Zeilen verbinden</translation>
+        <translation>Bahnen verbinden</translation>
     </message>
     <message>
         <source>lollipop</source>
@@ -3624,7 +3624,7 @@
     </message>
     <message>
         <source>placing the passes</source>
-        <translation>Zeilen legen</translation>
+        <translation>Bahnen legen</translation>
     </message>
     <message>
         <source>planning safe moves</source>
@@ -4468,8 +4468,8 @@
         <translation>N{number} steht in keiner Zeile dieses Programms</translation>
     </message>
     <message>
-        <source>Of the file's tools ({told}) the moves of tool {tool} are taken: {count} of {all}.</source>
-        <translation>Von den Werkzeugen der Datei ({told}) werden die Bewegungen von Werkzeug {tool} genommen: {count} von {all}.</translation>
+        <source>Of the file's tools ({listed}) the moves of tool {tool} are taken: {count} of {all}.</source>
+        <translation>Von den Werkzeugen der Datei ({listed}) werden die Bewegungen von Werkzeug {tool} genommen: {count} von {all}.</translation>
     </message>
     <message>
         <source>Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.</source>
@@ -4513,7 +4513,7 @@
     </message>
     <message>
         <source>Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.</source>
-        <translation>Auf {length} der Zeilen hält keine Neigung bis {most} Schaft und Halter aus dem Werkstück, am tiefsten bei {place}. Mehr Neigung erlauben ({max_tilt}), ein längeres Werkzeug nehmen oder diese Stellen auslassen.</translation>
+        <translation>Auf {length} der Bahnen hält keine Neigung bis {most} Schaft und Halter aus dem Werkstück, am tiefsten bei {place}. Mehr Neigung erlauben ({max_tilt}), ein längeres Werkzeug nehmen oder diese Stellen auslassen.</translation>
     </message>
     <message>
         <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.</source>
@@ -4596,8 +4596,8 @@
         <translation>Die CL-Datei ist für einen Fräser von {diameter}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
     </message>
     <message>
-        <source>The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.</source>
-        <translation>Die CL-Datei ist für {said}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
+        <source>The CL file is for a {named}, retracts are laid out for a {given}; give {cutter}.</source>
+        <translation>Die CL-Datei ist für {named}, die Rückzüge sind für {given} ausgelegt; {cutter} angeben.</translation>
     </message>
     <message>
         <source>The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.</source>
@@ -4613,7 +4613,7 @@
     </message>
     <message>
         <source>The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is over the tool, let it be lifted there or leave such places out ({lift}).</source>
-        <translation>Der Fräser dringt auf dem Weg zwischen den Zeilen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
+        <translation>Der Fräser dringt auf dem Weg zwischen den Bahnen bei {at} {depth} ins Werkstück ein. Den Sicherheitsabstand vergrößern; wo das Werkstück über dem Werkzeug ist, es dort abheben lassen oder solche Stellen auslassen ({lift}).</translation>
     </message>
     <message>
         <source>The cutter goes {depth} into the part at {at}, not cutting.</source>
@@ -4640,8 +4640,8 @@
         <translation>Die Enden von {count} Kreisbögen sind so nahe, wie die gedruckten Stellen es zulassen (zuerst Zeile {line}): Sie können volle Kreise oder fast nichts sein; dort wird {taken} genommen, wie die Richtung sagt.</translation>
     </message>
     <message>
-        <source>The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool, or choose one: {option}.</source>
-        <translation>Die Datei wechselt das Werkzeug ({told}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
+        <source>The file changes tools ({listed}), the program does not: it cuts all of it with one. Write one file for each tool, or choose one: {option}.</source>
+        <translation>Die Datei wechselt das Werkzeug ({listed}), das Programm nicht: Es fräst alles mit einem. Eine Datei je Werkzeug schreiben, oder eines wählen: {option}.</translation>
     </message>
     <message>
         <source>The file ends in control characters; they are passed over.</source>
@@ -4661,7 +4661,7 @@
     </message>
     <message>
         <source>The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper.</source>
-        <translation>Die Flanke des Kegelfräsers neigt sich auf {length} der Zeilen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel oder einen Fräser mit weniger Kegel wählen.</translation>
+        <translation>Die Flanke des Kegelfräsers neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel oder einen Fräser mit weniger Kegel wählen.</translation>
     </message>
     <message>
         <source>The height of the table is not known: check that the part stands on it, or give {table_height}.</source>
@@ -4833,7 +4833,7 @@
     </message>
     <message>
         <source>The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use less lead or tilt, clamp the part in another position, or take another machine.</source>
-        <translation>Die Werkzeugachse liegt auf {length} der Zeilen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
+        <translation>Die Werkzeugachse liegt auf {length} der Bahnen jenseits der Grenzen der Rundachsen, zuerst bei {at}; sie sind ausgelassen. Weniger Voreil- oder Seitenwinkel geben, das Werkstück anders aufspannen oder eine andere Maschine nehmen.</translation>
     </message>
     <message>
         <source>The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. Have the post write degrees.</source>
@@ -4857,7 +4857,7 @@
     </message>
     <message>
         <source>The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool axis, lead or tilt, or cut these places in another set-up.</source>
-        <translation>Das Werkzeug neigt sich auf {length} der Zeilen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
+        <translation>Das Werkzeug neigt sich auf {length} der Bahnen ins Werkstück, zuerst bei {at}; sie sind ausgelassen. Eine andere Werkzeugachse, Voreil- oder Seitenwinkel wählen oder diese Stellen in einer anderen Aufspannung fräsen.</translation>
     </message>
     <message>
         <source>The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.</source>
@@ -4865,7 +4865,7 @@
     </message>
     <message>
         <source>The tool was lifted over {length} of the passes, most at {place}, where {lift} stay uncut along its axis. Cut these places with a smaller cutter or another tool axis.</source>
-        <translation>Das Werkzeug wurde auf {length} der Zeilen abgehoben, am meisten bei {place}, wo entlang seiner Achse {lift} stehen bleiben. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
+        <translation>Das Werkzeug wurde auf {length} der Bahnen abgehoben, am meisten bei {place}, wo entlang seiner Achse {lift} stehen bleiben. Diese Stellen mit einem kleineren Fräser oder anderer Werkzeugachse fräsen.</translation>
     </message>
     <message>
         <source>The tool {what} along Z through the part, because the tool axis points downwards there. Begin and end with an upright tool, or set the machine file's safe_start to none and begin by hand.</source>
@@ -5589,7 +5589,7 @@
     </message>
     <message>
         <source>hits the part between passes</source>
-        <translation>trifft das Werkstück zwischen den Zeilen</translation>
+        <translation>trifft das Werkstück zwischen den Bahnen</translation>
     </message>
     <message>
         <source>holder</source>
@@ -6153,7 +6153,7 @@
     </message>
     <message>
         <source>on every pass</source>
-        <translation>auf jeder Zeile</translation>
+        <translation>auf jeder Bahn</translation>
     </message>
     <message>
         <source>on its way out along its axis the tool would come nearer to the faces to avoid {where} than {allowance}, as at {place}</source>
@@ -6205,11 +6205,11 @@
     </message>
     <message>
         <source>passes along X, in direction {angle}</source>
-        <translation>Zeilen entlang X, in Richtung {angle}</translation>
+        <translation>Bahnen entlang X, in Richtung {angle}</translation>
     </message>
     <message>
         <source>passes along Y, in direction {angle}</source>
-        <translation>Zeilen entlang Y, in Richtung {angle}</translation>
+        <translation>Bahnen entlang Y, in Richtung {angle}</translation>
     </message>
     <message>
         <source>passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it</source>
@@ -6217,7 +6217,7 @@
     </message>
     <message>
         <source>passes in direction {angle}</source>
-        <translation>Zeilen in Richtung {angle}</translation>
+        <translation>Bahnen in Richtung {angle}</translation>
     </message>
     <message>
         <source>passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the units of the part</source>
@@ -6412,8 +6412,8 @@
         <translation>Tisch</translation>
     </message>
     <message>
-        <source>the CL file has no tool {tool}; it has {told}</source>
-        <translation>die CL-Datei hat kein Werkzeug {tool}; sie hat {told}</translation>
+        <source>the CL file has no tool {tool}; it has {listed}</source>
+        <translation>die CL-Datei hat kein Werkzeug {tool}; sie hat {listed}</translation>
     </message>
     <message>
         <source>the CL file holds fewer than two rows: there is no path to compare with</source>
@@ -6797,7 +6797,7 @@
     </message>
     <message>
         <source>there are no passes: no plane cuts a facet that can be reached; check stepover and direction</source>
-        <translation>es gibt keine Zeilen: keine Ebene schneidet eine erreichbare Facette; Zeilensprung und Richtung prüfen</translation>
+        <translation>es gibt keine Bahnen: keine Ebene schneidet eine erreichbare Facette; Zeilensprung und Richtung prüfen</translation>
     </message>
     <message>
         <source>there is no block {flat}; the last one is {count}</source>
@@ -7225,7 +7225,7 @@
     </message>
     <message>
         <source>{count} facets without area were left out, the first at {at}; passes end where that leaves a crack.</source>
-        <translation>{count} Facetten ohne Fläche sind ausgelassen, die erste bei {at}; Zeilen enden, wo dadurch ein Riss bleibt.</translation>
+        <translation>{count} Facetten ohne Fläche sind ausgelassen, die erste bei {at}; Bahnen enden, wo dadurch ein Riss bleibt.</translation>
     </message>
     <message>
         <source>{count} feed blocks (between NC lines {first} and {last})</source>
@@ -7345,11 +7345,11 @@
     </message>
     <message>
         <source>{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.</source>
-        <translation>{count} Zeilen sind am Pol vorbeigedreht: {letter} dreht auf ihnen höchstens {after} statt {before}, und insgesamt {turns} statt {turned}, bei einer um bis zu {most} geänderten Achse.</translation>
+        <translation>{count} Bahnen sind am Pol vorbeigedreht: {letter} dreht auf ihnen höchstens {after} statt {before}, und insgesamt {turns} statt {turned}, bei einer um bis zu {most} geänderten Achse.</translation>
     </message>
     <message>
         <source>{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.</source>
-        <translation>{count} Zeilen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeidrehen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
+        <translation>{count} Bahnen kommen dem Pol näher als {limit} und ließen sich nicht besser vorbeidrehen: {letter} dreht dort bis zu {rate}. Ein größerer Winkel, weitere Grenzen der Rundachsen oder eine andere Aufspannung können helfen.</translation>
     </message>
     <message>
         <source>{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on whichever way {name} drives the axes between their ends.</source>
@@ -7397,15 +7397,15 @@
     </message>
     <message>
         <source>{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that meet there.</source>
-        <translation>{edges} Kanten haben mehr als zwei Facetten, die erste bei {at}; Zeilen enden dort. Die Körper, die sich dort treffen, trennen oder vereinigen.</translation>
+        <translation>{edges} Kanten haben mehr als zwei Facetten, die erste bei {at}; Bahnen enden dort. Die Körper, die sich dort treffen, trennen oder vereinigen.</translation>
     </message>
     <message>
         <source>{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the facet normals.</source>
-        <translation>{edges} Kanten haben zwei Facetten, die sie im selben Sinn durchlaufen, die erste bei {at}; Zeilen enden dort. Die Facettennormalen vereinheitlichen.</translation>
+        <translation>{edges} Kanten haben zwei Facetten, die sie im selben Sinn durchlaufen, die erste bei {at}; Bahnen enden dort. Die Facettennormalen vereinheitlichen.</translation>
     </message>
     <message>
         <source>{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be solid.</source>
-        <translation>{edges} Kanten lassen das Netz offen, die erste bei {at}; Zeilen enden dort. Die Schale im CAD schließen, wenn sie ein Volumenkörper sein soll.</translation>
+        <translation>{edges} Kanten lassen das Netz offen, die erste bei {at}; Bahnen enden dort. Die Schale im CAD schließen, wenn sie ein Volumenkörper sein soll.</translation>
     </message>
     <message>
         <source>{error}; choose another machine, or put the file back</source>
@@ -7473,7 +7473,7 @@
     </message>
     <message>
         <source>{gouge} changes the passes: use it with {mill}; for an audit give {report}</source>
-        <translation>{gouge} ändert die Zeilen: nur mit {mill} verwenden; für eine Prüfung {report} angeben</translation>
+        <translation>{gouge} ändert die Bahnen: nur mit {mill} verwenden; für eine Prüfung {report} angeben</translation>
     </message>
     <message>
         <source>{joint} is not [[origin], [axis]]</source>
@@ -7601,7 +7601,7 @@
     </message>
     <message>
         <source>{length} of the passes are left out, because {why}. {remedy}</source>
-        <translation>{length} der Zeilen sind ausgelassen, weil {why}. {remedy}</translation>
+        <translation>{length} der Bahnen sind ausgelassen, weil {why}. {remedy}</translation>
     </message>
     <message>
         <source>{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits allow the tool axis that is needed. Wider limits or another setup avoid it.</source>
@@ -8013,7 +8013,7 @@
     </message>
     <message>
         <source>{past} needs the part's passes: use it with {mill}; a CL file keeps its axes</source>
-        <translation>{past} braucht die Zeilen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
+        <translation>{past} braucht die Bahnen des Werkstücks: mit {mill} verwenden; eine CL-Datei behält ihre Achsen</translation>
     </message>
     <message>
         <source>{path} cannot be read: {strerror}</source>
@@ -8281,7 +8281,7 @@
     </message>
     <message>
         <source>{value} of the passes are left out</source>
-        <translation>{value} der Zeilen sind ausgelassen</translation>
+        <translation>{value} der Bahnen sind ausgelassen</translation>
     </message>
     <message>
         <source>{version} cannot be read; only version {known} can</source>
@@ -8293,7 +8293,7 @@
     </message>
     <message>
         <source>{ways} would cut it; cut the {area} that lie along those passes with another path.</source>
-        <translation>{ways} würden sie fräsen; die {area}, die entlang dieser Zeilen liegen, mit einem anderen Werkzeugweg fräsen.</translation>
+        <translation>{ways} würden sie fräsen; die {area}, die entlang dieser Bahnen liegen, mit einem anderen Werkzeugweg fräsen.</translation>
     </message>
     <message>
         <source>{what} is not a vector of three numbers</source>
@@ -8532,7 +8532,7 @@
     </message>
     <message>
         <source>Largest ridge left between passes</source>
-        <translation>Größte Kuppe, die zwischen den Zeilen stehen bleibt (Restrauhigkeit)</translation>
+        <translation>Größte Kuppe, die zwischen den Bahnen stehen bleibt (Restrauhigkeit)</translation>
     </message>
     <message>
         <source>Long work</source>
@@ -8746,7 +8746,7 @@
     <name>FiveAxis_Toolpath</name>
     <message>
         <source>Plan five-axis passes over the selected solid, its selected faces, a mesh, or the model of a CAM Job</source>
-        <translation>Fünfachsige Zeilen über den gewählten Volumenkörper, seine gewählten Flächen, ein Netz oder das Modell eines CAM-Auftrags legen</translation>
+        <translation>Fünfachsige Bahnen über den gewählten Volumenkörper, seine gewählten Flächen, ein Netz oder das Modell eines CAM-Auftrags legen</translation>
     </message>
     <message>
         <source>Tool path…</source>

@@ -155,7 +155,7 @@ def test_the_file_that_vanished_or_changed_is_told(doc, table2, reopen):
 
 
 @pytest.mark.parametrize(
-    "machine, settings, kind",
+    ("machine", "settings", "kind"),
     [
         ("mikron", {}, MachineError),
         ("mikron_ucp710", {"scallop": 1}, SettingsError),

@@ -172,7 +172,7 @@ def test_findings_of_severity_error_are_exit_1(step, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "change, said",
+    ("change", "said"),
     [
         ({"scalop": "1"}, "scalop is no setting"),
         ({"machine": ""}, "no machine given"),

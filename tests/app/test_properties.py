@@ -127,7 +127,7 @@ def test_nothing_given_is_0_or_the_machines_own(path):
 
 
 @pytest.mark.parametrize(
-    "name, value, says",
+    ("name", "value", "says"),
     [
         ("Tolerance", 0, "tolerance"),
         ("CutterDiameter", 0, "cutter diameter"),
@@ -167,7 +167,7 @@ def test_a_cutters_sizes_have_units(path):
 
 
 @pytest.mark.parametrize(
-    "values, says",
+    ("values", "says"),
     [
         ({"CutterKind": "bull", "CutterCorner": 6}, "corner radius is 6 mm; give 0 to 5 mm"),
         ({"CutterKind": "lollipop", "CutterNeck": 10}, "neck is 10 mm; give 0.001 mm or more, and less than 10 mm"),
@@ -244,7 +244,7 @@ def test_both_spacings_at_once_are_refused(path):
 
 
 @pytest.mark.parametrize(
-    "options, says",
+    ("options", "says"),
     [
         ({"tolerence": 1}, "do you mean 'tolerance'"), ({"feed": "fast"}, "feed 'fast'"), ({"output": "x.ngc"}, "no setting of a document"),
         ({"tool_axis": "upright"}, "facet_mean"), ({"controller": "hal9000"}, "linuxcnc"), ({"work_zero": (1, 2)}, "three numbers"),
@@ -314,7 +314,7 @@ def test_both_feeds_are_one_whichever_is_set(undoable, feed):
     assert feeds_of(path)[0] == feeds_of(path)[1]
 
 
-@pytest.mark.parametrize("name, value", [("Feed", 10.0), ("FeedPerMinute", 600.0)])
+@pytest.mark.parametrize(("name", "value"), [("Feed", 10.0), ("FeedPerMinute", 600.0)])
 def test_undo_and_redo_put_both_feeds_back(undoable, name, value):
     path, doc = undoable, undoable.Document
     before = feeds_of(path)

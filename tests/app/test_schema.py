@@ -124,7 +124,9 @@ def of_version_3(obj, diameter=40.0, length=60.0):
     obj.SchemaVersion = 3
 
 
-@pytest.mark.parametrize("sizes, text", [((40.0, 60.0), "40x60"), ((31.75, 1 / 3), "31.75x0.333333333333"), ((40.0, 0.0), "")])
+@pytest.mark.parametrize(
+    ("sizes", "text"), [((40.0, 60.0), "40x60"), ((31.75, 1 / 3), "31.75x0.333333333333"), ((40.0, 0.0), "")]
+)
 def test_version_3_had_a_holder_of_one_cylinder_and_ball_cutters_only(doc, ball, reopen, anew, sizes, text):
     path = app.create_toolpath(doc, ball, **FAST, cutter="ball:6:30", links="over")
     nc = results.nc_of(path)

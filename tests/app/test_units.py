@@ -40,7 +40,7 @@ def test_imperial(schema, number):
 
 
 @pytest.mark.parametrize(
-    "measure, metric, imperial",
+    ("measure", "metric", "imperial"),
     [
         (Length(25.4, ".3f"), "25.4 mm", "1 in"),
         (Length(1.23456, ".3f"), "1.235 mm", "0.0486 in"),

@@ -228,7 +228,7 @@ def test_radial_passes_turn_with_the_part_about_any_axis():
 
 
 @pytest.mark.parametrize(
-    "given, told",
+    ("given", "told"),
     [({"axis": (0.0, 0.0, 0.0)}, "--pass-axis 0,0,0 has no direction"), ({"centre": "left"}, "neither middle nor X,Y,Z")],
 )
 def test_an_axis_that_is_none_is_refused(given, told):
@@ -240,7 +240,7 @@ def test_an_axis_that_is_none_is_refused(given, told):
 
 
 @pytest.mark.parametrize(
-    "words, told",
+    ("words", "told"),
     [
         (["--passes", "morph", "--from", "0,0,0"], None), (["--passes", "radial"], None),
         (["--passes", "radial", "--pass-centre", "1,2,3", "--pass-axis", "0,1,1"], None),

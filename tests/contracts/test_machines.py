@@ -65,7 +65,7 @@ def test_its_tilt_reaches_at_least_45_degrees_on_some_branch_in_every_direction(
 
 
 @machines
-@pytest.mark.parametrize("origin, length", [((0.0, 0.0, 0.0), 0.0), ((35.0, -20.0, 80.0), 120.0)])
+@pytest.mark.parametrize(("origin", "length"), [((0.0, 0.0, 0.0), 0.0), ((35.0, -20.0, 80.0), 120.0)])
 def test_forward_of_inverse_is_the_pose_on_both_branches(name, origin, length):
     kinematics = chain(load_machine(name), Setup(origin, length))
     rng = np.random.default_rng(20)

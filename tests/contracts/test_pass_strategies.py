@@ -200,7 +200,7 @@ def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name, most", [("planes", 1.0), ("scallop", 3.5)])  # in corners where fronts meet
+@pytest.mark.parametrize(("name", "most"), [("planes", 1.0), ("scallop", 3.5)])  # in corners where fronts meet
 @pytest.mark.parametrize("degrees", [43.0, 46.0])
 def test_divided_by_slope_no_place_is_higher_than_with_the_worse_of_both_alone(name, most, degrees):
     """The wavy slope leans by 42 to 49 deg. Without the level planes, the same comparison fails on the steep part."""
@@ -499,7 +499,7 @@ def test_behind_an_edge_over_which_the_ball_rolls_as_much_is_cut():
     assert highest(mesh) < 1.6 * SCALLOP
 
 
-@pytest.mark.parametrize("widest, spread", [(None, 0.5), (1.0, 1.0)])
+@pytest.mark.parametrize(("widest", "spread"), [(None, 0.5), (1.0, 1.0)])
 def test_in_a_hollow_what_is_no_ball_gets_the_step_of_a_flat(widest, spread):
     hollow = ball(6.0, 40, 60)
     hollow = from_faces(hollow.vertex, hollow.face[hollow.vertex[hollow.face, 2].max(axis=1) < 0.1, ::-1])
@@ -580,7 +580,7 @@ def no_axis_field(monkeypatch):
 
 
 @pytest.mark.parametrize("tool_axis", ["auto", "facet_mean"])
-@pytest.mark.parametrize("words, said", BAD)
+@pytest.mark.parametrize(("words", "said"), BAD)
 def test_what_cannot_be_used_is_one_line_and_no_file(stl, no_axis_field, words, said, tool_axis, monkeypatch, capsys):
     """And it is refused before the field of axes is computed, where the tool axis is auto."""
     monkeypatch.chdir(stl)

@@ -157,7 +157,7 @@ def test_passes_go_with_a_part_that_is_turned_shifted_and_scaled(by):
 
 
 @pytest.mark.parametrize(
-    "given, told",
+    ("given", "told"),
     [
         ({"axis": (0.0, 0.0, 0.0)}, "--pass-axis 0,0,0 has no direction"), ({"centre": "left"}, "neither middle nor X,Y,Z"),
         ({"centre": (0.0, 500.0, 0.0), "axis": X}, None),
@@ -187,7 +187,7 @@ def machine(*axes):
 
 
 @pytest.mark.parametrize(
-    "axes, about, through",
+    ("axes", "about", "through"),
     [
         ([Axis("A", True, "table", X, (5.0, 20.0, -50.0))], X, (4.0, 18.0, -53.0)),
         ([Axis("B", True, "table", Y, ORIGIN)], Y, (-1.0, -2.0, -3.0)),
@@ -305,7 +305,7 @@ def test_a_machine_of_five_axes_turns_the_part_about_its_longest_side(stl):
 
 
 @pytest.mark.parametrize(
-    "words, told",
+    ("words", "told"),
     [
         (["--rotary-by", "around"], None), (["--passes", "scallop", "--tool-axis", "from_axis"], None),
         (["--passes", "rotary", "--tool-axis", "facet_mean"], None),

@@ -36,7 +36,7 @@ def strategy(request):
     return request.param
 
 
-@pytest.mark.parametrize("lead, tilt", LEANS)
+@pytest.mark.parametrize(("lead", "tilt"), LEANS)
 def test_one_finite_unit_axis_a_row(strategy, lead, tilt):
     axis = tool_axes(path(0.0), strategy, AxisOptions(tuple(FIXED), lead, tilt))
     assert axis.shape == path(0.0).point.shape
@@ -44,7 +44,7 @@ def test_one_finite_unit_axis_a_row(strategy, lead, tilt):
     np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1, atol=1e-14)
 
 
-@pytest.mark.parametrize("lead, tilt", LEANS)
+@pytest.mark.parametrize(("lead", "tilt"), LEANS)
 @pytest.mark.parametrize("turn", [0.7, np.pi / 2, 3.0])
 def test_the_axis_moves_with_the_part(strategy, lead, tilt, turn):
     here = tool_axes(path(0.0), strategy, AxisOptions(tuple(FIXED), lead, tilt))

@@ -107,7 +107,7 @@ def plan_machine():
     return Path(machine_path("trunnion_bc"))
 
 
-@pytest.mark.parametrize("controller, ending", [("siemens840d", ".mpf"), ("heidenhain", ".h"), ("linuxcnc", ".ngc")])
+@pytest.mark.parametrize(("controller", "ending"), [("siemens840d", ".mpf"), ("heidenhain", ".h"), ("linuxcnc", ".ngc")])
 def test_programs_end_as_their_controller_wants_it(controller, ending, parts):
     (one, _) = plan.read_jobs(str(parts), WAY | {"controller": controller}, "out")
     assert one.nc == os.path.join("out", "a" + ending)
@@ -183,7 +183,7 @@ def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(name,
 
 
 @pytest.mark.parametrize(
-    "words, said",
+    ("words", "said"),
     [
         (["nowhere"], "does not exist"),
         (["."], "no part"),
@@ -219,7 +219,7 @@ def test_a_shard_says_which_jobs():
             plan.read_shard(bad)
 
 
-@pytest.mark.parametrize("words, workers", [([], 3), (["--workers", "2"], 2)])
+@pytest.mark.parametrize(("words", "workers"), [([], 3), (["--workers", "2"], 2)])
 def test_a_batch_begins_as_many_workers_as_there_are_processors_unless_told(
     words, workers, parts, tmp_path, monkeypatch, without_work
 ):

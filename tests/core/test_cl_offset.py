@@ -119,7 +119,7 @@ def test_after_a_lift_nothing_says_that_the_heel_stands_in_the_part(parts):
     assert "lifted" in {one.code for one in result.findings}
 
 
-@pytest.mark.parametrize("part, lead", [("dome", 5), ("saddle", 10)])
+@pytest.mark.parametrize(("part", "lead"), [("dome", 5), ("saddle", 10)])
 @pytest.mark.parametrize("cutter", CUTTERS)
 def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, lead, cutter, milled):
     result = milled(part, "trunnion_ac", cutter=cutter, lead=lead)
@@ -172,7 +172,7 @@ def test_the_driven_point_of_control_point_centre_is_the_hub(cutter, milled):
 
 
 @pytest.mark.parametrize("shape", [*CUTTERS, "ball:10"])
-@pytest.mark.parametrize("lead, tilt", [(0, 0), (15, 0), (10, -20)])
+@pytest.mark.parametrize(("lead", "tilt"), [(0, 0), (15, 0), (10, -20)])
 def test_on_a_plane_every_tip_is_that_of_its_contact(shape, lead, tilt, tmp_path):
     write_stl(surface(SURFACES["plane"], count=5), tmp_path / "plane.stl")
     given = {
@@ -232,7 +232,7 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
 
 
 @pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2"])
-@pytest.mark.parametrize("slope, options, gouges", [
+@pytest.mark.parametrize(("slope", "options", "gouges"), [
     (-5, {}, True), (-5, {"tool_axis": "fixed"}, True), (-5, {"lead": 10}, False), (-20, {"lead": 10}, True), (-45, {}, True),
 ])  # fmt: skip
 def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(cutter, slope, options, gouges, tmp_path, estimated):
@@ -307,7 +307,7 @@ def left_over(made, cutter, height, most):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "name, shape, lead",
+    ("name", "shape", "lead"),
     [("plane", "bull:6:1", 5), ("cylinder across", "flat:6", 5), ("cylinder along", "flat:6", 5), ("cylinder along", "flat:6", 0),
      ("cylinder across", "bull:6:1", 0), ("sphere", "bull:6:1", 5), ("sphere", "flat:6", 0)],
 )  # fmt: skip
@@ -359,7 +359,7 @@ def test_a_cl_file_says_the_cutter_and_gives_it_back(shape, milled):
 
 
 @pytest.mark.parametrize(
-    "statement, sizes",
+    ("statement", "sizes"),
     [("CUTTER/10,2", (10, 2, 0)), ("CUTTER/10,5", (10, 5, 0)), ("CUTTER/10,0", (10, 0, 0)), ("CUTTER/10,2,3,2,0,0,40", (10, 2, 0)),
      ("CUTTER/5.49836,3,0,3,0,5,40", (6, 3, 5)), ("CUTTER/5.49836,3,0,3,0,5", (6, 3, 5)), ("UNITS/INCHES\nCUTTER/0.5,0.1", (12.7, 2.54, 0)),
      ("CUTTER/10", None), ("CUTTER/10,2,3,2,30,0,40", None), ("CUTTER/10,2,3,4,0,0,40", None), ("CUTTER/10,2,3,2,0,-5,40", None),

@@ -431,7 +431,7 @@ def test_no_contact_gives_no_rows():
 
 
 @pytest.mark.parametrize(
-    "radius, tolerance", [(0.0, 0.01), (-1.0, 0.01), (np.nan, 0.01), (np.inf, 0.01), (5.0, 0.0), (5.0, np.nan)]
+    ("radius", "tolerance"), [(0.0, 0.01), (-1.0, 0.01), (np.nan, 0.01), (np.inf, 0.01), (5.0, 0.0), (5.0, np.nan)]
 )
 def test_a_radius_or_tolerance_that_is_no_length_is_refused(radius, tolerance):
     with pytest.raises(SettingsError, match="give a length above 0"):

@@ -9,7 +9,7 @@ from freecad_fiveaxis.core.tool import Cutter, cutter_sizes, kind_of, parse_cutt
 
 
 @pytest.mark.parametrize(
-    "text, diameter, length",
+    ("text", "diameter", "length"),
     [("ball:10", 10, 50), ("ball:0.5in", 12.7, 50), (" Ball:6mm:2cm ", 6, 20), ("ball:.25in:1in", 6.35, 25.4)],
 )
 def test_a_cutter_is_read_with_its_units(text, diameter, length):

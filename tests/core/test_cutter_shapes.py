@@ -126,7 +126,7 @@ def test_a_ball_stands_as_it_always_did():
 
 
 @pytest.mark.parametrize("shape", ["ball:10", "flat:10", "bull:10:2", "taperbull:10:2:10deg:25"])
-@pytest.mark.parametrize("lead, tilt", [(3, 0), (10, 0), (30, 0), (0, 10), (8, 4), (20, 25)])
+@pytest.mark.parametrize(("lead", "tilt"), [(3, 0), (10, 0), (30, 0), (0, 10), (8, 4), (20, 25)])
 def test_the_effective_radius_is_the_curvature_of_the_body_seen_along_the_feed(shape, lead, tilt):
     """Radius of curvature of a plane curve from its support function h: h + h''."""
     cutter = parse_cutter(shape)
@@ -151,7 +151,7 @@ def test_known_effective_radii():
 
 
 @pytest.mark.parametrize("shape", ["ball:10", "flat:10", "bull:10:2", "taperbull:10:2:10deg:25"])
-@pytest.mark.parametrize("lead, tilt", [(0, 0), (3, 0), (30, 0), (0, 10), (0, 45), (8, 4)])
+@pytest.mark.parametrize(("lead", "tilt"), [(0, 0), (3, 0), (30, 0), (0, 10), (0, 45), (8, 4)])
 def test_the_width_is_that_of_the_body_seen_along_the_feed(shape, lead, tilt):
     cutter = parse_cutter(shape)
     _, normal, axis, feed = stands((lead,), (tilt,))
@@ -208,7 +208,7 @@ def test_a_cutter_comes_back_from_its_text(shape):
 
 
 @pytest.mark.parametrize(
-    "text, sizes",
+    ("text", "sizes"),
     [("flat:0.5in", (12.7, 50, 0, 0)), ("bull:10:2:60", (10, 60, 2, 0)), (" TaperBall:6:5 ", (6, 50, 3, 5)),
      ("taperbull:10mm:1mm:0.1rad:2in", (10, 50.8, 1, np.degrees(0.1))), ("bull:10:5", (10, 50, 5, 0)), ("taperball:6:0", (6, 50, 3, 0))],
 )  # fmt: skip
@@ -218,7 +218,7 @@ def test_sizes_are_read_with_their_units(text, sizes):
 
 
 @pytest.mark.parametrize(
-    "text, why",
+    ("text", "why"),
     [("bull:10:6", "corner radius is 6 mm; give 0 to 5 mm"), ("bull:10:-1", "corner radius is -1"), ("bull:10", "KIND:DIAMETER:CORNER"),
      ("taperball:6:-5deg", "taper is -5 deg; give 0 to 60"), ("taperball:6:80", "taper is 80 deg"), ("flat:0", "diameter is 0 mm"),
      ("taperball:6:5deg:0", "length is 0 mm"), ("taperball:6:5deg:2", "begins 2.7"), ("taperbull:10:2:5deg:1.5", "longer cutter"),

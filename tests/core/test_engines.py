@@ -126,7 +126,7 @@ KILLS = [(KILLED[0], name) for name in ("setup", "compare", "reach")] + [(name, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name, of", KILLS)
+@pytest.mark.parametrize(("name", "of"), KILLS)
 def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, parts, told, tmp_path):
     """Pools of Python and loky break, which is one clear error and no result; a second run has all. Dask has another worker."""
     mark, shares, roof = tmp_path / "died", [], str(parts / "a.stl")

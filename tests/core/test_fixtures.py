@@ -164,7 +164,7 @@ def test_an_audit_looks_at_the_holder_beside_fixtures_without_a_part(files, caps
     assert "--fixture" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name, said", [("none.stl", "none.stl"), ("plate.txt", "plate.txt")])
+@pytest.mark.parametrize(("name", "said"), [("none.stl", "none.stl"), ("plate.txt", "plate.txt")])
 def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_written(files, capsys, name, said):
     (files / "plate.txt").write_text("a vise\n")
     out = files / "never.ngc"

@@ -120,7 +120,7 @@ PRIVATE = frozenset(["said", "told", "led", "laid", "sat", "stood", "asked", "ma
 
 CLEAN = (
     "audit", "base", "batch", "calibration", "controllers", "geometry", "gouge", "links", "machine", "motion", "nc", "orientation",
-    "passes", "pipeline", "tool",
+    "passes", "pipeline", "report", "studies", "tool", "toolpath",
 )  # fmt: skip
 """Packages of the core in which no name is made of them. Add yours when it is."""
 

@@ -81,7 +81,7 @@ def test_xyzbc_trt_agrees_with_linuxcnc():
     check_against(chain(machine, Setup()), q, tip, axis)
 
 
-@pytest.mark.parametrize("name, offset", [("linuxcnc_xyzac_trt", (0, 20, 10)), ("linuxcnc_xyzbc_trt", (-20, 0, -15))])
+@pytest.mark.parametrize(("name", "offset"), [("linuxcnc_xyzac_trt", (0, 20, 10)), ("linuxcnc_xyzbc_trt", (-20, 0, -15))])
 def test_the_shipped_linuxcnc_machines_have_the_offsets_of_its_simulation(name, offset):
     q = words(np.random.default_rng(3))
     tilt_axis = X if "xyzac" in name else Y
@@ -459,7 +459,7 @@ def test_limits_are_of_the_words():
 
 
 @pytest.mark.parametrize(
-    "axes, problem",
+    ("axes", "problem"),
     [
         ((("C", "table", Z, (0, 0, 0)), ("A", "table", (0, 0, -1), (0, 0, 0)), *linear("head")), "parallel"),
         ((("A", "table", X, (0, 0, 0)), ("C", "table", Z, (0, 0, 0)), *linear("head")), "never tilts"),

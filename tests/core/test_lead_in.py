@@ -166,7 +166,7 @@ def led(path, radius=R, mesh=None, table=None, tolerance=0.01):
     return lead_in(path, facet_tree(mesh or prism(FLOOR)), body, LeadOptions(radius, tolerance, 0.005, table, 0.0, 4.0))
 
 
-@pytest.mark.parametrize("room, radius", [(4.5, 4.0), (3.0, 2.0), (1.5, 1.0), (0.5, 0.0)])
+@pytest.mark.parametrize(("room", "radius"), [(4.5, 4.0), (3.0, 2.0), (1.5, 1.0), (0.5, 0.0)])
 def test_towards_a_wall_the_radius_is_halved_up_to_two_times_and_counted(room, radius):
     """A pass that ends with ``room`` mm between the ball and the wall, and begins far from it."""
     path = by_hand(np.array([[0.0, -20.0, 0.0], [0.0, -4.0 - room, 0.0]]))
@@ -226,7 +226,7 @@ def test_a_radius_that_is_none_is_refused(given):
 
 
 @pytest.mark.parametrize(
-    "task, given, said", [("mill", "101", "at most 100 mm"), ("mill", "-1", "at least 0 mm"), ("post", "1", "lead-in")]
+    ("task", "given", "said"), [("mill", "101", "at most 100 mm"), ("mill", "-1", "at least 0 mm"), ("post", "1", "lead-in")]
 )
 def test_the_command_line_refuses_it_in_one_line(task, given, said, tmp_path):
     part = tmp_path / "part.stl"

@@ -83,7 +83,7 @@ def test_it_stands_and_cuts_as_a_ball_does():
     assert lollipop().equivalent_radius(UP, UP, np.eye(3)[:1], 0.01)[0] == pytest.approx(RADIUS, rel=3e-4)
 
 
-@pytest.mark.parametrize("below, ball_touches", [(0.0, True), (30.0, True), (66.0, True), (67.0, False)])
+@pytest.mark.parametrize(("below", "ball_touches"), [(0.0, True), (30.0, True), (66.0, True), (67.0, False)])
 def test_below_the_surface_it_touches_with_its_ball_as_far_as_its_neck_lets_it(below, ball_touches):
     """The neck leaves the ball where sin = neck / diameter: 90 - 23.578 = 66.42 deg above its equator."""
     assert math.degrees(lollipop().undercut) == pytest.approx(66.42, abs=0.01)
@@ -148,7 +148,7 @@ def test_a_reach_map_knows_that_it_gets_farther_under_a_roof(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "text, sizes",
+    ("text", "sizes"),
     [
         ("lollipop:10:6", (10.0, 6.0, 50.0)),
         (" Lollipop:0.5in:6mm:4cm ", (12.7, 6.0, 40.0)),
@@ -162,7 +162,7 @@ def test_it_is_read_with_its_units_and_comes_back_from_its_text(text, sizes):
 
 
 @pytest.mark.parametrize(
-    "text, why",
+    ("text", "why"),
     [("lollipop:10", "KIND:DIAMETER:NECK"), ("lollipop:10:0", "neck is 0 mm; give 0.001 mm or more, and less than 10 mm"),
      ("lollipop:10:10", "neck is 10 mm"), ("lollipop:10:0.5in", "neck is 12.7 mm"), ("lollipop:10:-2", "neck is -2 mm"),
      ("lollipop:10:6:9", "length is 9 mm, the neck begins 9 mm above the tip; give a longer cutter"),

@@ -275,7 +275,7 @@ def test_a_folder_is_no_machine(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "content, words",
+    ("content", "words"),
     [
         (b"", ["is empty"]),
         (b" \n", ["is empty"]),
@@ -341,7 +341,7 @@ def test_each_key_with_a_value_that_makes_no_sense_is_named(data, load, key, val
 
 
 @pytest.mark.parametrize(
-    "key, value, words",
+    ("key", "value", "words"),
     [
         ("machine.units", "furlong", ["machine.units", "metric, imperial"]),
         ("machine.name", " ", ["machine.name", "empty"]),

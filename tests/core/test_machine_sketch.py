@@ -162,7 +162,7 @@ def test_limits_that_swing_less_need_less_room():
     assert floor[0] < floor[1] - 5.0
 
 
-@pytest.mark.parametrize("table, face", [(None, -5.0), (-30.0, -30.0), (10.0, -5.0)])
+@pytest.mark.parametrize(("table", "face"), [(None, -5.0), (-30.0, -30.0), (10.0, -5.0)])
 def test_the_face_stands_where_the_machine_file_says_but_never_in_the_part(table, face):
     for name in ("trunnion_ac", "head_b_table_c", "fork_head_bc"):
         (body,) = [one for one in sketch(shipped(name), *PART, TOOL, table) if one.name in ("platter", "table")]

@@ -101,7 +101,7 @@ def test_on_a_hill_that_one_axis_cuts_at_least_5_times_smaller(depth):
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("family, depth", [("hill", 300.0), ("wavy", None), ("hollow", 150.0)])
+@pytest.mark.parametrize(("family", "depth"), [("hill", 300.0), ("wavy", None), ("hollow", 150.0)])
 def test_within_10_percent_of_the_exact_dynamic_programme(family, depth):
     case = cases.profile(family, 0, depth)
     assert case.largest(case.found) < 1.1 * cases.optimum(case, cases.TILT, 0.05)
@@ -275,7 +275,7 @@ def test_a_tilt_of_zero_or_beyond_all_sense_is_refused(tilt):
 
 
 @pytest.mark.parametrize(
-    "words, said",
+    ("words", "said"),
     [
         (["--max-tilt", "0"], "max-tilt 0 is out of range"), (["--max-tilt", "31"], "at most 30 deg"),
         (["--max-tilt", "nan"], "max-tilt"), (["--lead", "3"], "lead 3 deg leaves minimax no choice; leave it out"),

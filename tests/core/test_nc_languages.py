@@ -223,7 +223,9 @@ def test_a_text_of_another_language_than_told_is_read_in_its_own_and_said():
     assert "other-language" in codes_of(read("G710 G90 F9\nTRAORI\nG1 X1 Y0 Z0 A0 C0\n", "fanuc"))
 
 
-@pytest.mark.parametrize("controller, name", [("heidenhain_m128", "heidenhain"), ("siemens840d", "siemens840d"), ("fanuc", "")])
+@pytest.mark.parametrize(
+    ("controller", "name"), [("heidenhain_m128", "heidenhain"), ("siemens840d", "siemens840d"), ("fanuc", "")]
+)
 def test_a_text_whose_controller_nobody_has_said_is_taken_as_its_own_signs_say(controller, name, tmp_path):
     posted = milled("trunnion_ac", controller=controller, feed_mode="g94", stepover=12.0, rings=6)
     (tmp_path / "a.nc").write_bytes(posted.nc)

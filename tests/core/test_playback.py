@@ -124,7 +124,7 @@ def rz(c):
     return np.array([[math.cos(c), -math.sin(c), 0], [math.sin(c), math.cos(c), 0], [0, 0, 1]])
 
 
-@pytest.mark.parametrize("name, tilt", [("linuxcnc_xyzac_trt", rx), ("linuxcnc_xyzbc_trt", ry)])
+@pytest.mark.parametrize(("name", "tilt"), [("linuxcnc_xyzac_trt", rx), ("linuxcnc_xyzbc_trt", ry)])
 def test_linuxcnc_trunnions_turn_the_work_by_plus_c_then_tilt_it(name, tilt):
     """xyzac-trt and xyzbc-trt: P = Rz(-C)(d + R(-A)(J - d)), so the work stands at R(A)(Rz(C) P - d) + d; tables turn by + words."""
     kinematics = shipped(name)

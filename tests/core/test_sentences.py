@@ -66,7 +66,7 @@ def test_any_other_text_comes_back():
 
 
 @pytest.mark.parametrize(
-    "value, text",
+    ("value", "text"),
     [
         (Length(2.12642, ".4g"), "2.126 mm"),
         (Length(0.5, ".6f", bare=True), "0.500000"),
@@ -103,7 +103,7 @@ def test_settings_choices_and_tasks_have_names_of_their_own_in_a_window(named):
 
 
 @pytest.mark.parametrize(
-    "count, text, told", [(1, "1 block leaves", "1 Satz verlässt"), (3, "3 blocks leave", "3 Sätze verlassen")]
+    ("count", "text", "told"), [(1, "1 block leaves", "1 Satz verlässt"), (3, "3 blocks leave", "3 Sätze verlassen")]
 )
 def test_one_and_many(count, text, told):
     said = plural(count, "{count} block leaves", "{count} blocks leave")
@@ -151,13 +151,15 @@ def test_the_context_is_asked_for():
     assert asked == [CONTEXT]
 
 
-@pytest.mark.parametrize("value, text", [(1e-6, "0.000001 mm"), (1e6, "1000000 mm"), (0.01, "0.01 mm"), (89.99999999, "90 mm")])
+@pytest.mark.parametrize(
+    ("value", "text"), [(1e-6, "0.000001 mm"), (1e6, "1000000 mm"), (0.01, "0.01 mm"), (89.99999999, "90 mm")]
+)
 def test_a_bound_is_written_without_an_exponent(value, text):
     assert str(Length(value, IN_FULL)) == text and str(Number(value, IN_FULL)) + " mm" == text
 
 
 @pytest.mark.parametrize(
-    "text, english, german",
+    ("text", "english", "german"),
     [
         ("Facets look down; leave them.", "facets look down", "Facetten schauen nach unten"),
         ("The holder enters. Lift it.", "the holder enters", "der Halter dringt ein"),

@@ -112,7 +112,7 @@ PARTS = [
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name, strategy", PARTS)
+@pytest.mark.parametrize(("name", "strategy"), PARTS)
 def test_the_loops_of_a_region_become_one_pass_as_close_as_they_were(name, strategy):
     mesh = part(name)
     loops, spiral = laid(mesh, strategy)
@@ -143,7 +143,7 @@ def test_a_pass_that_is_too_coarse_would_be_noticed():
     assert farthest(mesh, gone, low, high) > 1.5 * farthest(mesh, loops, low, high)
 
 
-@pytest.mark.parametrize("name, strategy", PARTS)
+@pytest.mark.parametrize(("name", "strategy"), PARTS)
 def test_points_lie_in_the_facets_that_they_name_and_on_their_coedges(name, strategy):
     mesh = part(name)
     _, contact = laid(mesh, strategy)

@@ -226,7 +226,7 @@ def audited(path, text, **options):
     return job.run(build_settings("audit", str(path), {"machine": "trunnion_ac", "controller": "linuxcnc", **options}))
 
 
-@pytest.mark.parametrize("cutter, known", [(f"ball:{2 * RADIUS:g}", True), ("bull:6:1", False), (None, False)])
+@pytest.mark.parametrize(("cutter", "known"), [(f"ball:{2 * RADIUS:g}", True), ("bull:6:1", False), (None, False)])
 def test_an_audit_judges_the_centre_of_a_ball_that_is_given(tmp_path, cutter, known):
     result = proven("box")
     found = audited(tmp_path / "a.ngc", result.draft.nc, **({"cutter": cutter} if cutter else {}))

@@ -44,7 +44,7 @@ def test_a_spiral_is_thinned_too_though_it_is_one_pass():
     assert (np.diff(left) <= 0).all()
 
 
-@pytest.mark.parametrize("count, diagonal", [(0, 10.0), (1, 0.0)])
+@pytest.mark.parametrize(("count", "diagonal"), [(0, 10.0), (1, 0.0)])
 def test_nothing_and_a_point_are_no_error(count, diagonal):
     assert (coats(np.zeros((count, 3)), np.zeros((count, 3)), diagonal) == 0).all()
 

@@ -272,7 +272,7 @@ def test_forms_give_their_strings_under_their_class():
 
 
 @pytest.mark.parametrize(
-    "name, shown",
+    ("name", "shown"),
     [("WorkZero", "Work Zero"), ("NCFile", "NCFile"), ("MaxBound", "Max Bound"), ("NC file", "NC file"), ("Tool", "Tool")],
 )
 def test_property_names_are_looked_up_as_the_editor_shows_them(name, shown):

@@ -354,7 +354,7 @@ def test_an_idle_view_is_not_drawn_again_and_again_because_labels_find_their_pla
 
 
 @pytest.mark.parametrize(
-    "deviation, colour", [(0.0, None), (4e-5, None), (0.004, GOOD), (0.01, GOOD), (0.011, BAD), (float("nan"), BAD)]
+    ("deviation", "colour"), [(0.0, None), (4e-5, None), (0.004, GOOD), (0.01, GOOD), (0.011, BAD), (float("nan"), BAD)]
 )
 def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour):
     assert marks.largest_colour(deviation, 0.01, GOOD, BAD) == colour
@@ -373,7 +373,7 @@ def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour
     assert not said or ("within" in said[0].text) == (colour == GOOD)
 
 
-@pytest.mark.parametrize("factor, seen", [(0.5, {BAD}), (2.0, {GOOD}), (None, {GOOD, BAD})])
+@pytest.mark.parametrize(("factor", "seen"), [(0.5, {BAD}), (2.0, {GOOD}), (None, {GOOD, BAD})])
 def test_the_real_curves_are_loud_only_over_the_tolerance(dome, factor, seen):
     from dataclasses import replace
 
@@ -479,7 +479,7 @@ def test_a_long_path_is_few_nodes_and_no_more_strokes_than_a_view_can_turn(count
     assert drawn(scene, large.root)
 
 
-@pytest.mark.parametrize("side, most", [(316, None), (223, 1000)])
+@pytest.mark.parametrize(("side", "most"), [(316, None), (223, 1000)])
 def test_a_map_of_many_facets_is_few_nodes_and_one_triangle_for_each(side, most, scene, monkeypatch):
     """200 000 facets, each its own sample; and 100 000 where the facets' worst samples are drawn."""
     if most:

@@ -223,7 +223,7 @@ def test_table_2_is_drawn_with_its_label_and_a_curve_that_overshoots(audit, doc,
     assert _images(picture.nodes.groups["label"]) == 1, "one label, no more"
 
 
-@pytest.mark.parametrize("schema, value", [(0, "2.126 mm"), (3, "0.08372 in")])
+@pytest.mark.parametrize(("schema", "value"), [(0, "2.126 mm"), (3, "0.08372 in")])
 def test_the_label_honours_the_users_units(audit, schema, value):
     from freecad_fiveaxis.gui.scene import words
 

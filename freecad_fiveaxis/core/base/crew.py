@@ -38,9 +38,11 @@ _here = threading.local()
 class Stop(Protocol):
     """An event of threads or of processes."""
 
-    def set(self) -> None: ...
+    def set(self) -> None:
+        """Ask all who look at it to stop."""
 
-    def is_set(self) -> bool: ...
+    def is_set(self) -> bool:
+        """Say whether they are asked to."""
 
 
 class Crew:

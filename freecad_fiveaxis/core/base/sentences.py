@@ -189,6 +189,7 @@ class Sentence(str):
     translated: bool
 
     def __new__(cls, template: str, values: Mapping[str, Any], translated: bool = True) -> Sentence:
+        """Make the English text of it, and keep what it is made of."""
         sentence = super().__new__(cls, template.format_map({name: str(value) for name, value in values.items()}))
         sentence.template, sentence.values, sentence.translated = template, values, translated
         return sentence
@@ -234,7 +235,7 @@ CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
 
 
 def one_line(text: str) -> str:
-    """A text from outside, as a name of a file, with its control characters written out (``\\n``)."""
+    r"""A text from outside, as a name of a file, with its control characters written out (``\n``)."""
     return CONTROL.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
 
 

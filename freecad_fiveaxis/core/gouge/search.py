@@ -383,6 +383,7 @@ def _divided(clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enter
 
 
 def family(first: Ints, count: Ints) -> Ints:
+    """List the numbers (sum of count,) from each ``first`` on, ``count`` of each (k,)."""
     head = np.cumsum(count) - count
     return np.asarray(np.arange(int(count.sum())) + np.repeat(first - head, count))
 
@@ -400,6 +401,7 @@ def _halved(left: _Left, in_time: Bools) -> _Left:
 
 
 def halves_of_facets(corner: Floats) -> tuple[Floats, Floats]:
+    """Part each facet, corners (3, 3, n) mm, in the middle of its longest side: both halves, shaped alike."""
     side = ((corner - np.roll(corner, -1, axis=0)) ** 2).sum(axis=1)
     longest, at = side.argmax(axis=0), np.arange(corner.shape[2])
     a, b, c = (corner[(longest + k) % 3, :, at].T for k in range(3))

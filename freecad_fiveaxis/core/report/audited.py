@@ -27,7 +27,7 @@ def audited(program: Program, audit: Audit | None) -> dict[str, Any]:
     feed = audit.rates.tip_feed[moving]
     quickest = int(audit.rates.ratio.argmax()) if len(program.words) else 0
     farthest = int(audit.limits.excess.argmax()) if len(program.words) else 0
-    told = {
+    facts = {
         "over_limit_blocks": int((audit.limits.excess > 0.0).sum()),
         "max_limit_excess": _largest(audit.limits.excess),
         "limit_axis": _letter(program, audit.limits.axis, farthest, audit.limits.excess),
@@ -43,7 +43,7 @@ def audited(program: Program, audit: Audit | None) -> dict[str, Any]:
         "largest_tip_feed": float(feed.max()) if len(feed) else None,
         "largest_tip_feed_line": int(program.line[moving[feed.argmax()]]) if len(feed) else None,
     }
-    return told | _against(program, audit)
+    return facts | _against(program, audit)
 
 
 def _against(program: Program, audit: Audit) -> dict[str, Any]:

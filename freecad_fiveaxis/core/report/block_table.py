@@ -56,7 +56,7 @@ def blocks_csv(
     """The whole table as ASCII text, lines ending in a line feed. All records have one row a block, ``gouge`` one less."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
-    words = [_said(program, column) + 0.0 for column in letter_order(program.letters)]
+    words = [_programmed(program, column) + 0.0 for column in letter_order(program.letters)]
     figures = [deviation.u_line, deviation.line, deviation.u_segment, deviation.segment, round_up(deviation.bound)]
     numbers = [*words, program.feed, *figures, np.degrees(deviation.axis)]
     parts: list[Part] = [
@@ -75,7 +75,7 @@ def blocks_csv(
     return header(program.letters, gouge is not None, surface is not None).encode() + b"\n" + table(parts, progress=progress)
 
 
-def _said(program: Program, column: int) -> Floats:
+def _programmed(program: Program, column: int) -> Floats:
     """The words (m,) of one letter as the NC file says them: the tip's place where the controller guides it."""
     if program.guided is None or column >= 3:
         return program.words[:, column]

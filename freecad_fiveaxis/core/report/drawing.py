@@ -165,13 +165,13 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
     codes = [one.code for one in figures.findings]
     whole = {codes.index(code) for code in (OVER, UNPROVEN, SINGULAR) if codes.count(code) > 1}
     rows = [Row(one.code, one, at in whole) for at, one in enumerate(figures.findings)]
-    told: dict[object, Row] = {(one.kind, one.finding.block): one for one in rows if not one.whole}
-    told |= {id(one.finding): one for one in rows if one.finding.block is None}
+    by_mark: dict[object, Row] = {(one.kind, one.finding.block): one for one in rows if not one.whole}
+    by_mark |= {id(one.finding): one for one in rows if one.finding.block is None}
     marked = []
     for mark in markers(figures):
-        row = told.get((mark.kind, mark.block) if mark.block is not None else id(mark.finding))
+        row = by_mark.get((mark.kind, mark.block) if mark.block is not None else id(mark.finding))
         if row is None:
-            row = Row(mark.kind, _told(figures, mark))
+            row = Row(mark.kind, _finding_of(figures, mark))
             rows.append(row)
         marked.append(row)
     rows.sort(key=lambda row: -row.finding.severity)
@@ -179,7 +179,7 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
     return tuple(rows), tuple(place[id(row)] for row in marked)
 
 
-def _told(figures: Figures, mark: Marker) -> Finding:
+def _finding_of(figures: Figures, mark: Marker) -> Finding:
     """What is known of a marker, as a finding."""
     if mark.block is None or mark.kind not in (LARGEST, OVER, SINGULAR):
         severity = Severity.ERROR if mark.kind in GOUGES else Severity.NOTE

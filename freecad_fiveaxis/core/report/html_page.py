@@ -88,15 +88,15 @@ MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
 """The look of the page for each light."""
 
 
-def _grounds(said: Iterable[tuple[str, str]]) -> str:
+def _grounds(statements: Iterable[tuple[str, str]]) -> str:
     """What the verdict is made of: one sentence for the path, and one for each thing that was looked for on the part."""
-    return '<ul class="grounds">' + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in said) + "</ul>"
+    return '<ul class="grounds">' + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in statements) + "</ul>"
 
 
 def _scope(found: Scope) -> str:
     """Proven, assumed, not known: a row each."""
-    rows = [(name, "".join(f"<li>{escape(one)}</li>" for one in said)) for name, said in found.named]
-    cells = "".join(f'<tr><th scope="row">{escape(name)}</th><td><ul>{said}</ul></td></tr>\n' for name, said in rows)
+    rows = [(name, "".join(f"<li>{escape(one)}</li>" for one in statements)) for name, statements in found.named]
+    cells = "".join(f'<tr><th scope="row">{escape(name)}</th><td><ul>{statements}</ul></td></tr>\n' for name, statements in rows)
     return f'<div class="scroll"><table class="pairs scope"><tbody>{cells}</tbody></table></div>'
 
 
@@ -128,19 +128,19 @@ def _as_text(value: object) -> str:
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], caption: str = "") -> str:
     top = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in head)
     body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
-    said = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f'<div class="scroll"><table class="numbers">{said}<thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div>'
+    title = f"<caption>{escape(caption)}</caption>" if caption else ""
+    return f'<div class="scroll"><table class="numbers">{title}<thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div>'
 
 
-def _pictures(made: Sequence[Plot], wanted: bool) -> list[str]:
-    if not made and wanted:
+def _pictures(drawn: Sequence[Plot], wanted: bool) -> list[str]:
+    if not drawn and wanted:
         note = "The plots are left out because matplotlib is not installed. To get them: <code>pip install matplotlib</code>"
         return [f'<section><h2>Plots</h2><p class="note">{note}</p></section>']
     return [
         f'<figure><h2>{escape(plot.title)}</h2><div class="card"><img alt="{escape(plot.alt)}" '
         f'src="data:image/svg+xml;base64,{base64.b64encode(plot.svg).decode()}"></div>'
         f"<figcaption>{escape(plot.caption)}</figcaption></figure>"
-        for plot in made
+        for plot in drawn
     ]
 
 
@@ -213,7 +213,7 @@ def _left_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
     """The map of what is left."""
     if figures.left is None or figures.mesh is None:
         return []
-    said = (
+    statements = (
         "The machined surface, coloured by how far the cutter stays away from it all along its way. Up to "
         f"{figures.allowed:.3g} mm may be left (scallops and tolerance), {figures.tolerance:g} mm too deep is within tolerance. "
         "Facets that are not machined are grey. Rings: the most that is left, and the deepest place."
@@ -221,10 +221,10 @@ def _left_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
     most, deepest = numbers["max_left"], numbers["max_too_deep"]
     alt = f"Map of what is left: at most {most:.4g} mm on the part, at most {deepest:.4g} mm too deep."
     svg = left_svg(figures.mesh, figures.left, figures.tolerance, figures.allowed)
-    return _pictures([Plot("left", "What is left on the part", said, alt, svg)], wanted=False)
+    return _pictures([Plot("left", "What is left on the part", statements, alt, svg)], wanted=False)
 
 
-ASKED = {
+HEADINGS = {
     "deviation": "The worst lines by deviation: what they say, and what they ask of the axes",
     "limits": "The worst lines beyond a limit",
     "rates": "The worst lines that ask more of an axis than it can",
@@ -237,10 +237,10 @@ def _audited(figures: Figures) -> list[str]:
     if figures.audit is None:
         return []
     tables = {"deviation": worst_table(figures)} | worst_of_audit(figures)
-    return [_section(ASKED[name], _asked(rows)) for name, rows in tables.items() if rows]
+    return [_section(HEADINGS[name], _option_table(rows)) for name, rows in tables.items() if rows]
 
 
-def _asked(rows: Sequence[Mapping[str, Any]]) -> str:
+def _option_table(rows: Sequence[Mapping[str, Any]]) -> str:
     letters = list(rows[0]["rate"])
     head = [
         "NC line",

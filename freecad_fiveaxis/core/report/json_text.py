@@ -50,17 +50,17 @@ def as_json(figures: Figures) -> str:
 
 
 def _verdict(figures: Figures, numbers: Mapping[str, Any]) -> dict[str, Any]:
-    told = verdict(figures, numbers)
-    return {"light": told.light.value, "verdict": told.text, "reasons": told.reasons}
+    facts = verdict(figures, numbers)
+    return {"light": facts.light.value, "verdict": facts.text, "reasons": facts.reasons}
 
 
 def _of_part(figures: Figures) -> dict[str, Any]:
-    program, told = figures.program, {}
+    program, facts = figures.program, {}
     if figures.gouge is not None:
-        told["gouge"] = {"deepest": deepest_entries(program, figures.gouge)}
+        facts["gouge"] = {"deepest": deepest_entries(program, figures.gouge)}
     if figures.left is not None:
-        told["left"] = left_report(program, figures.left, figures.tolerance, figures.allowed)
-    return told
+        facts["left"] = left_report(program, figures.left, figures.tolerance, figures.allowed)
+    return facts
 
 
 def plain(value: object) -> Any:

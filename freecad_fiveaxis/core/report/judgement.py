@@ -90,9 +90,9 @@ def _findings(
 ) -> list[Finding]:
     """The worst of ``rows`` first: ``whole`` tells of all, ``single`` of one."""
     rows = worst_first(rows, kind.values)
-    told = [(int(row), whole(int(row))) for row in rows[:1]]
-    told += [(int(row), single(int(row))) for row in rows[:WORST] if len(rows) > 1]
-    return [_finding(kind, program, deviation, row, text) for row, text in told]
+    spots = [(int(row), whole(int(row))) for row in rows[:1]]
+    spots += [(int(row), single(int(row))) for row in rows[:WORST] if len(rows) > 1]
+    return [_finding(kind, program, deviation, row, text) for row, text in spots]
 
 
 def _finding(kind: _Kind, program: Program, deviation: Deviation, row: int, text: str) -> Finding:

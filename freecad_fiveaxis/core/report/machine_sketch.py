@@ -177,9 +177,9 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
         foot = frame.box((-1.1 * radius, -1.1 * radius, -0.5 * radius), (1.1 * radius, 1.1 * radius, -GAP * radius))
         return [*platter, Body("base", _beyond(order, first), foot)]
     second = turning[1]
-    made = _cradle if abs(float(kinematics.direction[second] @ up)) <= ACROSS else _table_knuckle
+    draw = _cradle if abs(float(kinematics.direction[second] @ up)) <= ACROSS else _table_knuckle
     ring = _ring(face, up, radius, float(((part - face) @ up).max()))
-    return [*platter, *made(kinematics, second, _beyond(order, second), face - thick * up, up, radius, ring)]
+    return [*platter, *draw(kinematics, second, _beyond(order, second), face - thick * up, up, radius, ring)]
 
 
 def _riser(low: Floats, high: Floats, face: float, carrier: int | None) -> list[Body]:
@@ -312,8 +312,8 @@ def _head(kinematics: Chain, height: float, radius: float) -> list[Body]:
     axis = turning[0]
     direction = kinematics.direction[axis] * (1.0 if kinematics.direction[axis][2] >= 0.0 else -1.0)
     pivot = _crossing(_point(kinematics, axis), direction)
-    made = _fork if abs(float(direction[2])) <= ACROSS else _head_knuckle
-    return made(kinematics, order, turning, pivot, direction, min(height, float(pivot[2]) - radius), radius)
+    draw = _fork if abs(float(direction[2])) <= ACROSS else _head_knuckle
+    return draw(kinematics, order, turning, pivot, direction, min(height, float(pivot[2]) - radius), radius)
 
 
 def _crossing(point: Floats, direction: Floats) -> Floats:
@@ -369,14 +369,14 @@ def _carrying(
     kinematics: Chain, order: list[int], others: list[int], carrier: int | None, top: Floats, radius: float
 ) -> list[Body]:
     """What carries a fork that ends at ``top`` (3,): a disc about the next rotary line where that carries it, then a ram."""
-    up, made = np.array([0.0, 0.0, 1.0]), []
+    up, draw = np.array([0.0, 0.0, 1.0]), []
     if others and carrier == others[0]:
         direction = kinematics.direction[others[0]] * (1.0 if kinematics.direction[others[0]][2] >= 0.0 else -1.0)
         start = _nearest(top, _point(kinematics, others[0]), direction) if abs(direction[2]) > ACROSS else top
-        made.append(Body("fork", carrier, Cylinder(start, start + 0.8 * radius * direction, 1.5 * radius)))
+        draw.append(Body("fork", carrier, Cylinder(start, start + 0.8 * radius * direction, 1.5 * radius)))
         top, carrier = start + (0.8 + GAP) * radius * direction, _beyond(order, carrier)
     frame = _Frame(top, _frame(up))
     return [
-        *made,
+        *draw,
         Body("ram", carrier, frame.box((-1.7 * radius, -1.7 * radius, 0.0), (1.7 * radius, 1.7 * radius, 3.5 * radius))),
     ]

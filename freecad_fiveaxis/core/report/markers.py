@@ -62,26 +62,26 @@ def _run_peaks(chosen: Bools, values: Floats) -> Ints:
 
 def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
     code = SINGULAR if kind == SINGULAR else OVER
-    told = {one.block: one for one in reversed(figures.findings) if one.code == code}
-    made = []
+    by_block = {one.block: one for one in reversed(figures.findings) if one.code == code}
+    marks = []
     for row in rows.tolist():
         x, y, z = figures.judged.place[row].tolist()
         words = f"{label.format(values[row])}, line {figures.program.line[row]}"
-        made.append(Marker((x, y, z), kind, words, told.get(row), row))
-    return made
+        marks.append(Marker((x, y, z), kind, words, by_block.get(row), row))
+    return marks
 
 
 def _entered(figures: Figures) -> list[Marker]:
     """Where the tool enters the part: in each run of blocks the deepest, at the point that is entered most."""
     if figures.gouge is None:
         return []
-    told, made = {(one.code, one.block): one for one in reversed(figures.findings)}, []
+    by_block, marks = {(one.code, one.block): one for one in reversed(figures.findings)}, []
     for code, entries, depth in _depths(figures.gouge, figures.program.motion[1:]):
         for block in _run_peaks(depth > 0.0, depth).tolist():
             x, y, z = entries.place[block].tolist()
             label = f"{PARTS[int(entries.part[block])]} {depth[block]:.4g} mm in the part, line {figures.program.line[block + 1]}"
-            made.append(Marker((x, y, z), code, label, told.get((code, block + 1)), block + 1))
-    return made
+            marks.append(Marker((x, y, z), code, label, by_block.get((code, block + 1)), block + 1))
+    return marks
 
 
 def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEntries, Floats]]:

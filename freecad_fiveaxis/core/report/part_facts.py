@@ -24,7 +24,7 @@ from .rest_material_map import HeightScale, height_scale, round_values, scale_ma
 DEEPEST = 10
 """So many places are named."""
 
-TOLD = {
+LABELS = {
     "overcut": "deepest overcut",
     "rapid-collision": "deepest entry between passes",
     "holder-collision": "deepest entry of shank or holder",
@@ -35,25 +35,25 @@ def part_numbers(
     program: Program, gouge: GougeCheck | None, left: RestMaterial | None, tolerance: float, allowed: float
 ) -> dict[str, Any]:
     """The numbers for the summary, mm, mm2 and mm3; only those that were looked for."""
-    told: dict[str, Any] = {}
+    numbers_of: dict[str, Any] = {}
     if gouge is not None:
         cases = gouge.cases(program.motion[1:])
         for code, _, depth in cases:
             name, worst = code.replace("-", "_"), int(depth.argmax()) if depth.any() else None
-            told[f"max_{name}"] = float(depth.max(initial=0.0))
-            told[f"{name}_blocks"] = int((depth > 0.0).sum())
-            told[f"{name}_places"] = len(spots(depth)[0])
-            told[f"{name}_line"] = None if worst is None else int(program.line[worst + 1])
-        told["cutter_bound"] = float(gouge.cutter.bound.max(initial=0.0))
-        told["buried_blocks"] = int(gouge.buried.sum())
-        told |= {} if gouge.ways is None else _rapid_numbers(program, gouge.ways)
+            numbers_of[f"max_{name}"] = float(depth.max(initial=0.0))
+            numbers_of[f"{name}_blocks"] = int((depth > 0.0).sum())
+            numbers_of[f"{name}_places"] = len(spots(depth)[0])
+            numbers_of[f"{name}_line"] = None if worst is None else int(program.line[worst + 1])
+        numbers_of["cutter_bound"] = float(gouge.cutter.bound.max(initial=0.0))
+        numbers_of["buried_blocks"] = int(gouge.buried.sum())
+        numbers_of |= {} if gouge.ways is None else _rapid_numbers(program, gouge.ways)
     if left is not None:
-        told["max_left"] = float(left.height.max())
-        told["left_area"], told["left_volume"] = left.left(allowed)
-        told["max_too_deep"] = max(-float(left.height.min()), 0.0)
-        told["too_deep_area"], told["too_deep_volume"] = left.taken(tolerance)
-        told["machined_area"] = float(left.area.sum())
-    return told
+        numbers_of["max_left"] = float(left.height.max())
+        numbers_of["left_area"], numbers_of["left_volume"] = left.left(allowed)
+        numbers_of["max_too_deep"] = max(-float(left.height.min()), 0.0)
+        numbers_of["too_deep_area"], numbers_of["too_deep_volume"] = left.taken(tolerance)
+        numbers_of["machined_area"] = float(left.area.sum())
+    return numbers_of
 
 
 def _rapid_numbers(program: Program, ways: WayEntries) -> dict[str, Any]:
@@ -126,28 +126,28 @@ def borders(scale: HeightScale) -> Floats:
 
 def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[str, str], ...]:
     """One plain sentence for each thing that was looked for, and whether it is good, bad or open."""
-    said = []
+    sentences = []
     if "overcut_blocks" in numbers:
         entered = [code for code in GOUGES if numbers[f"{code.replace('-', '_')}_blocks"]]
         if entered:
             parts = "; ".join(" ".join(_entry_fact(numbers, code)) for code in entered)
-            said.append((f"The tool enters the part by more than {tolerance:g} mm: {parts}.", "bad"))
+            sentences.append((f"The tool enters the part by more than {tolerance:g} mm: {parts}.", "bad"))
         elif not numbers["buried_blocks"] and not numbers.get("independent_rapid_blocks"):
-            said.append((f"Gouge-free: nowhere does the tool enter the part by more than {tolerance:g} mm.", "good"))
+            sentences.append((f"Gouge-free: nowhere does the tool enter the part by more than {tolerance:g} mm.", "good"))
         if hit := numbers.get("independent_rapid_blocks"):
             text = f"In {hit} rapids the tool enters the part unless the axes are interpolated; deepest "
-            said.append(
+            sentences.append(
                 (f"{text}{numbers['max_independent_rapid']:.4g} mm (NC line {numbers['independent_rapid_line']}).", "bad")
             )
         if numbers["buried_blocks"]:
-            said.append((f"In {numbers['buried_blocks']} blocks the whole cutter is inside the part.", "bad"))
+            sentences.append((f"In {numbers['buried_blocks']} blocks the whole cutter is inside the part.", "bad"))
     if "max_left" in numbers:
         if numbers["left_area"]:
             share = f"{numbers['left_area']:.4g} of {numbers['machined_area']:.4g} mm2"
-            said.append((f"More is left than may be on {share}, at most {numbers['max_left']:.4g} mm.", "open"))
+            sentences.append((f"More is left than may be on {share}, at most {numbers['max_left']:.4g} mm.", "open"))
         else:
-            said.append((f"Nothing is left but scallops, at most {numbers['max_left']:.3g} mm.", "good"))
-    return tuple(said)
+            sentences.append((f"Nothing is left but scallops, at most {numbers['max_left']:.3g} mm.", "good"))
+    return tuple(sentences)
 
 
 def part_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
@@ -170,7 +170,7 @@ def _entry_fact(numbers: Mapping[str, Any], code: str) -> tuple[str, str]:
     name = code.replace("-", "_")
     blocks = numbers[f"{name}_blocks"]
     where = f" in {blocks} blocks (deepest: NC line {numbers[f'{name}_line']})" if blocks else ""
-    return TOLD[code], f"{numbers[f'max_{name}']:.4f} mm{where}"
+    return LABELS[code], f"{numbers[f'max_{name}']:.4f} mm{where}"
 
 
 def _area(numbers: Mapping[str, Any], name: str) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
-Told = tuple[str, str, str, str]
+PlotText = tuple[str, str, str, str]
 """What is said of a plot: name, title, caption, and what it shows in words."""
 
 BINS = 1200

@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.motion.program import Program
 
 from .figures import Figures, axis_rates
-from .plot_style import BINS, BLUE, FLOOR, GREEN, GREY, ORANGE, RED, SKY, STYLE, WIDE, Told, spans, thin
+from .plot_style import BINS, BLUE, FLOOR, GREEN, GREY, ORANGE, RED, SKY, STYLE, WIDE, PlotText, spans, thin
 from .views import sphere, worst_block
 
 
@@ -45,10 +45,10 @@ def plots(figures: Figures, progress: Progress = silent) -> tuple[Plot, ...]:
         from matplotlib.figure import Figure
     except ImportError:
         return ()
-    made: list[Plot] = []
+    pictures: list[Plot] = []
     if not len(figures.feeds):
         return ()
-    drawn: tuple[Callable[[Any, Figures], Told | None], ...] = (
+    drawn: tuple[Callable[[Any, Figures], PlotText | None], ...] = (
         _along,
         worst_block,
         _angles,
@@ -59,10 +59,10 @@ def plots(figures: Figures, progress: Progress = silent) -> tuple[Plot, ...]:
         progress("plots", at / len(drawn))
         with matplotlib.rc_context(STYLE):
             figure = Figure(figsize=(WIDE, 3.6), layout="constrained")
-            told = draw(figure, figures)
-            if told:
-                made.append(Plot(*told, _svg(figure)))
-    return tuple(made)
+            texts = draw(figure, figures)
+            if texts:
+                pictures.append(Plot(*texts, _svg(figure)))
+    return tuple(pictures)
 
 
 def _svg(figure: Any) -> bytes:
@@ -107,7 +107,7 @@ def _legend(axes: Any, columns: int = 6) -> None:
     )  # fmt: skip
 
 
-def _along(figure: Any, figures: Figures) -> Told:
+def _along(figure: Any, figures: Figures) -> PlotText:
     axes, deviation, x, rows = figure.subplots(), figures.judged, _abscissa(figures.program), figures.feeds
     segment, bound = np.maximum(deviation.segment[rows], FLOOR), np.maximum(deviation.bound[rows], FLOOR)
     _shade(axes, figures, x)
@@ -137,14 +137,14 @@ def _along(figure: Any, figures: Figures) -> Told:
     return "along", "Deviation along the program", caption, alt
 
 
-def _angles(figure: Any, figures: Figures) -> Told | None:
+def _angles(figure: Any, figures: Figures) -> PlotText | None:
     program, x = figures.program, _abscissa(figures.program)
     turning = fitted_columns(program.letters)[3:]
     if not turning:
         return None
     figure.set_size_inches(WIDE, 4.2)
     panels = figure.subplots(len(turning), 1, sharex=True, squeeze=False)[:, 0]
-    said = []
+    phrases = []
     for axes, column, colour in zip(panels, turning, (BLUE, GREEN), strict=False):
         words, letter = program.words[:, column], program.letters[column]
         shown = thin(words)
@@ -152,7 +152,7 @@ def _angles(figure: Any, figures: Figures) -> Told | None:
         axes.plot(x[shown], words[shown], color=colour)
         _limits(axes, figures, column)
         axes.set_ylabel(f"{letter}, deg")
-        said.append(f"{letter} runs from {words.min():.1f} to {words.max():.1f} deg")
+        phrases.append(f"{letter} runs from {words.min():.1f} to {words.max():.1f} deg")
     _lines(panels[-1], program, x)
     if panels[0].get_legend_handles_labels()[1]:
         _legend(panels[0])
@@ -160,7 +160,7 @@ def _angles(figure: Any, figures: Figures) -> Told | None:
         "The words as the controller gets them, full turns counted on. Where the tool comes near the pole, "
         f"{program.letters[3]} turns far within a few lines."
     )
-    return "angles", "Rotary axes along the program", caption, "; ".join(said) + "."
+    return "angles", "Rotary axes along the program", caption, "; ".join(phrases) + "."
 
 
 def _limits(axes: Any, figures: Figures, column: int) -> None:
@@ -172,13 +172,13 @@ def _limits(axes: Any, figures: Figures, column: int) -> None:
             axes.axhline(limit, color=RED, ls="--", lw=1.0, label="limit of the axis")
 
 
-def _rates(figure: Any, figures: Figures) -> Told | None:
+def _rates(figure: Any, figures: Figures) -> PlotText | None:
     program, x, rows = figures.program, _abscissa(figures.program), figures.feeds
     limit = figures.kinematics.rate * (1.0, 1.0, 1.0, *np.degrees([1.0, 1.0]))
     share = 100.0 * axis_rates(program)[rows] / limit
     if not share.any():
         return None
-    axes, said = figure.subplots(), []
+    axes, phrases = figure.subplots(), []
     _shade(axes, figures, x)
     for column, colour in zip(range(5), (SKY, GREY, "#111111", BLUE, GREEN), strict=True):
         peak = float(share[:, column].max())
@@ -186,7 +186,7 @@ def _rates(figure: Any, figures: Figures) -> Told | None:
             shown = thin(share[:, column], BINS // 6, least=False)
             label = f"{program.letters[column]} {peak:.0f} %"
             axes.plot(x[rows[shown]], share[shown, column], color=colour, lw=1.2 if column > 2 else 0.8, label=label)
-            said.append(f"{program.letters[column]} {peak:.0f} %")
+            phrases.append(f"{program.letters[column]} {peak:.0f} %")
     axes.axhline(100.0, color=RED, ls="--", lw=1.1)
     axes.set(ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
     _lines(axes, figures.program, x)
@@ -195,4 +195,4 @@ def _rates(figure: Any, figures: Figures) -> Told | None:
         "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower over the part than "
         "programmed."
     )
-    return "rates", "How busy each axis is", caption, "Peak share of each axis's maximum rate: " + ", ".join(said) + "."
+    return "rates", "How busy each axis is", caption, "Peak share of each axis's maximum rate: " + ", ".join(phrases) + "."

@@ -73,8 +73,8 @@ def left_svg(mesh: Mesh, left: RestMaterial, tolerance: float, allowed: float) -
     return (head + "\n".join(drawn) + "</svg>\n").encode()
 
 
-def _text(x: float, y: float, said: str, anchor: str = "start", fill: str = INK, size: int = 13) -> str:
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-size="{size}">{said}</text>'
+def _text(x: float, y: float, label: str, anchor: str = "start", fill: str = INK, size: int = 13) -> str:
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-size="{size}">{label}</text>'
 
 
 def _coloured(mesh: Mesh, left: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
@@ -112,10 +112,10 @@ def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]) @ view.T
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-30)[:, None]
     lit = DARKEST + (1.0 - DARKEST) * np.clip(normal @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
-    made = np.full((*owner.shape, 3), 255, np.uint8)
+    image = np.full((*owner.shape, 3), 255, np.uint8)
     seen = owner >= 0
-    made[seen] = np.rint(255.0 * (colour * lit[:, None])[owner[seen]]).astype(np.uint8)
-    return made
+    image[seen] = np.rint(255.0 * (colour * lit[:, None])[owner[seen]]).astype(np.uint8)
+    return image
 
 
 def _marks(left: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> list[str]:
@@ -129,12 +129,12 @@ def _marks(left: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> lis
         if beyond and len(down):
             x, y = float(along.mean() + 0.5) / FINE, top + float(down.mean() + 0.5) / FINE
             anchor, shift = ("end", -10) if x > 0.75 * owner.shape[1] / FINE else ("start", 10)
-            said = f"{left.height[row]:+.3g} mm"
+            label = f"{left.height[row]:+.3g} mm"
             drawn += [
                 f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="#fff" stroke-width="4"/>',
                 f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="{ink}" stroke-width="2"/>',
                 f'<text x="{x + shift:.1f}" y="{y + 4:.1f}" text-anchor="{anchor}" fill="{ink}" stroke="#fff" stroke-width="3" '
-                f'paint-order="stroke" font-weight="600">{said}</text>',
+                f'paint-order="stroke" font-weight="600">{label}</text>',
             ]
     return drawn
 
@@ -161,8 +161,8 @@ def _histogram(left: RestMaterial, scale: HeightScale, tall: int) -> tuple[str, 
         if row["area"] > 0.0:
             bar = f'<rect x="160" y="{y + 0.1 * step:.1f}" width="{max(wide, 1.0):.1f}" height="{0.8 * step:.1f}" '
             drawn.append(bar + f'fill="{_hex(colour)}" stroke="{LINE}" stroke-width="0.7"/>')
-        said = f"{_area(row['area'])} mm2 ({_percent(row['area'] / whole)})" if row["area"] > 0.0 else "-"
-        drawn.append(_text(160 + max(wide, 1.0) + 8, y + 0.7 * step, said, fill=SOFT))
+        label = f"{_area(row['area'])} mm2 ({_percent(row['area'] / whole)})" if row["area"] > 0.0 else "-"
+        drawn.append(_text(160 + max(wide, 1.0) + 8, y + 0.7 * step, label, fill=SOFT))
     return "".join(drawn), int(28 + len(rows) * step)
 
 

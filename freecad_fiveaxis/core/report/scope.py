@@ -34,7 +34,7 @@ class Scope(NamedTuple):
     def named(self) -> tuple[tuple[Sentence, tuple[Sentence, ...]], ...]:
         """Each group with its heading; none that is empty."""
         groups = ((say("Proven"), self.proven), (say("Assumed"), self.assumed), (say("Not known"), self.unknown))
-        return tuple((name, said) for name, said in groups if said)
+        return tuple((name, texts) for name, texts in groups if texts)
 
 
 def scope(figures: Figures, numbers: Mapping[str, Any]) -> Scope:

@@ -44,13 +44,13 @@ def as_text(figures: Figures) -> str:
 
 
 def _on_part(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
-    return [line for said, _ in part_verdict(numbers, figures.tolerance) for line in _wrap(said)]
+    return [line for sentences, _ in part_verdict(numbers, figures.tolerance) for line in _wrap(sentences)]
 
 
 def _scope_lines(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
     lines = ["What the verdict rests on"]
-    for name, said in scope(figures, numbers).named:
-        lines += [line for one in said for line in _wrap(f"{name.lower()}: {one}", "  ")]
+    for name, sentences in scope(figures, numbers).named:
+        lines += [line for one in sentences for line in _wrap(f"{name.lower()}: {one}", "  ")]
     return lines
 
 

@@ -144,12 +144,12 @@ def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) ->
     worst = max(found, key=lambda one: one.value or 0.0)
     depth = worst.value or 0.0
     if code == "buried":
-        said = say(" in {count} blocks", count=Number(depth))
+        clause = say(" in {count} blocks", count=Number(depth))
     else:
         places = numbers.get(f"{code.replace('-', '_')}_places", len(found))
         depth_text = Length(depth, ".3g")
-        said = plural(places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text)
-    return said if worst.line is None else said + say(" (NC line {line})", line=worst.line)
+        clause = plural(places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text)
+    return clause if worst.line is None else clause + say(" (NC line {line})", line=worst.line)
 
 
 def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
@@ -215,7 +215,7 @@ def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) 
         return plural(len(found), "a side is not machined ({area})", "{count} sides are not machined ({area})", area=area)
     if code == SINGULAR:
         return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
-    said = WARNED.get(code)
-    if said is None or (worst.value is None and "{" in said) or (code == "uncut" and worst.unit != "mm2"):
+    clause = WARNED.get(code)
+    if clause is None or (worst.value is None and "{" in clause) or (code == "uncut" and worst.unit != "mm2"):
         return first_clause(worst.text)
-    return said.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == "lifted" else ".4g"))
+    return clause.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == "lifted" else ".4g"))

@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.machine import fitted_columns
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 
 from .figures import Figures, inner_words
-from .plot_style import BINS, BLUE, GREEN, GREY, ORANGE, RED, SKY, WIDE, Told, thin
+from .plot_style import BINS, BLUE, GREEN, GREY, ORANGE, RED, SKY, WIDE, PlotText, thin
 
 SAMPLES = 401
 """Points of the worst block's curve: an even step of u, so that its middle is a point."""
@@ -32,7 +32,7 @@ VIEW = (math.radians(-60.0), math.radians(28.0))
 """Azimuth and elevation from which the sphere is seen, about the pole."""
 
 
-def worst_block(figure: Any, figures: Figures) -> Told | None:
+def worst_block(figure: Any, figures: Figures) -> PlotText | None:
     """The block of the largest deviation, seen on the plane through the chord in which its curve spreads most."""
     row = int(figures.worst[0])
     value, u = float(figures.judged.segment[row]), float(figures.judged.u_segment[row])
@@ -123,7 +123,7 @@ def _draw_profile(axes: Any, figures: Figures, u: Floats, off: Floats, row: int)
     axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2, borderaxespad=0.2, handlelength=1.4)
 
 
-def sphere(figure: Any, figures: Figures) -> Told | None:
+def sphere(figure: Any, figures: Figures) -> PlotText | None:
     """The tool axis over the whole program: as a map seen from the pole, and on the sphere; None where the tool cannot turn."""
     if not fitted_columns(figures.program.letters)[3:]:
         return None

@@ -26,9 +26,9 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 from .compare import Cure, Station, solved
 
 
-def dividing(made: PostedProgram) -> Cure:
+def dividing(draft: PostedProgram) -> Cure:
     """The cure that divides feed blocks over tolerance into the fewest that hold it."""
-    return partial(_divided, made.settings.proof.tolerance)
+    return partial(_divided, draft.settings.proof.tolerance)
 
 
 def _divided(tolerance: float, path: CLPath, where: Station, progress: Progress) -> JointPath:
@@ -44,30 +44,30 @@ def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
     return tuple(names) or tuple(CURES)
 
 
-def cures(made: PostedProgram, names: Sequence[str] = ()) -> dict[str, Cure]:
+def cures(draft: PostedProgram, names: Sequence[str] = ()) -> dict[str, Cure]:
     """The cures of these names (without any: all) for what was made. Raises SettingsError for a name that is not known."""
-    return {name: CURES[name](made) for name in known_cures(names)}
+    return {name: CURES[name](draft) for name in known_cures(names)}
 
 
-def leading(correction: AxisCorrection, made: PostedProgram) -> Cure:
+def leading(correction: AxisCorrection, draft: PostedProgram) -> Cure:
     """The cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a path that was made from a
     solid."""
-    return partial(_led, correction, made)
+    return partial(_corrected, correction, draft)
 
 
-def _led(correction: AxisCorrection, made: PostedProgram, path: CLPath, where: Station, progress: Progress) -> JointPath:
-    if not isinstance(made, MilledProgram):
+def _corrected(correction: AxisCorrection, draft: PostedProgram, path: CLPath, where: Station, progress: Progress) -> JointPath:
+    if not isinstance(draft, MilledProgram):
         text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
-        raise SettingsError(text, made.settings.source)
-    context = made.context(progress)
+        raise SettingsError(text, draft.settings.source)
+    context = draft.context(progress)
     options = axis_corrections(context)
-    offset, given = correction.rows(made.offset, made.axis, options)
+    offset, given = correction.rows(draft.offset, draft.axis, options)
     axis, _ = correction.axes(offset, given, where.kinematics, options, progress)
     return solved(link_contacts(context, offset, axis), where, progress)
 
 
 CURES: Mapping[str, Callable[[PostedProgram], Cure]] = {
-    "none": lambda made: solved,
+    "none": lambda draft: solved,
     "linearize": dividing,
     **{name: partial(leading, correction) for name, correction in AXIS_CORRECTIONS.items()},
 }

@@ -107,8 +107,8 @@ def reach_map(
     held = np.flatnonzero(obstacle == Obstacle.HOLDER)
     rows = held[:: max(1, len(held) // TRIED)]
     parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
-    told = _scaled(progress, tilts, 1.0)
-    steps = spread(_try_longer, ground, parts, executor, told, "reach", [len(one) for one in parts])
+    scaled = _scaled(progress, tilts, 1.0)
+    steps = spread(_try_longer, ground, parts, executor, scaled, "reach", [len(one) for one in parts])
     longer = tuple(_reached(area, held, rows, np.concatenate([np.empty(0, np.int64), *steps])))
     return ReachMap(point, facet, area, obstacle, tilt, axis, longer, spacing)
 

@@ -88,8 +88,8 @@ def _tilts(found: ReachMap) -> list[tuple[float, float, float]]:
 
 def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:
     """For the terminal."""
-    said = [verdict(found), "", *text_table(_table(found)), "", *stick_out(found)]
-    lines = [part for line in said for part in textwrap.wrap(line, WIDTH) or [""]]
+    paragraphs = [verdict(found), "", *text_table(_table(found)), "", *stick_out(found)]
+    lines = [part for line in paragraphs for part in textwrap.wrap(line, WIDTH) or [""]]
     return "\n".join([*lines, *findings_text(findings), *textwrap.wrap(NOTE, WIDTH)]) + "\n"
 
 

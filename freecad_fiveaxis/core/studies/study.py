@@ -103,18 +103,18 @@ def try_reach(
     if not is_part(settings.source) and mesh is None:
         raise SettingsError(say("{source} is no part; give its STL", source=settings.source), settings.source)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
-    mesh, faces, avoided, said = chosen_faces(settings, mesh, faces, progress)
+    mesh, faces, avoided, remarks = chosen_faces(settings, mesh, faces, progress)
     boundary, keep_off = boundary_of(settings), keep_off_of(settings, mesh, avoided)
     inside, outside = facets_inside(settings, boundary, mesh, faces)
     inside, near = facets_off(keep_off, mesh, inside)
-    faces, said = faces if boundary is None and keep_off is None else inside, said + outside + near
+    faces, remarks = faces if boundary is None and keep_off is None else inside, remarks + outside + near
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
     reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
     found = reach_map(mesh, reacher, faces, progress, fixtures, executor, keep_off)
-    said += report_places(keep_off, mesh, faces, found.spacing)
-    return ReachTrial(settings, found, mesh.findings + said + below, reacher)
+    remarks += report_places(keep_off, mesh, faces, found.spacing)
+    return ReachTrial(settings, found, mesh.findings + remarks + below, reacher)
 
 
 def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:
@@ -143,13 +143,13 @@ def try_setups(
     machine, base, dialect = clamped(replace(job, task=SETUP))  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
-    made = _posted(job, progress, mesh, faces)
-    region = _region(settings, base.origin, len(made.path.tip), table)
-    posting, enough = _posting(job, made, dialect), settings.proof.tolerance
-    chart = setup_map(made.path, machine, base, region, posting, enough, progress, table, executor)
+    program = _posted(job, progress, mesh, faces)
+    region = _region(settings, base.origin, len(program.path.tip), table)
+    posting, enough = _posting(job, program, dialect), settings.proof.tolerance
+    chart = setup_map(program.path, machine, base, region, posting, enough, progress, table, executor)
     if chart.best is None:
         _refuse(chart)
-    return SetupTrial(settings, made, chart, chart.findings)
+    return SetupTrial(settings, program, chart, chart.findings)
 
 
 def try_machines(
@@ -170,16 +170,16 @@ def try_machines(
     each_settings = [_job_settings(suited, name) for name in names]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
     refused = [what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
-    made = _made_for_first(each_settings, refused, progress, mesh, faces)
+    program = _draft_for_first(each_settings, refused, progress, mesh, faces)
     stations = [
-        station(machine, setup, _posting(settings, made, dialect), name, "" if why is None else why.text)
+        station(machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text)
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
     ]
-    rows = compare(made.path, stations, cures(made, wanted), progress=progress, executor=executor)
-    return Comparison(settings, made, rows, tuple(_row_findings(rows)))
+    rows = compare(program.path, stations, cures(program, wanted), progress=progress, executor=executor)
+    return Comparison(settings, program, rows, tuple(_row_findings(rows)))
 
 
-def _made_for_first(
+def _draft_for_first(
     each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
     faces: Bools | None,
 ) -> PostedProgram:  # fmt: skip
@@ -206,17 +206,17 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
 def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> PostedProgram:
     if mesh is not None:
         job = replace(job, task=MILL)
-    made = make(job, progress, mesh, faces)
-    if not isinstance(made, PostedProgram):
+    program = make(job, progress, mesh, faces)
+    if not isinstance(program, PostedProgram):
         raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source)
-    return made
+    return program
 
 
-def _posting(settings: Settings, made: PostedProgram, dialect: Dialect) -> Posting:
-    part = made.mesh.vertex if isinstance(made, MilledProgram) else None
+def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Posting:
+    part = program.mesh.vertex if isinstance(program, MilledProgram) else None
     inverse_time = settings.feeds.feed_mode == "g93"
     return Posting(
-        dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part, driven_to_surface(made.settings)
+        dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part, driven_to_surface(program.settings)
     )
 
 

@@ -86,9 +86,9 @@ def cl_offset_path(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: fl
         return path, axis
     path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter.ring, tolerance)
     hub = hub_positions(path, axis, cutter.ring)
-    sat = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
-    rows = np.flatnonzero(~_stands_still(sat, axis))
-    return (sat, axis) if len(rows) == len(axis) else (keep_rows(sat, rows), axis[rows])
+    seated = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
+    rows = np.flatnonzero(~_stands_still(seated, axis))
+    return (seated, axis) if len(rows) == len(axis) else (keep_rows(seated, rows), axis[rows])
 
 
 def _columns(path: OffsetPath, rows: Ints) -> dict[str, Any]:
@@ -171,7 +171,7 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
     round its co-edge where both are rows of one contact.
 
     Corner circles go straight there, along the facet; axis and seat turn evenly. A ball sits on the facet itself."""
-    end, made = row[new], axis[row]
+    end, swung = row[new], axis[row]
     start, part = end - 1, share[:, None]
     seat = seat_normal(path, ring)
     normal = slerp(seat[start], seat[end], share) if ring > 0.0 else path.before[end]
@@ -184,8 +184,8 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
     for name in ("before", "after"):
         columns[name][new[inside]] = normal[inside]
     columns["coedge"][new[inside]] = -1
-    made[new] = slerp(axis[start], axis[end], share)
-    return OffsetPath(**columns, findings=path.findings), made
+    swung[new] = slerp(axis[start], axis[end], share)
+    return OffsetPath(**columns, findings=path.findings), swung
 
 
 # ------------------------------------------------------------------------------------------------ hollows

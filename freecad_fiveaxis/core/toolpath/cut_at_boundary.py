@@ -40,6 +40,7 @@ class Nodes:
     arrives: Bools
 
     def taken(self, at: Ints) -> Nodes:
+        """Take the nodes ``at`` (k,)."""
         return Nodes(self.row[at], self.share[at], self.polyline[at], self.arrives[at])
 
 

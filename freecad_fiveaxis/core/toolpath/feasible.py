@@ -73,5 +73,5 @@ def _left_out(path: OffsetPath, out: Bools, code: str, text: Template) -> Findin
     steps = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
     length = float(steps[(out[1:] | out[:-1]) & (np.diff(path.polyline) == 0)].sum())
     x, y, z = path.point[first].tolist()
-    said = text.say(length=Length(length, ".1f"), at=Point((x, y, z), "g"))
-    return Finding(Severity.WARNING, code, said, value=length, limit=0.0, unit="mm", place=(x, y, z))
+    sentence = text.say(length=Length(length, ".1f"), at=Point((x, y, z), "g"))
+    return Finding(Severity.WARNING, code, sentence, value=length, limit=0.0, unit="mm", place=(x, y, z))

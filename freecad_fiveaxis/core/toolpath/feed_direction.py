@@ -94,4 +94,5 @@ def unit_or(vector: Floats, instead: Floats) -> Floats:
 
 
 def is_zero(vector: Floats) -> Bools:
+    """Say of each row (n, 3) whether it is zero."""
     return np.asarray(~vector.any(axis=1))

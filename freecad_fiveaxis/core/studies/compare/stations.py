@@ -144,6 +144,7 @@ class Share:
         self._stage, self._last, self._begin, self._room = "", 0.0, 0.0, 0.5
 
     def __call__(self, stage: str, fraction: float) -> None:
+        """Tell how far a stage is, of the share that falls to this one."""
         fraction = min(max(fraction, 0.0), 1.0)
         if stage != self._stage or fraction < self._last:
             self._begin += self._room * self._last

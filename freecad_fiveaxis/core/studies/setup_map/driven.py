@@ -66,6 +66,7 @@ class Cost:
 
     @property
     def within(self) -> bool:
+        """Say whether all axes stay within their ranges."""
         return self.over <= LINEAR_SLACK
 
 
@@ -142,9 +143,9 @@ def drive_turned(
     low, high = part_box(path, posting.part, turn)
     kinematics = chain(machine, base)
     joints = solve(turned_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress)
-    told = [one for one in joints.findings if one.code in ("rewind", "rewinds")]
-    many = [one.value for one in told if one.code == "rewinds" and one.value]
-    return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), int(many[0]) if many else len(told))
+    turnings = [one for one in joints.findings if one.code in ("rewind", "rewinds")]
+    many = [one.value for one in turnings if one.code == "rewinds" and one.value]
+    return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), int(many[0]) if many else len(turnings))
 
 
 def _whole_rapids(joints: JointPath) -> Drive:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.report.plot_style import BLUE, GREEN, RED, STYLE, WIDE, Told
+from freecad_fiveaxis.core.report.plot_style import BLUE, GREEN, RED, STYLE, WIDE, PlotText
 from freecad_fiveaxis.core.report.plots import Plot
 
 from .setups import Kind, SetupMap
@@ -30,10 +30,10 @@ FLOOR = 1e-6
 
 def heat_maps(chart: SetupMap) -> tuple[Plot, ...]:
     """A heat map for each pair of axes along which the grid has places, or a curve; and what the turns cost."""
-    return tuple(Plot(*told, _svg(figure)) for told, figure in pictures(chart))
+    return tuple(Plot(*words, _svg(figure)) for words, figure in pictures(chart))
 
 
-def pictures(chart: SetupMap) -> Iterator[tuple[Told, Any]]:
+def pictures(chart: SetupMap) -> Iterator[tuple[PlotText, Any]]:
     """The pictures as matplotlib's figures, each to be saved before the next is drawn; none without matplotlib."""
     try:
         import matplotlib
@@ -52,11 +52,11 @@ def _svg(figure: Any) -> bytes:
     return out.getvalue()
 
 
-def _drawings(chart: SetupMap) -> list[Callable[[Any], Told]]:
+def _drawings(chart: SetupMap) -> list[Callable[[Any], PlotText]]:
     if not np.isfinite(chart.grid(chart.max_deviation)[_turn_at(chart)]).any():
         return []
     several = [axis for axis in range(3) if chart.region.count[axis] > 1]
-    drawn: list[Callable[[Any], Told]] = [
+    drawn: list[Callable[[Any], PlotText]] = [
         lambda figure, pair=pair: _heat(figure, chart, *pair)  # type: ignore[misc]
         for pair in combinations(several, 2)
     ]
@@ -94,7 +94,7 @@ def _where(chart: SetupMap, axes: tuple[int, ...]) -> str:
     return " and ".join([*held, f"a turn of {math.degrees(turn):g} deg"])
 
 
-def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> Told:
+def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> PlotText:
     from matplotlib.colors import LogNorm
 
     axes = (across, up)
@@ -155,7 +155,7 @@ def _edges(line: Floats) -> Floats:
     return np.append(line - half, line[-1] + half)
 
 
-def _curve(figure: Any, chart: SetupMap, axis: int) -> Told:
+def _curve(figure: Any, chart: SetupMap, axis: int) -> PlotText:
     line, letter = chart.region.lines()[axis], "XYZ"[axis]
     deviation, time = (_sliced(chart, column, (axis,)) for column in (chart.max_deviation, chart.time))
     left, right = figure.subplots(1, 2)
@@ -172,7 +172,7 @@ def _curve(figure: Any, chart: SetupMap, axis: int) -> Told:
     return f"curve-{letter.lower()}", f"Deviation and time over the work zero along {letter}", caption, alt
 
 
-def _turns(figure: Any, chart: SetupMap) -> Told:
+def _turns(figure: Any, chart: SetupMap) -> PlotText:
     turns = np.degrees(chart.region.turns)
     found = chart.kind != Kind.PRESENT
     least = np.array([_least(chart.max_deviation, found & (chart.turn == turn)) for turn in chart.region.turns])

@@ -63,14 +63,14 @@ def _on_table(chart: SetupMap, row: int) -> Sentence:
 
 def _place(chart: SetupMap, row: int) -> Sentence:
     x, y, z = (chart.origin[row] + 0.0).tolist()  # no -0
-    said = say(
+    sentence = say(
         "the work zero at X {x} Y {y} Z {z} of the machine",
         x=Length(x, ".3f", bare=True),
         y=Length(y, ".3f", bare=True),
         z=Length(z, ".3f"),
     )
     turn = math.degrees(chart.turn[row])
-    return said + say(" and the part turned by {turn}", turn=Angle(turn)) if turn else said
+    return sentence + say(" and the part turned by {turn}", turn=Angle(turn)) if turn else sentence
 
 
 def advice(chart: SetupMap) -> tuple[str, ...]:

@@ -65,15 +65,15 @@ def text_table(given: Table) -> list[str]:
     ]
 
 
-def figures(made: Sequence[Plot], wanted: bool) -> list[str]:
+def figures(pictures: Sequence[Plot], wanted: bool) -> list[str]:
     """The pictures, inside the page; where there are none though ``wanted``, how to get them."""
-    if not made and wanted:
+    if not pictures and wanted:
         return [section("Pictures", f'<p class="note">{NO_PLOTS}</p>')]
     return [
         f'<figure><h2>{escape(plot.title)}</h2><div class="card"><img alt="{escape(plot.alt)}" '
         f'src="data:image/svg+xml;base64,{base64.b64encode(plot.svg).decode()}"></div>'
         f"<figcaption>{escape(plot.caption)}</figcaption></figure>"
-        for plot in made
+        for plot in pictures
     ]
 
 
@@ -87,5 +87,5 @@ def findings_list(findings: Sequence[Finding]) -> str:
 
 def findings_text(findings: Sequence[Finding]) -> list[str]:
     """The findings as lines of text, indented."""
-    said = (f"{one.severity.name} {one.code}: {one.text}" for one in findings)
-    return [line for one in said for line in textwrap.wrap(one, WIDTH, initial_indent="  ", subsequent_indent="    ")]
+    texts = (f"{one.severity.name} {one.code}: {one.text}" for one in findings)
+    return [line for one in texts for line in textwrap.wrap(one, WIDTH, initial_indent="  ", subsequent_indent="    ")]

@@ -120,17 +120,17 @@ def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost
 
 def _drive(ground: Ground, turn: float, progress: Progress) -> Driven:
     """The path at one turn; the last one is kept. Threads may both drive the same: it is the same, too."""
-    made = ground.driven.get(turn)
-    if made is None:
+    solved = ground.driven.get(turn)
+    if solved is None:
         try:
-            made = drive_turned(ground.path, ground.machine, ground.base, ground.posting, turn, _without_share(progress))
+            solved = drive_turned(ground.path, ground.machine, ground.base, ground.posting, turn, _without_share(progress))
         except ReachError as error:
-            made = error
+            solved = error
         ground.driven.clear()
-        ground.driven[turn] = made
-    if isinstance(made, ReachError):
-        raise made
-    return made
+        ground.driven[turn] = solved
+    if isinstance(solved, ReachError):
+        raise solved
+    return solved
 
 
 def _without_share(progress: Progress) -> Progress:

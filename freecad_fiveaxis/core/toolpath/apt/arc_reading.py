@@ -57,8 +57,8 @@ def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -
     normal = vector[good] / length[good, None]
     start = np.linalg.norm(np.cross(normal, tip[row[good] - 1] - centre[good]), axis=1)
     radius = np.where(np.isnan(radius[good]), start, radius[good])
-    turns, said_by = number[good, 7], statements.statement[at[good]]
-    arcs = Arcs(row[good], centre[good], normal, radius, said_by, turns)
+    turns, statement_of = number[good, 7], statements.statement[at[good]]
+    arcs = Arcs(row[good], centre[good], normal, radius, statement_of, turns)
     return arcs, statements.statement[np.concatenate([lost, at[~good]])]
 
 

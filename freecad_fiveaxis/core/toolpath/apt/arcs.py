@@ -99,9 +99,9 @@ def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> tupl
         length = np.linalg.norm(way, axis=1)
         tangent = np.cross(arcs.normal, place)
         cosine = (way * tangent).sum(axis=1) / np.maximum(length * np.linalg.norm(tangent, axis=1), 1e-300)
-        told = there & straight[at] & (length > NEAR)
-        against |= told & (cosine < AGAINST)
-        along |= told & (cosine >= AGAINST)
+        judged = there & straight[at] & (length > NEAR)
+        against |= judged & (cosine < AGAINST)
+        along |= judged & (cosine >= AGAINST)
     return against & ~along, along
 
 

@@ -144,29 +144,29 @@ def _depth(stated: dict[str, tuple[float, ...]]) -> float | None:
 
 def bottoms(cycle: Cycle, scale: float) -> list[float]:
     """Where the steps of a hole end, mm above the point (so 0 or less), the last at its depth; ``scale`` mm of the unit."""
-    deep, made, reached = cycle.depth * scale, [], 0.0
+    deep, depths, reached = cycle.depth * scale, [], 0.0
     steps = iter(cycle.steps)
     step = next(steps, 0.0)
     while step > 0.0 and reached + step * scale < deep - 1e-9:
         reached += step * scale
-        made.append(-reached)
+        depths.append(-reached)
         step = next(steps, step)
-    return [*made, -deep]
+    return [*depths, -deep]
 
 
 def way(cycle: Cycle, scale: float) -> list[tuple[float, bool]]:
     """The way along the axis before the tool leaves for ``out``: heights, mm above the point, and whether each is reached at
     feed."""
     clear = cycle.clear * scale
-    made: list[tuple[float, bool]] = [(clear, False)]
+    depths: list[tuple[float, bool]] = [(clear, False)]
     last = None
     for bottom in bottoms(cycle, scale):
         if last is not None:
-            made += [(clear, False)] if cycle.chips == "DEEP" else []
-            made.append((min(last + GAP, clear), False))
-        made.append((bottom, True))
+            depths += [(clear, False)] if cycle.chips == "DEEP" else []
+            depths.append((min(last + GAP, clear), False))
+        depths.append((bottom, True))
         last = bottom
-    return [*made, (clear, True)] if cycle.fed_out and cycle.out is not None else made
+    return [*depths, (clear, True)] if cycle.fed_out and cycle.out is not None else depths
 
 
 def left_at(cycle: Cycle, how: float) -> Cycle:

@@ -20,7 +20,7 @@ NOT_UNIT = 1e-4
 """An axis whose length differs by more than this from 1 was not meant as a unit vector; four printed decimals stay below."""
 TILTED = 1e-6
 """An axis that leans more than this, in sine, is not upright."""
-LINES_TOLD, NAMES_TOLD = 5, 20
+LINES_LISTED, NAMES_LISTED = 5, 20
 """How many lines of one word, and how many words, are told."""
 
 
@@ -45,9 +45,9 @@ def _passed_over(source: Source, statements: Statements) -> Iterator[Finding]:
     order = np.argsort(word, kind="stable")
     groups = np.split(at[order], np.flatnonzero(np.diff(word[order])) + 1) if len(at) else []
     groups.sort(key=lambda group: int(group[0]))
-    for group in groups[:NAMES_TOLD]:
+    for group in groups[:NAMES_LISTED]:
         yield _not_interpreted(name_of(statements.texts[statements.which[group[0]]]), source.line[statements.statement[group]])
-    rest = groups[NAMES_TOLD:]
+    rest = groups[NAMES_LISTED:]
     if rest:
         count, line = sum(map(len, rest)), int(source.line[statements.statement[rest[0][0]]])
         text = say(
@@ -57,13 +57,13 @@ def _passed_over(source: Source, statements: Statements) -> Iterator[Finding]:
 
 
 def _not_interpreted(name: str, lines: Ints) -> Finding:
-    told = ", ".join(map(str, lines[:LINES_TOLD].tolist())) + (" ..." if len(lines) > LINES_TOLD else "")
+    listed = ", ".join(map(str, lines[:LINES_LISTED].tolist())) + (" ..." if len(lines) > LINES_LISTED else "")
     remedy = ""
     if name in CURVES:
         remedy = say(" The path goes straight on to the next GOTO: have curves written as points.")
     elif name.startswith("CYCLE"):
         remedy = say(" The tool only goes to its points: have cycles written as moves.")
-    where = plural(len(lines), "{count} statements, line {lines}", "{count} statements, lines {lines}", lines=told)
+    where = plural(len(lines), "{count} statements, line {lines}", "{count} statements, lines {lines}", lines=listed)
     text = say(
         "{name} is not interpreted ({where}); what it does is missing in the path.{remedy}", name=name, where=where, remedy=remedy
     )

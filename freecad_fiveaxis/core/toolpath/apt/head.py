@@ -62,8 +62,8 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
     if other is None or _off_shape(other, given) <= SAME_CUTTER:
         return ()
     text = say(
-        "The CL file is for a {said}, retracts are laid out for a {given}; give {cutter}.",
-        said=cutter_name(other),
+        "The CL file is for a {named}, retracts are laid out for a {given}; give {cutter}.",
+        named=cutter_name(other),
         given=cutter_name(given),
         cutter=Option("cutter"),
     )

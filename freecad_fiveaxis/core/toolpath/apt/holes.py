@@ -104,10 +104,10 @@ def _heights_out(rows: Rows, holes: Holes, point: Floats, axis: Floats) -> Float
     clear = _clear(holes)
     height = np.array([cycle.clear if cycle.out is None else cycle.out for cycle, _ in holes.cycles])
     height = (height * [scale for _, scale in holes.cycles])[holes.group]
-    stood = np.arange(len(rows.tip))
-    stood[holes.row] = -1
-    stood = np.maximum.accumulate(stood)[holes.row]
-    before = np.where(stood >= 0, ((rows.tip[stood] - point) * axis).sum(axis=1), -np.inf)
+    stands = np.arange(len(rows.tip))
+    stands[holes.row] = -1
+    stands = np.maximum.accumulate(stands)[holes.row]
+    before = np.where(stands >= 0, ((rows.tip[stands] - point) * axis).sum(axis=1), -np.inf)
     return np.maximum(clear, np.where(np.isnan(height), before, height))
 
 

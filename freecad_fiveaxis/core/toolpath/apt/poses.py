@@ -96,8 +96,8 @@ def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
 def _refuse_far(point: Floats, source: Source) -> None:
     far = np.abs(point).max(axis=1) > FARTHEST
     if far.any():
-        told = say("a place or step beyond {farthest}; is it in another unit?", farthest=Length(FARTHEST))
-        source.fail(int(source.move_at[far.argmax()]), "", told)
+        reason = say("a place or step beyond {farthest}; is it in another unit?", farthest=Length(FARTHEST))
+        source.fail(int(source.move_at[far.argmax()]), "", reason)
 
 
 def _floats(chosen: NDArray[Any]) -> Floats | None:

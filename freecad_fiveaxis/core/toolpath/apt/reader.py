@@ -70,9 +70,9 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
     units = statements.of(Kind.UNITS)
     scale = held(statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin)))
     path = _path(source, statements, moves, scale, reading)
-    told = units_findings(source, statements, reading.units) + tool_findings(tools, reading.tool)
+    reports = units_findings(source, statements, reading.units) + tool_findings(tools, reading.tool)
     return ClFile(
-        replace(path, findings=path.findings + told), head_of(statements, scale[statements.statement]), tuple(tools.names)
+        replace(path, findings=path.findings + reports), head_of(statements, scale[statements.statement]), tuple(tools.names)
     )
 
 
@@ -90,9 +90,11 @@ def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, r
     with np.errstate(over="ignore", invalid="ignore"):  # rows beyond all bounds fit no arc
         each, drilling = drilled(each, holes)
         turning, of_arcs = chords(source, statements, each, mm, reading.chord, holes.row)
-    made = each.with_put(Put.joined([drilling, turning]))
-    none, runs = np.full(len(made.tip), -1), _runs(made.motion)
-    return CLPath(made.tip, made.axis, made.motion, made.speed, made.tip, made.axis, none, none, runs, findings + of_arcs)
+    located = each.with_put(Put.joined([drilling, turning]))
+    none, runs = np.full(len(located.tip), -1), _runs(located.motion)
+    return CLPath(
+        located.tip, located.axis, located.motion, located.speed, located.tip, located.axis, none, none, runs, findings + of_arcs
+    )
 
 
 def _moves(source: Source, statements: Statements) -> Moves:

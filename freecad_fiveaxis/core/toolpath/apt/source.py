@@ -104,10 +104,10 @@ class Source:
 
     def kept(self, statements: Bools) -> Source:
         """The same text with some of its statements (s,) alone."""
-        made = copy(self)
-        made.begin, made.end, made.line = self.begin[statements], self.end[statements], self.line[statements]
-        made._find_moves()
-        return made
+        selected = copy(self)
+        selected.begin, selected.end, selected.line = self.begin[statements], self.end[statements], self.line[statements]
+        selected._find_moves()
+        return selected
 
     def _find_moves(self) -> None:
         kinds = [self.starts(word) for word in MOTIONS]

@@ -22,7 +22,7 @@ from . import vocabulary as words
 from .source import Source
 from .statements import Kind, Statements
 
-TOLD = 20
+LISTED = 20
 """How many tools are named."""
 CARRIED = (Kind.UNITS, Kind.FEED, Kind.SPINDLE, Kind.COOLANT, Kind.MULTAX)
 """Statements that go on to hold for the tools that follow."""
@@ -38,10 +38,10 @@ class Tools:
     second: int
 
     @property
-    def told(self) -> str:
+    def listed(self) -> str:
         """The tools with their names, as "1 (T10), 2 (T8)"."""
         every = [f"{number} ({name})" if name else str(number) for number, name in self.names.items()]
-        return ", ".join(every[:TOLD]) + (" ..." if len(every) > TOLD else "")
+        return ", ".join(every[:LISTED]) + (" ..." if len(every) > LISTED else "")
 
 
 def tools_of(source: Source, statements: Statements) -> Tools:
@@ -112,7 +112,7 @@ def only(source: Source, statements: Statements, tools: Tools, tool: int) -> Boo
 def _no_such_tool(tools: Tools, tool: int) -> str:
     if not tools.names:
         return say("the CL file names no tool; leave {option} out", option=Option("cl_tool"))
-    return say("the CL file has no tool {tool}; it has {told}", tool=tool, told=tools.told)
+    return say("the CL file has no tool {tool}; it has {listed}", tool=tool, listed=tools.listed)
 
 
 def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
@@ -122,15 +122,15 @@ def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
     count = float(len(tools.names))
     if chosen is None:
         text = say(
-            "The file changes tools ({told}), the program does not: it cuts all of it with one. Write one file for each tool, or "
-            "choose one: {option}.",
-            told=tools.told,
+            "The file changes tools ({listed}), the program does not: it cuts all of it with one. Write one file for each tool, "
+            "or choose one: {option}.",
+            listed=tools.listed,
             option=Option("cl_tool"),
         )
         return (Finding(Severity.ERROR, "several-tools", text, count, 1.0, line=tools.second),)
     text = say(
-        "Of the file's tools ({told}) the moves of tool {tool} are taken: {count} of {all}.",
-        told=tools.told,
+        "Of the file's tools ({listed}) the moves of tool {tool} are taken: {count} of {all}.",
+        listed=tools.listed,
         tool=chosen,
         count=int((tools.of == chosen).sum()),
         all=len(tools.of),

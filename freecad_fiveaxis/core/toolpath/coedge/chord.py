@@ -121,6 +121,7 @@ def _neighbours(segments: Segments, at: Ints, head: Ints, count: Ints) -> tuple[
 
 
 def place_on(chords: Chords, chord: Ints, t: Floats) -> Floats:
+    """Find the places (3, c) ``t`` (c,) mm along chords, mm."""
     return np.asarray(chords.origin.take(chord, axis=1) + t * chords.along.take(chord, axis=1))
 
 

@@ -99,6 +99,6 @@ class Columns:
 
 def _gathered(table: Floats, index: Ints, out: Floats) -> Floats:
     """Columns ``index`` (k,) of ``table`` (3, n) into ``out`` (3, k), row by row: numpy copies an ``out`` with gaps twice."""
-    for row, made in zip(table, out, strict=True):
-        row.take(index, out=made, mode="clip")
+    for row, target in zip(table, out, strict=True):
+        row.take(index, out=target, mode="clip")
     return out

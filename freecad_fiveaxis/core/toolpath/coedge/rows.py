@@ -122,8 +122,8 @@ def _room(count: int) -> _Numbered:
     return _Numbered(number, line, Rows._make([*places, *real, np.empty(count, bool), NO_ROWS, np.empty((3, 0))]))
 
 
-def _put(rows: Rows, where: slice, made: Rows) -> None:
-    for column, values in zip(rows[:-2], made[:-2], strict=True):
+def _put(rows: Rows, where: slice, new: Rows) -> None:
+    for column, values in zip(rows[:-2], new[:-2], strict=True):
         column[where] = values
 
 
