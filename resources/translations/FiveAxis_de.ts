@@ -4764,12 +4764,12 @@
         <translation>Das Programm nennt Zoll, und danach geht {letter} über {goes}, wo die Maschine {has} hat: Seine Zahlen scheinen mm zu sein ({mm}). Richtigstellen, was das Programm zu seiner Einheit sagt.</translation>
     </message>
     <message>
-        <source>The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. Give {option}, mm or inch.</source>
-        <translation>Das Programm nennt {units_said}; es wird in mm gelesen, doch Größe ({size}) und F (bis {feed}) sprechen eher für Zoll. {option} angeben, mm oder inch.</translation>
+        <source>The program says {units}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. Give {option}, mm or inch.</source>
+        <translation>Das Programm nennt {units}; es wird in mm gelesen, doch Größe ({size}) und F (bis {feed}) sprechen eher für Zoll. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
-        <source>The program says {units_said}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch.</source>
-        <translation>Das Programm nennt {units_said}; es wird in mm gelesen und fährt dann höchstens {size} mm, mit F bis {feed}. {option} angeben, mm oder inch.</translation>
+        <source>The program says {units}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch.</source>
+        <translation>Das Programm nennt {units}; es wird in mm gelesen und fährt dann höchstens {size} mm, mit F bis {feed}. {option} angeben, mm oder inch.</translation>
     </message>
     <message>
         <source>The program uses {count} work offsets; their distance is not known, and the blocks between are not right.</source>
@@ -7704,8 +7704,8 @@
         <translation>{module} bewegt auch {letters}, was eine Maschinendatei nicht fassen kann; die Maschine stimmt nur, solange das auf 0 steht.</translation>
     </message>
     <message>
-        <source>{names} (with their first lines) stand in {count} lines: {said}.</source>
-        <translation>{names} (mit ihrer ersten Zeile) stehen in {count} Zeilen: {said}.</translation>
+        <source>{names} (with their first lines) stand in {count} lines: {explanation}.</source>
+        <translation>{names} (mit ihrer ersten Zeile) stehen in {count} Zeilen: {explanation}.</translation>
     </message>
     <message>
         <source>{names} to be left alone is of {other}: choose faces of {label}.</source>
@@ -7844,8 +7844,8 @@
         <translation>{name} von {label} ist keine Ecke oder Kante: eine wählen oder eine CSV-Datei einer Kurve angeben.</translation>
     </message>
     <message>
-        <source>{name} stands in {count} lines: {said}.</source>
-        <translation>{name} steht in {count} Zeilen: {said}.</translation>
+        <source>{name} stands in {count} lines: {explanation}.</source>
+        <translation>{name} steht in {count} Zeilen: {explanation}.</translation>
     </message>
     <message>
         <source>{name} was never set</source>

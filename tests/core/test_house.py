@@ -119,8 +119,8 @@ PRIVATE = frozenset(["said", "told", "led", "laid", "sat", "stood", "asked", "ma
 """Past participles that once stood for findings, texts, axes, rows and records; the trade has words for all of these."""
 
 CLEAN = (
-    "audit", "base", "batch", "calibration", "controllers", "geometry", "gouge", "links", "machine", "motion", "orientation", "passes",
-    "pipeline", "report", "studies", "tool", "toolpath",
+    "audit", "base", "batch", "calibration", "controllers", "geometry", "gouge", "links", "machine", "motion", "nc", "orientation",
+    "passes", "pipeline", "report", "studies", "tool", "toolpath",
 )  # fmt: skip
 """Packages of the core in which no name is made of them. Add yours when it is."""
 

@@ -69,15 +69,15 @@ def _mode(program: Program, dialect: Dialect) -> list[Part]:
 
 
 def _axes(program: Program, dialect: Dialect) -> Sequence[Part]:
-    said = _said(program, dialect)
-    words = [_word(one, len(program.words)) for one in said]
+    addresses = _address_words(program, dialect)
+    words = [_word(one, len(program.words)) for one in addresses]
     if dialect.modal:
         words = _modal(words, dialect.guide is not None and dialect.guide.vector is not None)
-    return [part for word, one in zip(words, said, strict=True) for part in _spelt(word, one, dialect.plus)]
+    return [part for word, one in zip(words, addresses, strict=True) for part in _spelt(word, one, dialect.plus)]
 
 
 @dataclass(frozen=True)
-class _Said:
+class _AddressWord:
     """One word of every block: ``values`` (m,) with ``decimals``; ``close`` stands after the number; ``fold``: 0 to 360."""
 
     prefix: str
@@ -87,7 +87,7 @@ class _Said:
     fold: bool = False
 
 
-def _said(program: Program, dialect: Dialect) -> list[_Said]:
+def _address_words(program: Program, dialect: Dialect) -> list[_AddressWord]:
     """The words in the order of the block. Raises ProgramError where the dialect guides and the program is for joints, or not."""
     guided = program.guided if len(program.words) else None
     if len(program.words) and (guided is None) != (dialect.guide is None):
@@ -95,20 +95,20 @@ def _said(program: Program, dialect: Dialect) -> list[_Said]:
     linear = program.words if guided is None else guided.tip
     order = sorted(fitted_columns(program.letters), key=lambda column: dialect.order.index(program.letters[column]))
     vector = None if guided is None or dialect.guide is None else dialect.guide.vector
-    said = [_axis_word(program, column, linear, dialect) for column in order if column < 3 or vector is None]
+    addresses = [_axis_word(program, column, linear, dialect) for column in order if column < 3 or vector is None]
     if vector is not None and guided is not None and guided.vector is not None and dialect.guide is not None:
         decimals = dialect.guide.vector_decimals
-        said += [_Said(f" {word}", guided.vector[:, k], decimals) for k, word in enumerate(vector)]
-    return said
+        addresses += [_AddressWord(f" {word}", guided.vector[:, k], decimals) for k, word in enumerate(vector)]
+    return addresses
 
 
-def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) -> _Said:
+def _axis_word(program: Program, column: int, linear: Floats, dialect: Dialect) -> _AddressWord:
     letter = " " + program.letters[column]
     if column < 3:
-        return _Said(letter, linear[:, column], dialect.linear_decimals)
+        return _AddressWord(letter, linear[:, column], dialect.linear_decimals)
     fold = program.wrap[column - 3] == "modulo"
     before, after = dialect.shorter_word if fold else ("", "")
-    return _Said(letter + before, program.words[:, column], dialect.rotary_decimals, after, fold)
+    return _AddressWord(letter + before, program.words[:, column], dialect.rotary_decimals, after, fold)
 
 
 def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
@@ -120,32 +120,32 @@ def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
     return [replace(word, show=show) for word, show in zip(words, shows, strict=True)]
 
 
-def _spelt(word: Column | Units, said: _Said, signed: bool) -> list[Part]:
+def _spelt(word: Column | Units, address: _AddressWord, signed: bool) -> list[Part]:
     """The word as the parts of a block: with a plus sign where the dialect has one, and what stands after the number."""
     parts: list[Part] = [word]
     shown = np.ones(len(word.values), np.bool_) if word.show is None else word.show
     if signed:
         positive = word.values >= 0
         parts = [replace(word, prefix=word.prefix + b"+", show=shown & positive), replace(word, show=shown & ~positive)]
-    if said.close:
-        parts.append(Choice(shown.view(np.int8), (b"", said.close.encode())))
+    if address.close:
+        parts.append(Choice(shown.view(np.int8), (b"", address.close.encode())))
     return parts
 
 
-def _word(said: _Said, rows: int) -> Column | Units:
+def _word(address: _AddressWord, rows: int) -> Column | Units:
     """One word: counted in steps where a whole number can hold that, so that it is rounded only once."""
-    prefix, steps = said.prefix.encode(), np.empty(rows)
+    prefix, steps = address.prefix.encode(), np.empty(rows)
 
     def count(part: slice) -> bool:
-        step = np.multiply(said.values[part], 10.0**said.decimals, out=steps[part])
+        step = np.multiply(address.values[part], 10.0**address.decimals, out=steps[part])
         exact = bool(np.maximum(-step.min(), step.max()) < EXACT)  # NaN comes out of max
         nearest_whole(step)
         return exact
 
     if not all(in_threads(count, chunks(rows))):
-        return Column(prefix, rounded(said.values, said.decimals), said.decimals)
+        return Column(prefix, rounded(address.values, address.decimals), address.decimals)
     counted = steps.view(np.int64)
-    return Units(prefix, counted % (360 * 10**said.decimals) if said.fold else counted, said.decimals)
+    return Units(prefix, counted % (360 * 10**address.decimals) if address.fold else counted, address.decimals)
 
 
 def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:

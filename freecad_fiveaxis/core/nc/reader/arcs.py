@@ -47,15 +47,15 @@ class Arcs:
 @dataclass(frozen=True, eq=False)
 class Chords:
     """The moves with chords for arcs: ``row`` (m',) of the moves that each belongs to, ``count`` (m,) of pieces of each move,
-    and the words ``before`` and ``said`` (m', 5)."""
+    and the words ``before`` and ``programmed`` (m', 5)."""
 
     row: Ints
     count: Ints
     before: Floats
-    said: Floats
+    programmed: Floats
 
 
-def chorded(arcs: Arcs, before: Floats, said: Floats, line: Ints) -> tuple[Chords, list[Finding]]:
+def chorded(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> tuple[Chords, list[Finding]]:
     """The moves (m, 5) with their arcs divided; one without a centre stays straight, with a finding. ``line`` (m,) is for that.
 
     Raises ProgramError where the arcs would need more than :data:`MOST` chords.
@@ -63,7 +63,7 @@ def chorded(arcs: Arcs, before: Floats, said: Floats, line: Ints) -> tuple[Chord
     rows = np.arange(len(arcs.row))
     u, v = AXES[arcs.plane, 0], AXES[arcs.plane, 1]
     start = np.stack([before[arcs.row, u], before[arcs.row, v]])
-    end = np.stack([said[arcs.row, u], said[arcs.row, v]])
+    end = np.stack([programmed[arcs.row, u], programmed[arcs.row, v]])
     centre = _centres(arcs, start, end, np.stack([u, v]), rows)
     r0, r1 = (np.hypot(*(place - centre)) for place in (start, end))
     with np.errstate(invalid="ignore"):
@@ -85,18 +85,18 @@ def chorded(arcs: Arcs, before: Floats, said: Floats, line: Ints) -> tuple[Chord
             ),
             int(count.sum()),
         )
-    pieces = np.ones(len(said), np.int64)
+    pieces = np.ones(len(programmed), np.int64)
     pieces[arcs.row] = count
-    chords = _divided(before, said, pieces)
-    at = np.flatnonzero(np.repeat(_of(arcs.row, good, len(said)), pieces))
+    chords = _divided(before, programmed, pieces)
+    at = np.flatnonzero(np.repeat(_of(arcs.row, good, len(programmed)), pieces))
     arc = np.searchsorted(arcs.row, chords.row[at])
     first = np.cumsum(pieces) - pieces
     share = (at - first[chords.row[at]] + 1.0) / count[arc]
     inner = share < 1.0
     at, arc, share = at[inner], arc[inner], share[inner]
     radius, angle = r0[arc] + share * (r1 - r0)[arc], a0[arc] + (turn * sweep)[arc] * share
-    chords.said[at, u[arc]] = centre[0, arc] + radius * np.cos(angle)
-    chords.said[at, v[arc]] = centre[1, arc] + radius * np.sin(angle)
+    chords.programmed[at, u[arc]] = centre[0, arc] + radius * np.cos(angle)
+    chords.programmed[at, v[arc]] = centre[1, arc] + radius * np.sin(angle)
     _chain(chords, pieces)
     return chords, _findings(arcs, good, line)
 
@@ -113,30 +113,30 @@ def _of(row: Ints, chosen: Bools, count: int) -> Bools:
     return mask
 
 
-def _divided(before: Floats, said: Floats, pieces: Ints) -> Chords:
+def _divided(before: Floats, programmed: Floats, pieces: Ints) -> Chords:
     """Every move in equal pieces of all its words."""
-    row = np.repeat(np.arange(len(said)), pieces)
+    row = np.repeat(np.arange(len(programmed)), pieces)
     first = np.cumsum(pieces) - pieces
     share = ((np.arange(len(row)) - first[row] + 1.0) / pieces[row])[:, None]
-    places = np.where(share < 1.0, before[row] + share * (said[row] - before[row]), said[row])
+    places = np.where(share < 1.0, before[row] + share * (programmed[row] - before[row]), programmed[row])
     return Chords(row, pieces, before[row], places)
 
 
 def _chain(chords: Chords, pieces: Ints) -> None:
     """Each piece but the first of its move begins where the one before it ends."""
     inner = np.flatnonzero(chords.row[1:] == chords.row[:-1]) + 1
-    chords.before[inner] = chords.said[inner - 1]
+    chords.before[inner] = chords.programmed[inner - 1]
 
 
 def _centres(arcs: Arcs, start: Floats, end: Floats, axes: Ints, rows: Ints) -> Floats:
     """The centres (2, n) in the arcs' planes, NaN where none is told."""
     offset = np.stack([arcs.offset[rows, axis] for axis in axes])
-    told = np.stack([arcs.centre[rows, axis] for axis in axes])
+    modal = np.stack([arcs.centre[rows, axis] for axis in axes])
     given = ~np.isnan(offset).all(axis=0)
     offset = np.where(np.isnan(offset) & given, np.where(arcs.absolute, start, 0.0), offset)
     by_offset = np.where(arcs.absolute, offset, start + offset)
     by_radius = _by_radius(arcs, start, end)
-    return np.where(given, by_offset, np.where(np.isnan(arcs.radius), told, by_radius))
+    return np.where(given, by_offset, np.where(np.isnan(arcs.radius), modal, by_radius))
 
 
 def _by_radius(arcs: Arcs, start: Floats, end: Floats) -> Floats:

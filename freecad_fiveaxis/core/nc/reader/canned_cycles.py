@@ -48,7 +48,7 @@ Moves = list[tuple[bool, float, float, float]]
 
 
 @dataclass(eq=False)
-class Made:
+class CycleMoves:
     """The moves that lines become, along the axes of their planes; lines left, with code and reason; those of R, Q alone."""
 
     moves: dict[int, Moves] = field(default_factory=dict)
@@ -63,12 +63,12 @@ def written_out(words: Words, lines: Lines, grammar: Grammar, controller: str) -
     if grammar.name != "iso" or not np.isin(lines.code, ways.read).any():
         return words, []
     table = _Table(lines, grammar, ways)
-    made = _made(lines, table)
-    return _with_moves(words, lines, made, table), _findings(made, lines, controller)
+    cycles = _cycle_moves(lines, table)
+    return _with_moves(words, lines, cycles, table), _findings(cycles, lines, controller)
 
 
-def _made(lines: Lines, table: _Table) -> Made:
-    made = Made()
+def _cycle_moves(lines: Lines, table: _Table) -> CycleMoves:
+    cycles = CycleMoves()
     group = dict.fromkeys(codes.MOTION, 0) | {code: code for code in codes.CYCLES}
     code = lines.mode(group, 0)
     cuts = np.flatnonzero(np.diff(code > 0, prepend=False))
@@ -76,14 +76,14 @@ def _made(lines: Lines, table: _Table) -> Made:
     for first, last in zip(cuts[::2].tolist(), [*cuts[1::2].tolist(), lines.count][: len(cuts[::2])], strict=True):
         place = table.end(place, since, first)
         hole, since = Hole(initial=float(place[AXES[table.plane[first], 2]])), last
-        for row in (np.flatnonzero(table.told[first:last]) + first).tolist():
-            place = table.drilled(made, hole, int(code[row]), row, place)
-        if sum(map(len, made.moves.values())) > MOST:
+        for row in (np.flatnonzero(table.concerned[first:last]) + first).tolist():
+            place = table.drilled(cycles, hole, int(code[row]), row, place)
+        if sum(map(len, cycles.moves.values())) > MOST:
             raise ProgramError(
                 say("line {line}: the cycles make more than {most} moves; divide the program", line=table.line(first), most=MOST),
                 MOST,
             )
-    return made
+    return cycles
 
 
 class _Table:
@@ -106,7 +106,7 @@ class _Table:
         rotary = [~np.isnan(lines.column(letter)) for letter in "ABC"]
         moving = np.logical_or.reduce([(self.kind != 0).any(axis=1), ~np.isnan(self.r), *rotary])
         self.runs: Bools = moving & ~lines.any_of(grammar.no_move)
-        self.told: Bools = self.runs | ~np.isnan(self.q)
+        self.concerned: Bools = self.runs | ~np.isnan(self.q)
         planes = (*codes.TILT, codes.LEVEL, *codes.DYNAMIC)
         tilted = np.isin(lines.code, (*codes.TILT, codes.DYNAMIC[0])).any()
         self.anew = np.flatnonzero(lines.any_of(planes)) if tilted else np.empty(0, np.int64)
@@ -124,48 +124,49 @@ class _Table:
             place[:], first = np.nan, int(known[-1])
         for k in range(3):
             value, kind = self.value[first:last, k], self.kind[first:last, k]
-            told = np.flatnonzero((kind != 0) & (kind != STEP))
-            if len(told):
-                place[k], value, kind = value[told[-1]], value[told[-1] :], kind[told[-1] :]
+            absolute = np.flatnonzero((kind != 0) & (kind != STEP))
+            if len(absolute):
+                place[k], value, kind = value[absolute[-1]], value[absolute[-1] :], kind[absolute[-1] :]
             place[k] += value[kind == STEP].sum()
         return place
 
-    def drilled(self, made: Made, hole: Hole, code: int, row: int, place: Floats) -> Floats:
-        """Put the moves of one line into ``made``; returns where they end."""
+    def drilled(self, cycles: CycleMoves, hole: Hole, code: int, row: int, place: Floats) -> Floats:
+        """Put the moves of one line into ``cycles``; returns where they end."""
         axes = AXES[self.plane[row]]
         if code not in self.ways.read:
             hole.code = code
             return place
         if reason := self._take(hole, code, row, int(axes[2])):
-            made.refused[row] = code, reason
+            cycles.refused[row] = code, reason
             return place
         if not self.runs[row]:
-            made.stored.add(row)
+            cycles.stored.add(row)
             return place
         times = 1 if np.isnan(self.times[row]) else int(self.times[row])
         across, step = self._across(row, axes, place)
         if np.isnan(across).any() or (self.ways.rises and np.isnan(place).any()):
-            made.refused[row] = code, NOWHERE_YET
+            cycles.refused[row] = code, NOWHERE_YET
             return place
         moves = self._moves(hole, row, (place[axes[0]], place[axes[1]], place[axes[2]]), across, step, times)
         for _, *where in moves[-1:]:
             place = place.copy()
             place[axes] = where
-        made.moves[row] = moves
+        cycles.moves[row] = moves
         return place
 
     def _take(self, hole: Hole, code: int, row: int, axis: int) -> str | None:
         """The words of a line into ``hole``; the reason where they make none."""
         if code != hole.code and self.ways.rises:
-            hole.told_r = hole.told_z = hole.r = hole.z = hole.q = np.nan  # LinuxCNC wants R and Z again with another code
+            # LinuxCNC wants R and Z again with another code
+            hole.programmed_r = hole.programmed_z = hole.r = hole.z = hole.q = np.nan
         hole.code = code
-        told_z = self.value[row, axis] if self.kind[row, axis] else np.nan
+        programmed_z = self.value[row, axis] if self.kind[row, axis] else np.nan
         if self.ways.rises:
-            hole.told_r = hole.told_r if np.isnan(self.r[row]) else self.r[row]
-            hole.told_z = hole.told_z if np.isnan(told_z) else told_z
-            self._heights(hole, row, hole.told_r, hole.told_z)
+            hole.programmed_r = hole.programmed_r if np.isnan(self.r[row]) else self.r[row]
+            hole.programmed_z = hole.programmed_z if np.isnan(programmed_z) else programmed_z
+            self._heights(hole, row, hole.programmed_r, hole.programmed_z)
         else:
-            self._heights(hole, row, self.r[row], told_z)
+            self._heights(hole, row, self.r[row], programmed_z)
         hole.q = self.q[row] if not np.isnan(self.q[row]) else hole.q
         return self._wrong(hole, row)
 
@@ -227,16 +228,16 @@ class _Table:
         return moves
 
 
-def _with_moves(words: Words, lines: Lines, made: Made, table: _Table) -> Words:
+def _with_moves(words: Words, lines: Lines, cycles: CycleMoves, table: _Table) -> Words:
     """The words with the moves in rows of their own, and the rows after them moved down."""
-    rows = np.array(sorted(made.moves), np.int64)
-    count = np.array([len(made.moves[row]) for row in rows.tolist()], np.int64)
+    rows = np.array(sorted(cycles.moves), np.int64)
+    count = np.array([len(cycles.moves[row]) for row in rows.tolist()], np.int64)
     more = np.zeros(lines.count, np.int64)
     more[rows] = np.maximum(count - 1, 0) + table.steps[rows]
     shift = np.cumsum(more) - more
-    keep = _kept(words, rows, made, table.ways)
+    keep = _kept(words, rows, cycles, table.ways)
     letter = _stepwise(words.letter[keep], np.isin(words.line[keep], rows[table.steps[rows]]))
-    return spread(words, more, keep, letter, _new_words(made, rows, count, shift, table))
+    return spread(words, more, keep, letter, _new_words(cycles, rows, count, shift, table))
 
 
 def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints, Bytes, Floats]) -> Words:
@@ -258,12 +259,12 @@ def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints
     )
 
 
-def _kept(words: Words, rows: Ints, made: Made, ways: Ways) -> Bools:
+def _kept(words: Words, rows: Ints, cycles: CycleMoves, ways: Ways) -> Bools:
     """Which words stay: not those of the cycles that are written out, and no code of one where it stands alone."""
     own = np.isin(words.line, rows) & np.isin(words.letter, [ord(letter) for letter in WORDS])
     code: Bools = (words.letter == ord("G")) & np.isin(tenfold(words.value), ways.read)
-    lone = np.isin(words.line, list(made.stored)) & np.isin(words.letter, [ord(letter) for letter in "RQ"])
-    return ~(own | lone | (code & ~np.isin(words.line, list(made.refused))))
+    lone = np.isin(words.line, list(cycles.stored)) & np.isin(words.letter, [ord(letter) for letter in "RQ"])
+    return ~(own | lone | (code & ~np.isin(words.line, list(cycles.refused))))
 
 
 def _stepwise(letter: Bytes, chosen: Bools) -> Bytes:
@@ -274,27 +275,27 @@ def _stepwise(letter: Bytes, chosen: Bools) -> Bytes:
     return letter
 
 
-def _new_words(made: Made, rows: Ints, count: Ints, shift: Ints, table: _Table) -> tuple[Ints, Bytes, Floats]:
+def _new_words(cycles: CycleMoves, rows: Ints, count: Ints, shift: Ints, table: _Table) -> tuple[Ints, Bytes, Floats]:
     """Line, letter and value of the words of all moves; of the G91 behind those that stand under it; and the code of each refused
     line, for the moves before it are in other modes."""
-    moves = np.array([move for row in rows.tolist() for move in made.moves[row]], float).reshape(-1, 4)
+    moves = np.array([move for row in rows.tolist() for move in cycles.moves[row]], float).reshape(-1, 4)
     of, first = np.repeat(rows, count), rows + shift[rows]
     at = np.repeat(first, count) + np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
     where = np.take_along_axis(moves[:, 1:], BACK[table.plane[of]], axis=1) / table.scale[of][:, None]
     stepped, again = table.steps[of], rows[table.steps[rows]]
-    refused = np.array(list(made.refused), np.int64)
+    refused = np.array(list(cycles.refused), np.int64)
     parts = [
         (at, "G", 1.0 - moves[:, 0]),
         (at[stepped], "G", np.full(int(stepped.sum()), 90.0)),
         *((at, letter, where[:, k]) for k, letter in enumerate("XYZ")),
         ((first + np.maximum(count, 1))[table.steps[rows]], "G", np.full(len(again), 91.0)),
-        (refused + shift[refused], "G", np.array([code / 10.0 for code, _ in made.refused.values()])),
+        (refused + shift[refused], "G", np.array([code / 10.0 for code, _ in cycles.refused.values()])),
     ]
     letters = np.concatenate([np.full(len(line), ord(letter), np.int8) for line, letter, _ in parts])
     return np.concatenate([line for line, *_ in parts]), letters, np.concatenate([value for *_, value in parts])
 
 
-def _findings(made: Made, lines: Lines, controller: str) -> list[Finding]:
+def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding]:
     found = [
         Finding(
             Severity.ERROR,
@@ -306,10 +307,10 @@ def _findings(made: Made, lines: Lines, controller: str) -> list[Finding]:
             ),
             line=row,
         )
-        for row, (code, reason) in list(made.refused.items())[:MOST_NAMED]
+        for row, (code, reason) in list(cycles.refused.items())[:MOST_NAMED]
     ]
     pecks = np.flatnonzero(lines.any_of(PECKING))
-    if controller in WAYS and len(pecks) and made.moves:
+    if controller in WAYS and len(pecks) and cycles.moves:
         text = say(
             "Between pecks the tool stays {back} off the depth reached here; on this control a setting says how far. "
             "No other place hangs on it.",
@@ -317,7 +318,7 @@ def _findings(made: Made, lines: Lines, controller: str) -> list[Finding]:
         )
         found.append(Finding(Severity.NOTE, "peck-clearance", text, line=int(pecks[0])))
     fine = np.flatnonzero(lines.any_of((FINE,)))
-    if controller in WAYS and len(fine) and made.moves:
+    if controller in WAYS and len(fine) and cycles.moves:
         text = say(
             "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, "
             "and comes back above."

@@ -167,14 +167,14 @@ CODES: dict[int, Kind] = {
 
 @dataclass(frozen=True)
 class Grammar:
-    """One language. ``units``: codes of mm (0) and inches (1), ``units_said``: how messages call them; ``harmless``, ``codes``,
+    """One language. ``units``: codes of mm (0) and inches (1), ``units_text``: how messages call them; ``harmless``, ``codes``,
     ``m_codes``: what is said of a code; ``ends``: M codes that end the program; ``guide_m``: M codes that switch the guide on (1)
     and off (0); ``dwell``: words that can be the time of G4, the first of them that stands in its line is; ``offsets``: work
     offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move; ``motion``: the modes of motion codes."""
 
     name: str
     units: Mapping[int, int]
-    units_said: str
+    units_text: str
     harmless: frozenset[int]
     codes: Mapping[int, Kind]
     m_codes: Mapping[int, Kind]

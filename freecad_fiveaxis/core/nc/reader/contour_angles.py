@@ -41,9 +41,9 @@ class Contour:
             self.place[:], self.since = np.nan, int(anew[-1])
         for k, (value, kind) in enumerate(self.words):
             value, kind = value[self.since : row], kind[self.since : row]
-            told = np.flatnonzero(kind == ABSOLUTE)
-            if len(told):
-                self.place[k], value, kind = value[told[-1]], value[told[-1] :], kind[told[-1] :]
+            absolute = np.flatnonzero(kind == ABSOLUTE)
+            if len(absolute):
+                self.place[k], value, kind = value[absolute[-1]], value[absolute[-1] :], kind[absolute[-1] :]
             self.place[k] += value[kind == STEP].sum()
         self.since = row
         return self.place
@@ -52,9 +52,9 @@ class Contour:
         """Where this row says that it ends, in its plane (2,), and which of both it tells."""
         start = self.start(row)
         axes = AXES[self.plane[row], :2].tolist()
-        told = [self.words[axis][1][row] for axis in axes]
-        value = [self.words[axis][0][row] + (start[axis] if how == STEP else 0.0) for axis, how in zip(axes, told, strict=True)]
-        return np.array(value), [how != NOTHING for how in told]
+        kinds = [self.words[axis][1][row] for axis in axes]
+        value = [self.words[axis][0][row] + (start[axis] if how == STEP else 0.0) for axis, how in zip(axes, kinds, strict=True)]
+        return np.array(value), [how != NOTHING for how in kinds]
 
     def put(self, row: int, place: Floats) -> None:
         """Let this row end at ``place`` (2,) of its plane."""
@@ -95,14 +95,14 @@ def _end(contour: Contour, row: int, angle: Floats) -> Floats | None:
     """Where the line of this row ends in its plane (2,); None where that is not known."""
     axes = AXES[contour.plane[row], :2]
     start = contour.start(row)[axes].copy()
-    end, told = contour.end(row)
+    end, given = contour.end(row)
     way = _way(angle[row])
     if np.isnan(start).any():
         return None
-    if sum(told) == 1:
-        k = int(told[1])
+    if sum(given) == 1:
+        k = int(given[1])
         return None if abs(way[k]) < EVEN else start + (end[k] - start[k]) / way[k] * way
-    if all(told):
+    if all(given):
         return end if _meets(start, end, way) else None
     return _crossing(contour, row, start, angle)
 

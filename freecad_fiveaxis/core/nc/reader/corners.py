@@ -91,7 +91,7 @@ def _siemens(found: re.Match[bytes]) -> bytes:
 
 
 @dataclass(eq=False)
-class _Made:
+class _RoundedCorners:
     """By move: at its end, how many of its chords stay and the places (k, 5) after them; at its start, how many chords go, and mm
     that are taken; the moves whose corner is lost."""
 
@@ -102,16 +102,16 @@ class _Made:
 
 
 def with_corners(
-    corners: Corners, before: Floats, said: Floats, chords: Chords | None, line: Ints
+    corners: Corners, before: Floats, programmed: Floats, chords: Chords | None, line: Ints
 ) -> tuple[Chords, list[Finding]]:
-    """The chords with those of the corners between the moves ``before``, ``said`` (m, 5); ``line`` (m,) of the file."""
+    """The chords with those of the corners between the moves ``before``, ``programmed`` (m, 5); ``line`` (m,) of the file."""
     if chords is None:
-        chords = Chords(np.arange(len(said)), np.ones(len(said), np.int64), before.copy(), said.copy())
-    contour, made = _Contour(corners, before, chords), _Made({}, {}, {}, [])
+        chords = Chords(np.arange(len(programmed)), np.ones(len(programmed), np.int64), before.copy(), programmed.copy())
+    contour, rounded = _Contour(corners, before, chords), _RoundedCorners({}, {}, {}, [])
     for move in np.flatnonzero(corners.size != 0.0).tolist():
-        if not _corner(contour, made, move):
-            made.lost.append(move)
-    return _put(chords, contour.first, made), _findings(made.lost, line)
+        if not _corner(contour, rounded, move):
+            rounded.lost.append(move)
+    return _put(chords, contour.first, rounded), _findings(rounded.lost, line)
 
 
 class _Contour:
@@ -124,7 +124,7 @@ class _Contour:
     def places(self, move: int) -> Floats:
         """Start, ends of the chords and end of a move (n + 1, 5)."""
         rows = slice(int(self.first[move]), int(self.first[move] + self.chords.count[move]))
-        return np.concatenate([self.before[move][None], self.chords.said[rows]])
+        return np.concatenate([self.before[move][None], self.chords.programmed[rows]])
 
     def lies_in(self, move: int, plane: int) -> bool:
         """Tell whether there is such a move, and it moves nothing but the two axes of the plane."""
@@ -164,7 +164,7 @@ def _arc(places: Floats) -> Piece | None:
     return Piece(a, places[-1], centre, 1.0 if cross > 0.0 else -1.0, float(radii[0]) * sweep)
 
 
-def _corner(contour: _Contour, made: _Made, move: int) -> bool:
+def _corner(contour: _Contour, rounded: _RoundedCorners, move: int) -> bool:
     """Make the corner at the end of a move; False where there is no such corner."""
     plane, size = int(contour.corners.plane[move]), float(contour.corners.size[move])
     if contour.corners.modal[move] and not (contour.lies_in(move, plane) and contour.lies_in(move + 1, plane)):
@@ -175,17 +175,17 @@ def _corner(contour: _Contour, made: _Made, move: int) -> bool:
     turn, _ = corner(one, two)
     if turn < STRAIGHT or turn > np.pi - BACK:
         return turn < STRAIGHT
-    taken = made.taken.get(move, 0.0)
+    taken = rounded.taken.get(move, 0.0)
     flat = _flat(one, two, size, bool(contour.corners.length[move]), taken)
     if flat is None:
         return False
     places = np.repeat(contour.places(move)[-1:], len(flat), axis=0)
     places[:, AXES[plane, :2]] = flat
     stays = one.along(flat[0]) / one.length * contour.chords.count[move]
-    made.ends[move] = max(int(np.ceil(stays - 1e-6)) - 1, 0), places
-    made.taken[move + 1] = two.along(flat[-1])
-    gone = int(made.taken[move + 1] / two.length * contour.chords.count[move + 1] + 1e-6)
-    made.heads[move + 1] = min(gone, int(contour.chords.count[move + 1]) - 1)
+    rounded.ends[move] = max(int(np.ceil(stays - 1e-6)) - 1, 0), places
+    rounded.taken[move + 1] = two.along(flat[-1])
+    gone = int(rounded.taken[move + 1] / two.length * contour.chords.count[move + 1] + 1e-6)
+    rounded.heads[move + 1] = min(gone, int(contour.chords.count[move + 1]) - 1)
     return True
 
 
@@ -214,25 +214,25 @@ def _round(way: Floats, radius: float, angle: float) -> Floats:
     return np.asarray(centre + radius * (np.sin((1.0 - share) * sweep) * first + np.sin(share * sweep) * last) / np.sin(sweep))
 
 
-def _put(chords: Chords, first: Ints, made: _Made) -> Chords:
+def _put(chords: Chords, first: Ints, rounded: _RoundedCorners) -> Chords:
     """The chords with the corners' places at the ends of their moves; the next move goes on where they end."""
-    if not made.ends:
+    if not rounded.ends:
         return chords
     none, count = np.zeros((0, 5)), chords.count.copy()
-    said, row, done = list[Floats](), list[Ints](), 0
-    for move in sorted({*made.ends, *made.heads}):
+    pieces, row, done = list[Floats](), list[Ints](), 0
+    for move in sorted({*rounded.ends, *rounded.heads}):
         begin, whole = int(first[move]), int(chords.count[move])
-        stays, places = made.ends.get(move, (whole, none))
-        gone = made.heads.get(move, 0)
-        kept = chords.said[begin + gone : begin + max(stays, gone)]
-        said += [chords.said[done:begin], kept, places]
+        stays, places = rounded.ends.get(move, (whole, none))
+        gone = rounded.heads.get(move, 0)
+        kept = chords.programmed[begin + gone : begin + max(stays, gone)]
+        pieces += [chords.programmed[done:begin], kept, places]
         row += [chords.row[done:begin], np.full(len(kept) + len(places), move)]
         count[move], done = len(kept) + len(places), begin + whole
-    places, of = np.concatenate([*said, chords.said[done:]]), np.concatenate([*row, chords.row[done:]])
+    places, of = np.concatenate([*pieces, chords.programmed[done:]]), np.concatenate([*row, chords.row[done:]])
     before = np.empty_like(places)
     starts = np.flatnonzero(np.diff(of, prepend=-1))
     before[1:] = places[:-1]
-    plain = starts[~np.isin(of[starts] - 1, list(made.ends))]
+    plain = starts[~np.isin(of[starts] - 1, list(rounded.ends))]
     before[plain] = chords.before[first[of[plain]]]
     return Chords(of, count, before, places)
 

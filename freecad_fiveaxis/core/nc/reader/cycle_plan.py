@@ -44,12 +44,13 @@ WAYS = {"fanuc": Ways(repeats="K", read=(*READ, FINE)), "haas": Ways(read=(*READ
 
 @dataclass(eq=False)
 class Hole:
-    """What stays from hole to hole, mm: the words ``told_r``, ``told_z``, ``q``; the heights ``initial``, ``r`` and ``z``."""
+    """What stays from hole to hole, mm: the words ``programmed_r``, ``programmed_z``, ``q``; the heights ``initial``, ``r``
+    and ``z``."""
 
     code: int = 0
     initial: float = 0.0
-    told_r: float = np.nan
-    told_z: float = np.nan
+    programmed_r: float = np.nan
+    programmed_z: float = np.nan
     q: float = np.nan
     r: float = np.nan
     z: float = np.nan

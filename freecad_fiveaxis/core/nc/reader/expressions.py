@@ -136,8 +136,8 @@ class Parser:
         if name := self.match(FUNCTION):
             return self.function(name)
         if text := self.match(NUMBER):
-            told = float(text)
-            return lambda known: told
+            literal = float(text)
+            return lambda known: literal
         raise Unread(say("no value: {rest}", rest=repr(self.rest()[:20])))
 
     def bracketed(self) -> Expression:

@@ -30,10 +30,10 @@ NEARLY_ROUND = 270.0
 LARGE_INCHES, FAST_INCHES = 40.0, 150.0
 """A part of less than 40 inches is milled at less than 150 inches a minute; one of 40 mm mostly faster than 150 mm."""
 UNITS_TAKEN = Template(
-    "The program says {units_said}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch."
+    "The program says {units}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch."
 )
 UNITS_DOUBTED = Template(
-    "The program says {units_said}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. "
+    "The program says {units}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. "
     "Give {option}, mm or inch."
 )
 POINTS = Template(
@@ -91,9 +91,9 @@ def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     )
 
 
-def language_finding(language: str, told: str) -> tuple[Finding, ...]:
+def language_finding(language: str, expected: str) -> tuple[Finding, ...]:
     """Where the text shows another language than the controller's that was given."""
-    if language == told:
+    if language == expected:
         return ()
     text = say(
         "The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.",
@@ -118,7 +118,7 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
     """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
     to a machine position before the first of them, or after the last, is how a program should begin and end. The second of both
     have the lines of the file already."""
-    found, made, ends = [], list[Finding](), (int(at[0]), int(at[-1]))
+    found, known, ends = [], list[Finding](), (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
         number = _numbers(words.value[at], letter)
@@ -140,8 +140,8 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                     count=count,
                 )
                 found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
-        made += [one for kind, named in met.items() for one in kind_findings(kind, named)]
-    return found, made
+        known += [one for kind, named in met.items() for one in kind_findings(kind, named)]
+    return found, known
 
 
 def _without_radius(words: Words) -> Ints:
@@ -178,14 +178,14 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
     return found
 
 
-def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar: Grammar) -> list[Finding]:
+def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, grammar: Grammar) -> list[Finding]:
     """What had to be assumed: the first position, motion, units, offsets."""
-    found, first = [], int(told.at[0])
-    by_vector = not np.isnan(told.told[0]).all()
+    found, first = [], int(motions.at[0])
+    by_vector = not np.isnan(motions.vector[0]).all()
     unknown = [
         letter
         for k, letter in enumerate(letters)
-        if k in fitted_columns(letters) and not (told.named[0, k] or (by_vector and k >= 3))
+        if k in fitted_columns(letters) and not (motions.named[0, k] or (by_vector and k >= 3))
     ]
     if unknown:
         text = say(
@@ -196,9 +196,9 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
     if (mode == codes.NONE).any():
         block = int((mode == codes.NONE).argmax())
         text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
-        found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(told.at[block])))
+        found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(motions.at[block])))
     if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
-        found.append(_units_finding(told, lines, grammar))
+        found.append(_units_finding(motions, lines, grammar))
     offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
     if len(offsets) > 1:
         text = say(
@@ -206,15 +206,15 @@ def start_findings(letters: str, told: Moves, mode: Ints, lines: Lines, grammar:
             count=len(offsets),
         )
         found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
-    found += _without_offset(told, lines, grammar)
+    found += _without_offset(motions, lines, grammar)
     return found
 
 
-def _without_offset(told: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:
+def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:
     """That blocks stand under G500 after the program has had a zero offset (Siemens)."""
     if grammar.name != "siemens" or codes.WITHOUT_OFFSET not in lines.code:
         return []
-    state = lines.mode({**dict.fromkeys(grammar.offsets, 1), codes.WITHOUT_OFFSET: 2}, 0)[told.at]
+    state = lines.mode({**dict.fromkeys(grammar.offsets, 1), codes.WITHOUT_OFFSET: 2}, 0)[motions.at]
     rows = np.flatnonzero(np.logical_or.accumulate(state == 1) & (state == 2))
     if not len(rows):
         return []
@@ -223,19 +223,19 @@ def _without_offset(told: Moves, lines: Lines, grammar: Grammar) -> list[Finding
         "here. Post them under the offset, or as machine positions (SUPA).",
         count=len(rows),
     )
-    return [Finding(Severity.ERROR, codes.SHIFT[1], text, float(len(rows)), block=int(rows[0]), line=int(told.at[rows[0]]))]
+    return [Finding(Severity.ERROR, codes.SHIFT[1], text, float(len(rows)), block=int(rows[0]), line=int(motions.at[rows[0]]))]
 
 
-def _units_finding(told: Moves, lines: Lines, grammar: Grammar) -> Finding:
+def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
     """That nobody has said the units; and whether sizes and feeds are rather those of a program in inches."""
-    size = float(np.ptp(told.said[:, :3], axis=0).max())
+    size = float(np.ptp(motions.programmed[:, :3], axis=0).max())
     feed = lines.column("F")[lines.mode(codes.FEED_MODE, 0) == codes.PER_MINUTE]
     fastest = float(np.nanmax(feed)) if not np.isnan(feed).all() else 0.0
     against = size < LARGE_INCHES and 0.0 < fastest < FAST_INCHES
     text = (UNITS_DOUBTED if against else UNITS_TAKEN).say(
-        units_said=grammar.units_said, size=Number(size), feed=Number(fastest), option=Option("units")
+        units=grammar.units_text, size=Number(size), feed=Number(fastest), option=Option("units")
     )
-    return Finding(Severity.WARNING, "units-not-said", text, line=int(told.at[0]))
+    return Finding(Severity.WARNING, "units-not-said", text, line=int(motions.at[0]))
 
 
 def point_findings(words: Words) -> tuple[Finding, ...]:
@@ -254,33 +254,34 @@ def point_findings(words: Words) -> tuple[Finding, ...]:
 
 
 def wrap_findings(
-    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], told: Moves, feeding: Bools, dialect: Dialect | None
-) -> list[Finding]:
+    letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], motions: Moves, feeding: Bools,
+    dialect: Dialect | None,
+) -> list[Finding]:  # fmt: skip
     """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and where the controller
     does what the machine file says only if it is set so. ``meant``: as of :func:`.positions.moves`; ``feeding`` (m,)."""
-    found, skipped = [], len(meant[0][0]) - len(told.at)
+    found, skipped = [], len(meant[0][0]) - len(motions.at)
     for k, way in enumerate(wrap, 3):
         value, kind = meant[k][0][skipped:], meant[k][1][skipped:]
         rows = np.flatnonzero(kind == ABSOLUTE)
         step = np.abs(np.diff(value[rows]))
         one_turn = bool(len(rows)) and float(np.ptp(value[rows])) <= CIRCLE
         wide = rows[1:][step > CIRCLE / 2] if way == "modulo" else rows[1:][(step > NEARLY_ROUND) & feeding[rows[1:]]]
-        said = None
+        sentence = None
         if way == "modulo" and len(wide) and not one_turn:
-            said = COUNTED_ON
+            sentence = COUNTED_ON
         elif way == "modulo" and len(wide) and not (dialect is not None and dialect.shorter_way):
-            said = IF_SET
+            sentence = IF_SET
         elif way != "modulo" and len(wide) and one_turn:
-            said = WITHIN_A_TURN
-        if said is not None:
-            severity = Severity.NOTE if said is IF_SET else Severity.WARNING
-            text = said.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
+            sentence = WITHIN_A_TURN
+        if sentence is not None:
+            severity = Severity.NOTE if sentence is IF_SET else Severity.WARNING
+            text = sentence.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
             block = int(wide[0])
-            found.append(Finding(severity, "wrap-contradicted", text, float(len(wide)), line=int(told.at[block])))
+            found.append(Finding(severity, "wrap-contradicted", text, float(len(wide)), line=int(motions.at[block])))
     return found
 
 
-def guide_findings(program: Program, told: Moves) -> tuple[Finding, ...]:
+def guide_findings(program: Program, motions: Moves) -> tuple[Finding, ...]:
     """What there is to say of blocks in which the controller guides the tip."""
     found = []
     if program.guided is not None:
@@ -294,11 +295,11 @@ def guide_findings(program: Program, told: Moves) -> tuple[Finding, ...]:
         found.append(
             Finding(Severity.NOTE, "tip-guided-by-controller", text, float(count), block=block, line=int(program.line[block]))
         )
-    if len(told.lost):
-        line = int(told.at[told.lost[0]])
+    if len(motions.lost):
+        line = int(motions.at[motions.lost[0]])
         text = say(
             "{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.",
-            count=len(told.lost),
+            count=len(motions.lost),
         )
-        found.append(Finding(Severity.ERROR, "axis-not-reachable", text, float(len(told.lost)), line=line))
+        found.append(Finding(Severity.ERROR, "axis-not-reachable", text, float(len(motions.lost)), line=line))
     return tuple(found)

@@ -160,9 +160,9 @@ def _note_tool_or_datum(line: bytes, at: int, notes: Notes) -> None:
     """TOOL CALL with differences other than 0, and a datum of the table."""
     if preset := PRESET.match(line):
         notes.note(codes.PRESET, f"CYCL DEF 247 Q339={int(preset[1] or 0)}", at)
-    told = [one for one in DELTA.findall(re.sub(rb'"[^"]*"', b"", line)) if not NO_DELTA.match(one)]
-    if told:
-        notes.note(codes.DELTA, b" ".join([b"TOOL CALL", *told]).decode("latin-1"), at)
+    deltas = [one for one in DELTA.findall(re.sub(rb'"[^"]*"', b"", line)) if not NO_DELTA.match(one)]
+    if deltas:
+        notes.note(codes.DELTA, b" ".join([b"TOOL CALL", *deltas]).decode("latin-1"), at)
 
 
 def _name_datum_changes(notes: Notes) -> None:

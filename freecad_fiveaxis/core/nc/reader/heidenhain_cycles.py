@@ -192,10 +192,10 @@ CYCLES: dict[str, Callable[[dict[str, float], Around], list[str]]] = {
 }  # fmt: skip
 
 
-def place_before(made: list[tuple[int, str]]) -> tuple[float, float]:
+def place_before(rows: list[tuple[int, str]]) -> tuple[float, float]:
     """Find X and Y mm that the rows told last. Raises Unread where they do not."""
     found, steps = dict[str, float](), {"X": 0.0, "Y": 0.0}
-    for _, row in reversed(made[-FARTHEST_BACK:]):
+    for _, row in reversed(rows[-FARTHEST_BACK:]):
         for step, letter, value in PLACE.findall(row) if BLOCK.match(row) else ():
             if letter not in found and step:
                 steps[letter] += float(value)
@@ -208,16 +208,16 @@ def place_before(made: list[tuple[int, str]]) -> tuple[float, float]:
 
 def diameters(text: bytes) -> dict[int, float]:
     """Find the tools' diameters mm, by the index of the line of their TOOL CALL, in comments right above it (DM=16)."""
-    found, told = dict[int, float](), None
+    found, commented = dict[int, float](), None
     if b"DM" not in text:
         return found
     for at, line in enumerate(text.upper().replace(b"\r\n", b"\n").replace(b"\r", b"\n").split(b"\n")):
         if TOOL_CALL.match(line):
-            if told is not None:
-                found[at] = told
-            told = None
+            if commented is not None:
+                found[at] = commented
+            commented = None
         elif not COMMENT.match(line):
-            told = None
+            commented = None
         elif diameter := DIAMETER.search(line):
-            told = float(diameter[1])
+            commented = float(diameter[1])
     return found

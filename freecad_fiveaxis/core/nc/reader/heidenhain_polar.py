@@ -69,10 +69,10 @@ def _line(row: str, place: Place) -> str:
     if name == "CC":
         return _pole(row, begin, rest, place)
     if name in ("LP", "CP"):
-        made = (_straight if name == "LP" else _round)(_words(rest), rest, place)
-        if made is None:
+        cartesian = (_straight if name == "LP" else _round)(_words(rest), rest, place)
+        if cartesian is None:
             place.x = place.y = None
-        return row if made is None else begin + made
+        return row if cartesian is None else begin + cartesian
     if name in MOVES or name in KEEP:
         _follow(rest if name in MOVES else name + rest, place)
     elif name != "CYCL" or not STAYS.match(rest):

@@ -77,9 +77,9 @@ def written_out(text: bytes, progress: Progress = silent, of_machine: OfMachine 
     run = Run(rows, progress, planes, of_machine.diameters)
     if refusal := refusal_of(run):
         return refusal
-    source = np.array([0, *(at + 1 for at, _ in run.made)], np.int64)
+    source = np.array([0, *(at + 1 for at, _ in run.output)], np.int64)
     findings = (*run.unread.values(), *(planes.findings if planes else ()))
-    return Written("\n".join(row for _, row in run.made).encode("latin-1"), source, findings)
+    return Written("\n".join(row for _, row in run.output).encode("latin-1"), source, findings)
 
 
 def _one_line(found: re.Match[bytes]) -> bytes:
@@ -97,7 +97,7 @@ class Section:
 
 
 class Run:
-    """One run over ``rows``: ``made`` (line, its text) so far, ``at`` the line that runs."""
+    """One run over ``rows``: ``output`` (line, its text) so far, ``at`` the line that runs."""
 
     def __init__(
         self, rows: list[str], progress: Progress, planes: PlaneParameters | None, diameters: Mapping[int, float]
@@ -116,7 +116,7 @@ class Run:
         self.diameter: float | None = None
         self.speed: float | None = None
         self.unread: dict[str, Finding] = {}
-        self.made: list[tuple[int, str]] = []
+        self.output: list[tuple[int, str]] = []
 
     def run(self) -> None:
         """Run to the end. Raises Unread, ProgramError."""
@@ -125,7 +125,7 @@ class Run:
             count += 1
             if not count % BETWEEN:
                 self.progress("reading NC", 0.0)
-                if count > most or len(self.made) > most:
+                if count > most or len(self.output) > most:
                     endless(self.at, most)
             if self.plain[self.at]:
                 self._put(self.rows[self.at])
@@ -138,7 +138,7 @@ class Run:
             self._tool(row)
         if "F" in row and (found := FEED.search(row)):
             self.feed = found[1]
-        self.made.append((self.at, row))
+        self.output.append((self.at, row))
 
     def _step(self, line: str) -> int:
         """Run one line; the next one."""
@@ -185,7 +185,7 @@ class Run:
         row = self.rows[self.at]
         row = WORD.sub(self._word, row) if "Q" in line and not line.startswith(NO_WORDS) else row
         if self.planes and line.startswith("PLANE"):
-            self.known.update(self.planes.tilt(row, self.at, self.made))
+            self.known.update(self.planes.tilt(row, self.at, self.output))
         called = CALLED.search(line) and line.startswith(("L", "C")) and self.cycle is not None
         self._put(CALLED.sub("   ", row) if called else row)
         if called:
@@ -222,7 +222,7 @@ class Run:
         if found := CYCLE.match(line):
             self.cycle = Cycle(found[1], words)
             self.known.update(words)
-            self.made.append((self.at, ""))
+            self.output.append((self.at, ""))
         elif found := OLD_CYCLE.match(line):
             self._old_cycle(found[1], found[2])
         elif line.startswith("CYCLCALL") and not line.startswith(("CYCLCALLPO", "CYCLCALLPA")) and self.cycle is not None:
@@ -233,20 +233,20 @@ class Run:
                 self.cycle = None
             self.known.update(words)
             row = self.rows[self.at]
-            self.made.append((self.at, WORD.sub(self._word, row) if number and number[1] == DATUM_SHIFT else row))
+            self.output.append((self.at, WORD.sub(self._word, row) if number and number[1] == DATUM_SHIFT else row))
 
-    def _old_cycle(self, part: str, told: str) -> None:
+    def _old_cycle(self, part: str, rest: str) -> None:
         """A line of CYCL DEF 1: 1.0 begins it, the number at the end of the others is a word."""
         if part == "0" or self.cycle is None or self.cycle.number != "1":
             self.cycle = Cycle("1")
-        if part != "0" and (found := LAST_NUMBER.search(told)):
+        if part != "0" and (found := LAST_NUMBER.search(rest)):
             self.cycle.words[part] = float(found[0])
-        self.made.append((self.at, ""))
+        self.output.append((self.at, ""))
 
     def _tool(self, row: str) -> None:
         """Whose speed and diameter the cycles take from here on."""
-        told = re.sub(r'"[^"]*"', "", row)
-        speed, radius = SPEED.search(told), RADIUS.search(told)
+        unquoted = re.sub(r'"[^"]*"', "", row)
+        speed, radius = SPEED.search(unquoted), RADIUS.search(unquoted)
         self.speed = float(speed[1]) if speed else self.speed
         if re.search(r"TOOL +CALL +(?:[0-9\"'Q])", row):
             self.diameter = self.diameters.get(self.at)
@@ -264,21 +264,21 @@ class Run:
     def _drill(self) -> None:
         """The hole of the cycle that was defined; where it is not understood, that is found once, and its moves are missing."""
         assert self.cycle is not None
-        around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.made))
+        around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
         try:
             rows = drilled(self.cycle, around)
         except Unread as unread:
             self._not_drilled(self.cycle.number, unread.reason)
             return
-        self.made += [(self.at, row) for row in rows]
+        self.output += [(self.at, row) for row in rows]
 
     def _not_drilled(self, number: str, reason: str) -> None:
-        said = say(
+        sentence = say(
             "{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.",
             name=f"CYCL DEF {number}",
             reason=reason,
         )
-        self.unread.setdefault(said, Finding(Severity.ERROR, CYCLE_KIND[1], said, line=self.at + 1))
+        self.unread.setdefault(sentence, Finding(Severity.ERROR, CYCLE_KIND[1], sentence, line=self.at + 1))
 
 
 DATUM_SHIFT = "7"

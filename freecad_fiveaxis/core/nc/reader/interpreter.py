@@ -87,8 +87,8 @@ def written_out(
     run = Run(lines, plain, flow, fanuc, progress)
     if refusal := refusal_of(run):
         return replace(refusal, line=origin[refusal.line - 1] + 1)
-    made = [rows[at] if row is None else row.encode("latin-1") for at, row in run.made]
-    return Written(b"\n".join(made), np.array([0, *(origin[at] + 1 for at, _ in run.made)], np.int64))
+    written = [rows[at] if row is None else row.encode("latin-1") for at, row in run.output]
+    return Written(b"\n".join(written), np.array([0, *(origin[at] + 1 for at, _ in run.output)], np.int64))
 
 
 class Running(Protocol):
@@ -139,18 +139,18 @@ def deeper(calls: int, at: int) -> None:
 
 
 class Run:
-    """One run: ``made`` (line, its text where that is another) so far, ``at`` the line that runs."""
+    """One run: ``output`` (line, its text where that is another) so far, ``at`` the line that runs."""
 
     def __init__(self, lines: list[str], plain: list[bool], flow: Flow, fanuc: bool, progress: Progress) -> None:
         self.lines, self.plain, self.flow, self.fanuc, self.progress = lines, plain, flow, fanuc, progress
         self.known, self.frames = Variables(fanuc), [Frame()]
-        self.made: list[tuple[int, str | None]] = []
+        self.output: list[tuple[int, str | None]] = []
         self.parsed: list[Statement | None] = [None] * len(lines)
         self.at, self.ended = 0, False
 
     def run(self) -> None:
         """Run to the end. Raises Unread, ProgramError."""
-        count, most, plain, made = 0, MOST + len(self.lines), self.plain, self.made
+        count, most, plain, output = 0, MOST + len(self.lines), self.plain, self.output
         while not self.ended and self.at < len(plain):
             count += 1
             if not count % BETWEEN:
@@ -158,7 +158,7 @@ class Run:
                 if count > most:
                     endless(self.at, most)
             if plain[self.at]:
-                made.append((self.at, None))
+                output.append((self.at, None))
                 self.at += 1
             else:
                 self.at = self._step(self._statement(self.at))
@@ -174,7 +174,7 @@ class Run:
         if isinstance(what, Block):
             return self._block(what)
         if isinstance(what, Text):
-            self.made.append((self.at, what.row(self.known)))
+            self.output.append((self.at, what.row(self.known)))
             return self.at + 1
         return self._macro(what) if isinstance(what, Macro) else O_WORDS[what.word](self, what)
 
@@ -187,7 +187,7 @@ class Run:
             return self._call_by_number(what)
         row, _ = what.row(self.known)
         if row:
-            self.made.append((self.at, row))
+            self.output.append((self.at, row))
         what.set(self.known)
         self.ended = what.ends
         return self.at + 1
@@ -206,29 +206,29 @@ class Run:
 
     def _count(self, value: Value) -> int:
         """A whole number from 0 on."""
-        told = number(value)
-        if not 0.0 <= told < 1e9 or abs(told - round(told)) > 1e-6:
-            raise Unread(say("{value} is no whole number from 0 on", value=f"{told:g}"))
-        return round(told)
+        whole = number(value)
+        if not 0.0 <= whole < 1e9 or abs(whole - round(whole)) > 1e-6:
+            raise Unread(say("{value} is no whole number from 0 on", value=f"{whole:g}"))
+        return round(whole)
 
     def _call_by_number(self, what: Block) -> int:
         """M97, M98, M99 and G65; the other words of the block come before the call."""
         macro = what.calls == "G65"
         if macro and sum(letter == "G" for letter, *_ in what.words) > 1:
             raise Unread(say("a G65 beside another G code"))
-        row, told = what.row(self.known, without="".join(ARGUMENTS) + "GPLMNO" if macro else "MPLNQ")
+        row, values = what.row(self.known, without="".join(ARGUMENTS) + "GPLMNO" if macro else "MPLNQ")
         if row and what.calls != "M99":
-            self.made.append((self.at, row))
+            self.output.append((self.at, row))
         what.set(self.known)
         if what.calls == "M99":
-            return self._back(told)
-        if "P" not in told or told["P"] is None or ("Q" in told and not macro):
+            return self._back(values)
+        if "P" not in values or values["P"] is None or ("Q" in values and not macro):
             raise Unread(say("a call that does not say what by P alone"))
-        program, times = self._count(told["P"]), self._count(told.get("L", 1.0))
+        program, times = self._count(values["P"]), self._count(values.get("L", 1.0))
         if what.calls == "M97":
             head = self.flow.numbered(program, self.at)
         else:
-            if program not in self.flow.heads and program > 9999 and "L" not in told:
+            if program not in self.flow.heads and program > 9999 and "L" not in values:
                 program, times = program % 10000, program // 10000
             if program not in self.flow.heads:
                 raise Unread(say("program O{program} is not in this file", program=str(program)))
@@ -237,7 +237,7 @@ class Run:
             return self.at + 1
         frame = Frame(self.at + 1, head, times - 1, macro=macro)
         if macro:
-            given = {ARGUMENTS[letter]: value for letter, value in told.items() if letter in ARGUMENTS}
+            given = {ARGUMENTS[letter]: value for letter, value in values.items() if letter in ARGUMENTS}
             return self._enter(frame, given)
         return self._push(frame)
 
@@ -252,18 +252,18 @@ class Run:
         self.frames.append(frame)
         return frame.head
 
-    def _back(self, told: dict[str, Value]) -> int:
+    def _back(self, values: dict[str, Value]) -> int:
         """M99: once more, or back behind the call, or to the caller's N of its P; in the main program the end."""
         if len(self.frames) == 1:
-            self.made.append((self.at, "M99"))
+            self.output.append((self.at, "M99"))
             self.ended = True
             return self.at
         frame = self.frames[-1]
-        if frame.left and "P" not in told:
+        if frame.left and "P" not in values:
             frame.left -= 1
             return frame.head
         self._pop()
-        return self.flow.numbered(self._count(told["P"]), frame.back - 1) if "P" in told else frame.back
+        return self.flow.numbered(self._count(values["P"]), frame.back - 1) if "P" in values else frame.back
 
     def _pop(self) -> Frame:
         frame = self.frames.pop()
@@ -283,10 +283,10 @@ class Run:
     def _return(self, what: OWord) -> int:
         if not self.frames[-1].o_word:
             raise Unread(say("{word} stands outside of a subprogram", word=what.word))
-        told = None if what.value is None else number(what.value(self.known))
+        result = None if what.value is None else number(what.value(self.known))
         shared = self.known.shared_named
-        shared["_VALUE_RETURNED"] = float(told is not None)
-        shared["_VALUE"] = 0.0 if told is None else told
+        shared["_VALUE_RETURNED"] = float(result is not None)
+        shared["_VALUE"] = 0.0 if result is None else result
         return self._pop().back
 
     def _if(self, what: OWord) -> int:

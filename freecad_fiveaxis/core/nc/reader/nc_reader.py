@@ -85,17 +85,17 @@ def read_nc(
     that cannot be read, and where there is no motion line at all.
     """
     progress("reading NC", 0.0)
-    told = "iso" if dialect is None else dialect.language
-    language = language_of(text, told)
+    expected = "iso" if dialect is None else dialect.language
+    language = language_of(text, expected)
     grammar = GRAMMARS[language]
     words, lines, before, cause = _words_and_lines(
         text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text), assumed.search)
     )
-    findings = language_finding(language, told)
+    findings = language_finding(language, expected)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
     mode, on = lines.mode(grammar.motion, codes.NONE), _guide_on(lines, grammar)
-    dynamic, said = carried(lines, axes, on, kinematics, grammar)
-    findings += (*said, *switch_findings(lines, grammar))
+    dynamic, reports = carried(lines, axes, on, kinematics, grammar)
+    findings += (*reports, *switch_findings(lines, grammar))
     planes = planes_of(lines, grammar, dynamic)
     if planes is not None:
         mode, on = planes.modes(mode, on)
@@ -110,11 +110,11 @@ def read_nc(
         meant, findings = solved.words, (*findings, *planes.findings, *solved.findings)
         meaning = planes.of_blocks(at, on[at], meant)
     meant, bent = angled(lines, at, meant, mode[at], meaning)
-    at, told_moves = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
+    at, motions = _moves(lines, at, meant, mode, on, kinematics, wrap, meaning, planes)
     feed, inverse, more = feeds(lines, at, mode[at] != codes.RAPID, grammar)
     unknown, of_codes = code_findings(words, grammar, at)
-    chords, bad = _chords(lines, told_moves, mode[at], grammar)
-    chords, sharp = _corners(lines, told_moves, mode[at], grammar, chords)
+    chords, bad = _chords(lines, motions, mode[at], grammar)
+    chords, sharp = _corners(lines, motions, mode[at], grammar, chords)
     bad += sharp
     findings += (
         *unknown,
@@ -123,17 +123,15 @@ def read_nc(
         *more,
         *bad,
     )
-    findings += tuple(start_findings(kinematics.letters, told_moves, mode[at], lines, grammar))
-    findings += tuple(wrap_findings(kinematics.letters, wrap, meant, told_moves, mode[at] != codes.RAPID, dialect))
-    program = _program(
-        kinematics, told_moves, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes
-    )
+    findings += tuple(start_findings(kinematics.letters, motions, mode[at], lines, grammar))
+    findings += tuple(wrap_findings(kinematics.letters, wrap, meant, motions, mode[at] != codes.RAPID, dialect))
+    program = _program(kinematics, motions, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes)
     if planes is not None:
         findings += (
-            *vector_findings(planes, told_moves),
-            *off_normal(planes, told_moves, chords, tool_axes(kinematics, program.words)),
+            *vector_findings(planes, motions),
+            *off_normal(planes, motions, chords, tool_axes(kinematics, program.words)),
         )
-    findings = fold((*before, *in_file(words, findings + guide_findings(program, told_moves)), *of_codes), cause)
+    findings = fold((*before, *in_file(words, findings + guide_findings(program, motions)), *of_codes), cause)
     return replace(program, line=words.in_file(program.line), findings=findings, wrap=wrap)
 
 
@@ -170,17 +168,17 @@ def _words_and_lines(
     elif dialect is not None and dialect.least_increment:
         findings += point_findings(words)
     if grammar.name == "siemens":  # its cycles tell heights, which the shifts move then
-        made, found = holes_written_out(words, lines, grammar)
+        expanded, found = holes_written_out(words, lines, grammar)
     else:
-        made, found = shifted(words, lines, grammar)
+        expanded, found = shifted(words, lines, grammar)
     findings = words.findings + in_file(words, (*findings, *found))
-    words, lines = made, lines if made is words else Lines(made, assumed)
+    words, lines = expanded, lines if expanded is words else Lines(expanded, assumed)
     if grammar.name == "siemens":
-        made, found = shifted(words, lines, grammar)
+        expanded, found = shifted(words, lines, grammar)
     else:
-        made, found = written_out(words, lines, grammar, controller)
+        expanded, found = written_out(words, lines, grammar, controller)
     findings += in_file(words, tuple(found))
-    return made, lines if made is words else Lines(made, assumed), findings, cause
+    return expanded, lines if expanded is words else Lines(expanded, assumed), findings, cause
 
 
 def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding, ...]]:
@@ -208,10 +206,10 @@ def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
 
 def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
     """The state in each line, off at first, from the lines where it is switched; on wins over off in the same line."""
-    on, said = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    on, marked = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
     for where, state in sorted(events, key=lambda event: event[1]):
-        on[where], said[where] = state, True
-    return on[last_of(np.flatnonzero(said), count)]
+        on[where], marked[where] = state, True
+    return on[last_of(np.flatnonzero(marked), count)]
 
 
 def _motion_lines(
@@ -220,7 +218,7 @@ def _motion_lines(
     """The lines that are blocks."""
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
-        moving |= ~np.isnan(_told(lines, mode, on)).all(axis=1)
+        moving |= ~np.isnan(_tool_vectors(lines, mode, on)).all(axis=1)
     if codes.ANGLE in lines.letters:
         moving |= ~np.isnan(lines.column(codes.ANGLE)) & ((mode == codes.RAPID) | (mode == codes.STRAIGHT))
     if (mode == codes.ARC).any():  # a full circle needs no word of an axis
@@ -244,11 +242,11 @@ def _moves(
     start = begun(words, meaning, mode[at] == codes.RAPID, vector)
     kept = [(value[start.row :], kind[start.row :]) for value, kind in words]
     at, vector, meaning = at[start.row :], vector[start.row :], meaning[start.row :]
-    return at, moves(at, kept, on[at], vector, kinematics, wrap, start.said, meaning, planes)
+    return at, moves(at, kept, on[at], vector, kinematics, wrap, start.programmed, meaning, planes)
 
 
-def _told(lines: Lines, mode: Ints, on: Bools) -> Floats:
-    """The tool axis (lines, 3) that each guided line tells as a vector, NaN where none."""
+def _tool_vectors(lines: Lines, mode: Ints, on: Bools) -> Floats:
+    """The tool axis (lines, 3) that each guided line gives as a vector, NaN where none."""
     private = [lines.column(letter) for letter in codes.VECTOR]
     vector = np.stack(private, axis=1)
     if not np.isin(lines.code, codes.VECTORS_ON).any():
@@ -260,7 +258,7 @@ def _told(lines: Lines, mode: Ints, on: Bools) -> Floats:
 
 
 def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
-    return _told(lines, mode, on)[at] if on.any() else np.full((len(at), 3), np.nan)
+    return _tool_vectors(lines, mode, on)[at] if on.any() else np.full((len(at), 3), np.nan)
 
 
 def _meant(
@@ -281,86 +279,87 @@ def _meant(
     return meant
 
 
-def _chords(lines: Lines, told: Moves, mode: Ints, grammar: Grammar) -> tuple[Chords | None, list[Finding]]:
+def _chords(lines: Lines, motions: Moves, mode: Ints, grammar: Grammar) -> tuple[Chords | None, list[Finding]]:
     """The arcs as chords; None where there are none."""
     row = np.flatnonzero(mode == codes.ARC)
     if not len(row):
         return None, []
-    line = told.at[row]
+    line = motions.at[row]
     inch = np.where(lines.inch(grammar)[line], INCH, 1.0)
     is_arc = np.zeros(lines.count, np.bool_)
     is_arc[line] = True
-    told_as = {letter: lines.column(letter) for letter in ("I", "J", "K", "R", *codes.CENTRE)}
-    for letter, column in told_as.items():
+    columns = {letter: lines.column(letter) for letter in ("I", "J", "K", "R", *codes.CENTRE)}
+    for letter, column in columns.items():
         check_near(lines, letter, np.where(is_arc, column, np.nan))
-    offset = np.stack([told_as[letter][line] for letter in "IJK"], axis=1) * inch[:, None]
-    here = np.stack([told_as[letter] for letter in codes.CENTRE], axis=1)
-    centre = np.stack([_last_told(column)[line] for column in here.T], axis=1) * inch[:, None]
+    offset = np.stack([columns[letter][line] for letter in "IJK"], axis=1) * inch[:, None]
+    here = np.stack([columns[letter] for letter in codes.CENTRE], axis=1)
+    centre = np.stack([_last_programmed(column)[line] for column in here.T], axis=1) * inch[:, None]
     sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
     arcs = Arcs(
         row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,
-        told_as["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
+        columns["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
-    return chorded(arcs, told.before, told.said, told.at)
+    return chorded(arcs, motions.before, motions.programmed, motions.at)
 
 
 def _corners(
-    lines: Lines, told: Moves, mode: Ints, grammar: Grammar, chords: Chords | None
+    lines: Lines, motions: Moves, mode: Ints, grammar: Grammar, chords: Chords | None
 ) -> tuple[Chords | None, list[Finding]]:
     """The chords with those of rounded and chamfered corners."""
     if corners.LETTER not in lines.letters:
         return chords, []
-    at = told.at
+    at = motions.at
     size, length, modal = corners.sizes(lines.column(corners.LETTER), at)
     scale = np.where(lines.inch(grammar)[at], INCH, 1.0)
     found = corners.Corners(size * scale, length, modal, lines.mode(codes.PLANES, 0)[at], mode != codes.RAPID)
-    return corners.with_corners(found, told.before, told.said, chords, at)
+    return corners.with_corners(found, motions.before, motions.programmed, chords, at)
 
 
-def _last_told(column: Floats) -> Floats:
+def _last_programmed(column: Floats) -> Floats:
     """The last value of a column at or before each line, NaN before the first."""
     return column[last_of(np.flatnonzero(~np.isnan(column)), len(column))]
 
 
 def _program(
-    kinematics: Chain, told: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
+    kinematics: Chain, motions: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
     dialect: Dialect | None, planes: Planes | None,
 ) -> Program:  # fmt: skip
-    before, said, on, line, vector, meaning = told.before, told.said, told.on, told.at, told.told, told.meaning
+    before, programmed, on, line = motions.before, motions.programmed, motions.on, motions.at
+    vector, meaning = motions.vector, motions.meaning
     if chords is not None:
-        row, before, said = chords.row, chords.before, chords.said
+        row, before, programmed = chords.row, chords.before, chords.programmed
         feed = np.where(inverse, feed * chords.count, feed)
         mode, feed_mode, line = mode[row], feed_mode[row], line[row]
         feed, inverse, on, vector, meaning = feed[row], inverse[row], on[row], vector[row], meaning[row]
     motion = np.where(mode == codes.RAPID, Motion.RAPID, Motion.CUT).astype(np.int8)
-    change = said - before
-    said = in_work(said, meaning, planes)
-    words = where_axes_stand(kinematics, said, on if planes is None else on | planes.by_tip(meaning))
-    guided = _guided(kinematics, words, said, on, vector) if on.any() else None
+    change = programmed - before
+    programmed = in_work(programmed, meaning, planes)
+    words = where_axes_stand(kinematics, programmed, on if planes is None else on | planes.by_tip(meaning))
+    guided = _guided(kinematics, words, programmed, on, vector) if on.any() else None
     seconds = _seconds(words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, kinematics, dialect)
     return Program(kinematics.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)
 
 
-def _guided(kinematics: Chain, words: Floats, said: Floats, on: Bools, vector: Floats) -> Guided:
+def _guided(kinematics: Chain, words: Floats, programmed: Floats, on: Bools, vector: Floats) -> Guided:
     """What the file says: a vector stays until the rotary words change."""
-    told: Bools = np.asarray(~np.isnan(vector).all(axis=1))
-    if not told.any():
-        return Guided(on, said[:, :3])
-    last = last_of(np.flatnonzero(told), len(told))
-    stays = told[last] & (said[:, 3:] == said[last, 3:]).all(axis=1)
-    return Guided(on, said[:, :3], np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(kinematics, words)))
+    given: Bools = np.asarray(~np.isnan(vector).all(axis=1))
+    if not given.any():
+        return Guided(on, programmed[:, :3])
+    last = last_of(np.flatnonzero(given), len(given))
+    stays = given[last] & (programmed[:, 3:] == programmed[last, 3:]).all(axis=1)
+    return Guided(on, programmed[:, :3], np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(kinematics, words)))
 
 
 def _seconds(
-    words: Floats, said: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools, kinematics: Chain,
+    words: Floats, travel: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools, kinematics: Chain,
     dialect: Dialect | None,
 ) -> Floats:  # fmt: skip
-    """The time (m,) s that the controller takes by what the words say (``said`` (m, 5): their change); 0 where nothing."""
-    distance = feed_distance(dialect, said)
+    """The time (m,) s that the controller takes by what the words say (``travel`` (m, 5): their change); 0 where nothing."""
+    distance = feed_distance(dialect, travel)
     if on.any():
         guide = next(iter(dialect.guides.values()), None) if dialect is not None else None
         over_all = guide is not None and guide.rotary_in_feed
-        guided = feed_distance(dialect if over_all else None, said)
+        guided = feed_distance(dialect if over_all else None, travel)
         distance = np.where(on, guided, distance)
     distance = np.where(inverse, 1.0, distance)
     minutes = np.divide(distance, feed, out=np.zeros(len(feed)), where=(feed > 0.0) & ~unknown)

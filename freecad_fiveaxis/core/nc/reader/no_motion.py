@@ -38,8 +38,8 @@ def pass_over(text: bytes, language: str, own: Sequence[str] = ()) -> tuple[byte
         pattern = _pattern(name)
         if _needle(name) in text and (found := pattern.search(text)):
             if name not in SHIPPED[language]:
-                said = say("{name} is passed over: the machine file says that it moves nothing (no_motion).", name=name)
-                findings.append(Finding(Severity.NOTE, "no-motion", said, line=text.count(b"\n", 0, found.start()) + 1))
+                sentence = say("{name} is passed over: the machine file says that it moves nothing (no_motion).", name=name)
+                findings.append(Finding(Severity.NOTE, "no-motion", sentence, line=text.count(b"\n", 0, found.start()) + 1))
             text = pattern.sub(_blank, text)
     return _without_brackets(text, findings), findings
 
@@ -51,14 +51,14 @@ def _without_brackets(text: bytes, findings: list[Finding]) -> bytes:
         at.setdefault(found[1], []).append(found.start())
     for name, places in at.items():
         shown = name.replace(b" ", b"").decode()
-        said = say(
+        sentence = say(
             "{name}(...) stands in {count} lines and is not known; what it does is missing here. If it moves nothing, name it "
             "under no_motion in the machine file.",
             name=shown,
             count=len(places),
         )
         line = text.count(b"\n", 0, places[0]) + 1
-        findings.append(Finding(Severity.WARNING, UNKNOWN[1], said, float(len(places)), line=line))
+        findings.append(Finding(Severity.WARNING, UNKNOWN[1], sentence, float(len(places)), line=line))
     return BRACKETED.sub(_blank, text) if at else text
 
 

@@ -55,17 +55,22 @@ class Notes:
 
 def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Finding]:
     """What is said of one kind: ``named`` the first line and the count of each name."""
-    severity, code, said = kind
+    severity, code, explanation = kind
     apart = code == UNKNOWN[1] or len(named) == 1
     found = []
     if not apart:
         first, count = min(line for line, _ in named.values()), sum(count for _, count in named.values())
         shown = ", ".join(f"{name} ({line})" for name, (line, _) in [*named.items()][:MOST])
         more = " ..." if len(named) > MOST else ""
-        text = say("{names} (with their first lines) stand in {count} lines: {said}.", names=shown + more, count=count, said=said)
+        text = say(
+            "{names} (with their first lines) stand in {count} lines: {explanation}.",
+            names=shown + more,
+            count=count,
+            explanation=explanation,
+        )
         return [Finding(severity, code, text, float(count), line=first)]
     for name, (line, count) in [*named.items()][:MOST]:
-        text = say("{name} stands in {count} lines: {said}.", name=name, count=count, said=said)
+        text = say("{name} stands in {count} lines: {explanation}.", name=name, count=count, explanation=explanation)
         found.append(Finding(severity, code, text, float(count), line=line))
     return found
 

@@ -55,7 +55,7 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     met = notes.met.keys()
     calls = bool(of_machine.search) and any(kind is codes.CALL for kind, _ in met)
     if not (calls or siemens_run.SIGN.search(text) or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)):
-        return _told(text, read, notes, None, [])
+        return _with_findings(text, read, notes, None, [])
     notes, called = Notes(), text
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
     source, refused = None, list[Finding]()
@@ -65,8 +65,8 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
             text, source = run.text, run.source
         else:
             refused = [not_run(run)]
-    made = _told(text, siemens.plain(text, notes), notes, source, refused, first=True)
-    return replace(made, cause=refused[0] if refused else None)
+    result = _with_findings(text, siemens.plain(text, notes), notes, source, refused, first=True)
+    return replace(result, cause=refused[0] if refused else None)
 
 
 def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
@@ -79,7 +79,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
             cause = not_run(run)
             refused = [cause]
     text = without_polar(text)
-    return replace(_told(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
+    return replace(_with_findings(text, heidenhain.plain(text, notes), notes, source, refused), cause=cause)
 
 
 def not_run(run: interpreter.Refused) -> Finding:
@@ -87,7 +87,9 @@ def not_run(run: interpreter.Refused) -> Finding:
     return Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line)
 
 
-def _told(text: bytes, read: bytes, notes: Notes, source: Ints | None, refused: list[Finding], first: bool = False) -> Plain:
+def _with_findings(
+    text: bytes, read: bytes, notes: Notes, source: Ints | None, refused: list[Finding], first: bool = False
+) -> Plain:
     """``first``: what was refused is said before what was met."""
     if (notes.tilts or notes.drills) and (found := BEHIND_A_CALL.search(read)):
         _refuse_digits(text, read.count(b"\n", 0, found.start()), source)

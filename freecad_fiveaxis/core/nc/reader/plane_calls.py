@@ -121,28 +121,28 @@ def heidenhain(line: str) -> Tilt:
 
 
 def _heidenhain(form: str, rest: str) -> Tilt:
-    told = {name: float(value) for name, value in ENTRY.findall(rest)} if form != "RESET" else {}
+    entries = {name: float(value) for name, value in ENTRY.findall(rest)} if form != "RESET" else {}
     rest = ENTRY.sub(" ", rest)
-    said = list(REST.finditer(rest))
-    move = next((way for way in (MOVE, TURN) if any(found[0] == way.upper() for found in said)), STAY)
-    side = next((1 if found[0][-1] == "+" else -1 for found in said if found[0].startswith("SEQ")), 0)
-    values = {found[1]: found[2] for found in said if found[1]}
+    options = list(REST.finditer(rest))
+    move = next((way for way in (MOVE, TURN) if any(found[0] == way.upper() for found in options)), STAY)
+    side = next((1 if found[0][-1] == "+" else -1 for found in options if found[0].startswith("SEQ")), 0)
+    values = {found[1]: found[2] for found in options if found[1]}
     dist = values.get("DIST", "0")
     left = REST.sub(" ", rest).strip()
-    away, table = "MB" in values, any(found[0].startswith("TABLE") for found in said)
+    away, table = "MB" in values, any(found[0].startswith("TABLE") for found in options)
     if left or dist == "MAX":
         return Tilt(HEIDENHAIN, refused=say("{rest} is not known here", rest=repr((left or dist)[:20])))
     if form == "RESET":
         return Tilt(HEIDENHAIN, move=move, side=side, dist=float(dist), back=True, away=away)
     if form not in FORMS:
         return Tilt(HEIDENHAIN, refused=say("{rest} is not known here", rest=repr(f"PLANE {form}")))
-    if not any(found[0] in ("TURN", "MOVE", "STAY") for found in said):
+    if not any(found[0] in ("TURN", "MOVE", "STAY") for found in options):
         return Tilt(HEIDENHAIN, refused=say("it says none of TURN, MOVE and STAY"))
-    if set(told) != set(FORMS[form]) if form != RELATIVE else len(told) != 1 or not set(told) <= set(FORMS[form]):
+    if set(entries) != set(FORMS[form]) if form != RELATIVE else len(entries) != 1 or not set(entries) <= set(FORMS[form]):
         return Tilt(HEIDENHAIN, refused=say("not all its values are given, or others"))
-    if why := beyond([*told.values(), float(dist)]):
+    if why := beyond([*entries.values(), float(dist)]):
         return Tilt(HEIDENHAIN, refused=why)
-    turn = _turned(form, [told.get(name, 0.0) for name in FORMS[form]])
+    turn = _turned(form, [entries.get(name, 0.0) for name in FORMS[form]])
     if turn is None:
         return Tilt(HEIDENHAIN, refused=say("its vectors span no plane"))
     return Tilt(HEIDENHAIN, turn, move=move, side=side, dist=float(dist), relative=form == RELATIVE, away=away, table=table)

@@ -37,10 +37,10 @@ class PlaneParameters:
         self.picked: Finding | None = None
         self.read = False
 
-    def tilt(self, row: str, at: int, made: list[tuple[int, str]]) -> dict[str, float]:
-        """Work out the parameters that the PLANE function ``row`` of the line of index ``at`` sets, after the rows ``made``; none
-        where it is not understood (:mod:`.planes` says so)."""
-        self._follow(made)
+    def tilt(self, row: str, at: int, output: list[tuple[int, str]]) -> dict[str, float]:
+        """Work out the parameters that the PLANE function ``row`` of the line of index ``at`` sets, after the rows ``output``;
+        none where it is not understood (:mod:`.planes` says so)."""
+        self._follow(output)
         tilt = heidenhain(" ".join(row.split()))
         if tilt.refused:
             return {}
@@ -68,12 +68,12 @@ class PlaneParameters:
         else:
             self.frame = self.frame @ turn if relative else turn
 
-    def _follow(self, made: list[tuple[int, str]]) -> None:
+    def _follow(self, output: list[tuple[int, str]]) -> None:
         """Follow the rotary words of the rows that were made since the last time."""
-        for _, row in made[self.followed :]:
+        for _, row in output[self.followed :]:
             if STRAIGHT.match(row):
                 for step, letter, value in ROTARY.findall(row):
                     if letter in self.letters:
                         k = self.letters.index(letter)
                         self.stand[k] = float(value) + (self.stand[k] if step else 0.0)
-        self.followed = len(made)
+        self.followed = len(output)

@@ -125,8 +125,8 @@ def _by_codes(lines: Lines) -> dict[int, Tilt]:
     chosen = np.isin(lines.code, (*codes.TILT, codes.LEVEL))
     for row, code in zip(lines.code_line[chosen].tolist(), lines.code[chosen].tolist(), strict=True):
         if code == codes.TILT[0]:
-            told = {letter: float(column[row]) for letter, column in columns.items() if not np.isnan(column[row])}
-            tilts[row] = _euler(told)
+            given = {letter: float(column[row]) for letter, column in columns.items() if not np.isnan(column[row])}
+            tilts[row] = _euler(given)
         elif code == codes.TILT[1]:
             tilts[row] = Tilt(FANUC, move=TURN, name="G53.1")
         else:
@@ -134,11 +134,11 @@ def _by_codes(lines: Lines) -> dict[int, Tilt]:
     return tilts
 
 
-def _euler(told: dict[str, float]) -> Tilt:
-    if told.get("P", 0.0) != 0.0 or "R" in told:
-        name = f"P{told['P']:g}" if "P" in told else "R"
+def _euler(given: dict[str, float]) -> Tilt:
+    if given.get("P", 0.0) != 0.0 or "R" in given:
+        name = f"P{given['P']:g}" if "P" in given else "R"
         return Tilt(FANUC, refused=say("{rest} is not known here", rest=name))
-    x, y, z, i, j, k = (told.get(letter, 0.0) for letter in "XYZIJK")
+    x, y, z, i, j, k = (given.get(letter, 0.0) for letter in "XYZIJK")
     if why := plane_calls.beyond((x, y, z, i, j, k)):
         return Tilt(FANUC, refused=why)
     return Tilt(FANUC, plane_calls.euler((i, j, k)), (x, y, z))

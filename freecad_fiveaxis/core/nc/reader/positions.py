@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the words of each motion line lead, from the words and the modes.
 
-said      the words at the end of a motion line as the NC file means them: X Y Z (mm), first and second rotary word (deg, turns
-          unfolded). Where the controller guides the tip, X Y Z are its place in the work; in a tilted plane its place there; else
-          where the axes stand.
-stretch   motion lines in a row whose X Y Z mean the same. Where one ends, the same pose begins the next.
+programmed   the words at the end of a motion line as the NC file means them: X Y Z (mm), first and second rotary word (deg,
+             turns unfolded). Where the controller guides the tip, X Y Z are its place in the work; in a tilted plane its place
+             there; else where the axes stand.
+stretch      motion lines in a row whose X Y Z mean the same. Where one ends, the same pose begins the next.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
 @dataclass(eq=False)
 class Start:
     """Where a program begins: the first ``row`` of its motion lines after which the places of all axes are known, and the words
-    ``said`` (5,) told until there, NaN where none."""
+    ``programmed`` (5,) until there, NaN where none."""
 
     row: int
-    said: Floats
+    programmed: Floats
 
 
 def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
@@ -56,21 +56,23 @@ def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector
     whole = np.flatnonzero(known.all(axis=1))
     first = int(whole[0]) if len(whole) and not (kind[: whole[0] + 1] == STEP).any() else 0
     at = np.where(known[first], last[first], -1)
-    said = np.array([value[source] if source >= 0 else np.nan for (value, _), source in zip(words, at.tolist(), strict=True)])
-    return Start(first, said)
+    programmed = np.array(
+        [value[source] if source >= 0 else np.nan for (value, _), source in zip(words, at.tolist(), strict=True)]
+    )
+    return Start(first, programmed)
 
 
 @dataclass(eq=False)
 class Moves:
-    """One row a motion line, (m,): ``at`` its line; ``before``, ``said`` (m, 5) the words at its start and end; ``on`` whether
-    the controller guides the tip; ``told`` (m, 3) the tool axis where a vector told it, else NaN; ``lost``: rows whose vector no
-    rotary words take up; ``named`` (m, 5) whether the line has that word as an absolute one; ``meaning`` of X Y Z."""
+    """One row a motion line, (m,): ``at`` its line; ``before``, ``programmed`` (m, 5) the words at its start and end; ``on``
+    whether the controller guides the tip; ``vector`` (m, 3) the tool axis where a vector gives it, else NaN; ``lost``: rows whose
+    vector no rotary words take up; ``named`` (m, 5) whether the line has that word as an absolute one; ``meaning`` of X Y Z."""
 
     at: Ints
     before: Floats
-    said: Floats
+    programmed: Floats
     on: Bools
-    told: Floats
+    vector: Floats
     lost: Ints
     named: Bools
     meaning: Ints
@@ -124,42 +126,41 @@ def moves(
     vector: Floats,
     kinematics: Chain,
     wrap: tuple[str, str],
-    told_before: Floats,
+    programmed_before: Floats,
     meaning: Ints,
     planes: Planes | None = None,
 ) -> Moves:
     """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are guided ``on`` (m,),
-    and the vectors ``vector`` (m, 3) that they tell, NaN where none; ``told_before`` (5,): as ``Start.said``; ``meaning`` (m,)
-    of X Y Z, as of
-    :meth:`.planes.Planes.of_blocks`."""
+    and the vectors ``vector`` (m, 3) that they give, NaN where none; ``programmed_before`` (5,): as ``Start.programmed``;
+    ``meaning`` (m,) of X Y Z, as of :meth:`.planes.Planes.of_blocks`."""
     count = len(at)
-    told = Moves(
+    motions = Moves(
         at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
         np.column_stack([(kind == ABSOLUTE) | (kind == SHORTER) for _, kind in words]), meaning,
     )  # fmt: skip
-    start, lost = np.nan_to_num(told_before), []
-    told.named[0] |= ~np.isnan(told_before)
+    start, lost = np.nan_to_num(programmed_before), []
+    motions.named[0] |= ~np.isnan(programmed_before)
     cuts = np.flatnonzero((on[1:] != on[:-1]) | (meaning[1:] != meaning[:-1])) + 1
     for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
         rows = slice(first, last)
         if first:
-            start = _pose(kinematics, told.said[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
+            start = _pose(kinematics, motions.programmed[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
         for k, (value, kind) in enumerate(words):
             modulo = k >= 3 and wrap[k - 3] == "modulo"
-            told.said[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
+            motions.programmed[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
         if on[first] and not np.isnan(vector[rows]).all():
-            lost.append(first + _turn(kinematics, told, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
-        told.before[rows] = np.concatenate([start[None], told.said[first : last - 1]])
-    told.before[0] = told.said[0]
-    told.lost = np.concatenate([told.lost, *lost])
-    return told
+            lost.append(first + _turn(kinematics, motions, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
+        motions.before[rows] = np.concatenate([start[None], motions.programmed[first : last - 1]])
+    motions.before[0] = motions.programmed[0]
+    motions.lost = np.concatenate([motions.lost, *lost])
+    return motions
 
 
-def _pose(kinematics: Chain, said: Floats, was: int, now: int, planes: Planes | None) -> Floats:
+def _pose(kinematics: Chain, programmed: Floats, was: int, now: int, planes: Planes | None) -> Floats:
     """The same pose as the next stretch says it; what X Y Z mean there, and meant before."""
-    words = said[None]
+    words = programmed[None]
     if was == now:
-        return said
+        return programmed
     words = in_work(words, np.array([was]), planes)
     if _of_tip(was, planes):
         words = standing(kinematics, words[:, :3], words[:, 3:])
@@ -177,12 +178,12 @@ def _of_tip(meaning: int, planes: Planes | None) -> bool:
     return bool(planes.by_tip(np.array([meaning]))[0])
 
 
-def in_work(said: Floats, meaning: Ints, planes: Planes | None) -> Floats:
-    """What is said (m, 5), with the tip's place in the work where X Y Z stand in a tilted plane."""
+def in_work(programmed: Floats, meaning: Ints, planes: Planes | None) -> Floats:
+    """The programmed words (m, 5), with the tip's place in the work where X Y Z stand in a tilted plane."""
     if planes is None:
-        return said
-    place = said.copy(order="K")
-    place[:, :3] = planes.in_work(said[:, :3], meaning)
+        return programmed
+    place = programmed.copy(order="K")
+    place[:, :3] = planes.in_work(programmed[:, :3], meaning)
     return place
 
 
@@ -206,10 +207,11 @@ def track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -
     return place
 
 
-def _turn(kinematics: Chain, told: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
-    """Put the rotary words that the vectors ask for into ``told.said``; returns the rows (of these) that nothing takes up."""
-    none = np.asarray(np.isnan(told.told[rows]).all(axis=1))
-    vector = np.where(none[:, None], np.nan, np.nan_to_num(told.told[rows]))
+def _turn(kinematics: Chain, motions: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
+    """Put the rotary words that the vectors ask for into ``motions.programmed``; returns the rows (of these) that nothing
+    takes up."""
+    none = np.asarray(np.isnan(motions.vector[rows]).all(axis=1))
+    vector = np.where(none[:, None], np.nan, np.nan_to_num(motions.vector[rows]))
     length = np.linalg.norm(vector, axis=1)
     given = np.flatnonzero(length > 1e-9)
     if not len(given):
@@ -220,7 +222,7 @@ def _turn(kinematics: Chain, told: Moves, rows: slice, kinds: list[Bytes], start
     by_vector = last_of(keep + 1, count + 1)[1:]
     by_words = last_of(np.flatnonzero((kinds[0] != NOTHING) | (kinds[1] != NOTHING)) + 1, count + 1)[1:]
     turned = np.flatnonzero((by_vector > 0) & (by_vector >= by_words))
-    told.said[rows.start + turned, 3:] = angles[reached][np.searchsorted(keep, by_vector[turned] - 1)]
+    motions.programmed[rows.start + turned, 3:] = angles[reached][np.searchsorted(keep, by_vector[turned] - 1)]
     return given[~reached]
 
 
@@ -248,17 +250,17 @@ def _angles(kinematics: Chain, axis: Floats, start: Floats) -> tuple[Floats, Boo
     return found, reached
 
 
-def where_axes_stand(kinematics: Chain, said: Floats, by_tip: Bools) -> Floats:
+def where_axes_stand(kinematics: Chain, programmed: Floats, by_tip: Bools) -> Floats:
     """Words (m, 5) mm and degrees of the axes, from what the lines say; ``by_tip`` (m,): X Y Z are
     the tip's place in the work."""
     rows = np.flatnonzero(by_tip)
     if not len(rows):
-        return said
-    words = said.copy(order="K")
-    words[rows] = standing(kinematics, said[rows, :3], said[rows, 3:])
+        return programmed
+    words = programmed.copy(order="K")
+    words[rows] = standing(kinematics, programmed[rows, :3], programmed[rows, 3:])
     lost = np.flatnonzero(np.isnan(words[rows, :3]).any(axis=1))
     if len(lost):
-        first, second = said[rows[lost[0]], 3:]
+        first, second = programmed[rows[lost[0]], 3:]
         raise ProgramError(
             say(
                 "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?",

@@ -63,12 +63,12 @@ def _passed(text: bytes, pattern: re.Pattern[bytes], findings: list[Finding], wh
     found = pattern.search(text)
     if found is None:
         return text
-    said = say(
+    sentence = say(
         "{shown} is {what}, no NC line; it is passed over. A control may refuse it: delete it.",
         shown=repr(found[0].decode("latin-1").strip()[:40]),
         what=what,
     )
-    findings.append(finding_at(Severity.WARNING, "not-nc-text", said, text, found.start()))
+    findings.append(finding_at(Severity.WARNING, "not-nc-text", sentence, text, found.start()))
     return pattern.sub(_blank, text)
 
 
@@ -77,8 +77,8 @@ def _without_colons(text: bytes, findings: list[Finding]) -> bytes:
     places = [found.start(1) for found in COLON.finditer(text)] if b":" in text else []
     if not places:
         return text
-    said = say("{count} lines begin with a colon without a number; the rest of them is read.", count=len(places))
-    findings.append(finding_at(Severity.NOTE, "not-nc-text", said, text, places[0]))
+    sentence = say("{count} lines begin with a colon without a number; the rest of them is read.", count=len(places))
+    findings.append(finding_at(Severity.NOTE, "not-nc-text", sentence, text, places[0]))
     return COLON.sub(lambda found: found[0].replace(b":", b" "), text)
 
 
@@ -102,9 +102,9 @@ def line_end(text: bytes, at: int) -> int:
     return len(text) if end < 0 else end
 
 
-def finding_at(severity: Severity, code: str, said: str, text: bytes, at: int) -> Finding:
+def finding_at(severity: Severity, code: str, sentence: str, text: bytes, at: int) -> Finding:
     """Make a finding with the line of position ``at``."""
-    return Finding(severity, code, said, line=text.count(b"\n", 0, at) + 1)
+    return Finding(severity, code, sentence, line=text.count(b"\n", 0, at) + 1)
 
 
 def _mark(text: bytes, start: int) -> int:

@@ -104,13 +104,13 @@ def _kinds(lines: Lines, grammar: Grammar) -> Floats:
 
 def _table(lines: Lines, grammar: Grammar, kind: Floats) -> _Table:
     scale = np.where(lines.inch(grammar), INCH, 1.0)
-    told = [axis_words(lines, letter) for letter in "XYZ"]
+    axes = [axis_words(lines, letter) for letter in "XYZ"]
     rotary = [axis_words(lines, letter)[0] for letter in "ABC"]
     on = (lines.mode(codes.DISTANCE, 0) == 1) & (grammar.name == "heidenhain")
     return _Table(
         kind,
-        np.stack([value * scale for value, _ in told], axis=1),
-        np.stack([np.where(on & (meant == ABSOLUTE), STEP, meant) for _, meant in told], axis=1),
+        np.stack([value * scale for value, _ in axes], axis=1),
+        np.stack([np.where(on & (meant == ABSOLUTE), STEP, meant) for _, meant in axes], axis=1),
         np.logical_or.reduce([np.nan_to_num(value) != 0.0 for value in rotary]),
     )
 

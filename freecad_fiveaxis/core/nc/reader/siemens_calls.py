@@ -133,9 +133,9 @@ def _unit(rows: list[str], at: int) -> Unit:
         if found := PROC.match(row):
             rows = [*rows[:k], "", *rows[k + 1 :]]
             for part in (found[2] or "").split(",") if (found[2] or "").strip() else ():
-                told = PARAMETER.fullmatch(part)
-                if not told:
+                assignment = PARAMETER.fullmatch(part)
+                if not assignment:
                     raise Unread(say("{rest} is not known here", rest=repr(part.strip()[:20])), at)
-                parameters.append((told[1], told[2] or "0"))
+                parameters.append((assignment[1], assignment[2] or "0"))
             break
     return Unit(rows, [at] * len(rows), parameters)

@@ -70,11 +70,11 @@ CALL = re.compile(
 
 @dataclass(frozen=True)
 class Drill:
-    """A call: the cycle's ``name``, '' for the end of a modal one; ``told``: its values by their names, in the program's units;
+    """A call: the cycle's ``name``, '' for the end of a modal one; ``values``: its values by their names, in the program's units;
     ``modal``: it is called after each block; ``refused``: why it is not understood."""
 
     name: str = ""
-    told: dict[str, float] = field(default_factory=dict)
+    values: dict[str, float] = field(default_factory=dict)
     modal: bool = False
     refused: str = ""
 
@@ -84,13 +84,13 @@ def drill_of(name: str, inside: str, modal: bool) -> Drill:
     parts = [part.strip() for part in split_arguments(inside)]
     names = WITHOUT_DWELL if name == "CYCLE81" and len(parts) == len(WITHOUT_DWELL) else PARAMETERS[name]
     try:
-        told = {one: _value(part) for one, part in zip(names, parts, strict=False) if part}
+        values = {one: _value(part) for one, part in zip(names, parts, strict=False) if part}
         beyond = [part for part in parts[len(names) :] if part and _value(part)]
     except Unread as refused:
         return Drill(name, modal=modal, refused=refused.reason)
     except (ArithmeticError, ValueError):
         return Drill(name, modal=modal, refused=say("a value that is no number"))
-    return Drill(name, told, modal, _wrong(name, told, beyond))
+    return Drill(name, values, modal, _wrong(name, values, beyond))
 
 
 def _value(text: str) -> float:
@@ -108,46 +108,46 @@ def _value(text: str) -> float:
     return value
 
 
-def _wrong(name: str, told: dict[str, float], beyond: list[str]) -> str:
+def _wrong(name: str, values: dict[str, float], beyond: list[str]) -> str:
     """Why the values make no moves that are known here; '' where they do."""
     if beyond:
         return say("it has more values than are known here")
-    changing = [one for one in CHANGING if told.get(one) and not (name == "CYCLE86" and one == "_GMODE")]
+    changing = [one for one in CHANGING if values.get(one) and not (name == "CYCLE86" and one == "_GMODE")]
     if changing:
-        return say("{rest} is not known here", rest=f"{changing[0]}={told[changing[0]]:g}")
+        return say("{rest} is not known here", rest=f"{changing[0]}={values[changing[0]]:g}")
     for one, known in (("VARI", (0, 1)), ("_PITA", (0, 1, 2, 3, 4)), ("_AXN", (0, 3)), ("MPIT", (0, *COARSE))):
-        if abs(told.get(one, 0.0)) not in known:
-            return say("{rest} is not known here", rest=f"{one}={told[one]:g}")
-    missing = [one for one in ("RTP", "RFP") if one not in told]
+        if abs(values.get(one, 0.0)) not in known:
+            return say("{rest} is not known here", rest=f"{one}={values[one]:g}")
+    missing = [one for one in ("RTP", "RFP") if one not in values]
     if missing:
         return say("it has no {name}", name=missing[0])
-    if any(abs(told.get(one, 0.0)) > FARTHEST for one in ("RTP", "RFP", "SDIS", "DP", "DPR", "FDEP", "FDPR")):
+    if any(abs(values.get(one, 0.0)) > FARTHEST for one in ("RTP", "RFP", "SDIS", "DP", "DPR", "FDEP", "FDPR")):
         return say("a value beyond all words")
-    return _wrong_depth(name, told)
+    return _wrong_depth(name, values)
 
 
-def _wrong_depth(name: str, told: dict[str, float]) -> str:
+def _wrong_depth(name: str, values: dict[str, float]) -> str:
     for one, other in (("DP", "DPR"), ("FDEP", "FDPR"))[: 2 if name == "CYCLE83" else 1]:
-        if one not in told and other not in told:
+        if one not in values and other not in values:
             return say("it has no {name}", name=f"{one}, {other}")
-        if one in told and told.get(other) and abs(told["RFP"] - abs(told[other]) - told[one]) > EQUAL_HEIGHT:
+        if one in values and values.get(other) and abs(values["RFP"] - abs(values[other]) - values[one]) > EQUAL_HEIGHT:
             return say("{one} and {other} tell two depths; leave one out", one=one, other=other)
-    if _depth(told, "DP", "DPR") > told["RFP"] or told["RTP"] < told["RFP"]:
+    if _depth(values, "DP", "DPR") > values["RFP"] or values["RTP"] < values["RFP"]:
         return say("RTP, RFP and its depth do not lie one below the other")
-    if name == "CYCLE83" and not _depth(told, "FDEP", "FDPR") < told["RFP"] - EQUAL_HEIGHT:
+    if name == "CYCLE83" and not _depth(values, "FDEP", "FDPR") < values["RFP"] - EQUAL_HEIGHT:
         return say("its first depth does not lie below RFP")
-    return say("it makes too many pecks") if name == "CYCLE83" and len(_depths(told)) >= MOST_PECKS else ""
+    return say("it makes too many pecks") if name == "CYCLE83" and len(_depths(values)) >= MOST_PECKS else ""
 
 
-def _depth(told: dict[str, float], absolute: str, relative: str) -> float:
-    return told["RFP"] - abs(told[relative]) if told.get(relative) else told.get(absolute, told["RFP"])
+def _depth(values: dict[str, float], absolute: str, relative: str) -> float:
+    return values["RFP"] - abs(values[relative]) if values.get(relative) else values.get(absolute, values["RFP"])
 
 
-def _depths(told: dict[str, float]) -> list[float]:
+def _depths(values: dict[str, float]) -> list[float]:
     """The depths of the pecks of CYCLE83 above the last."""
-    bottom, at = _depth(told, "DP", "DPR"), told["RFP"]
-    stroke, less = at - max(_depth(told, "FDEP", "FDPR"), bottom), told.get("_DAM", 0.0)
-    floor = told.get("_MDEP", 0.0) or max(less, 0.0)
+    bottom, at = _depth(values, "DP", "DPR"), values["RFP"]
+    stroke, less = at - max(_depth(values, "FDEP", "FDPR"), bottom), values.get("_DAM", 0.0)
+    floor = values.get("_MDEP", 0.0) or max(less, 0.0)
     depths = list[float]()
     while at - stroke > bottom + EQUAL_HEIGHT and len(depths) < MOST_PECKS:
         if less > 0.0 and stroke <= floor and at - bottom < 2.0 * stroke:
@@ -171,56 +171,56 @@ class Around:
 
 def wrong_here(drill: Drill, around: Around) -> str:
     """Why the cycle makes no moves that are known where it runs."""
-    plane = int(abs(drill.told.get("_DMODE", 0.0))) % 10
+    plane = int(abs(drill.values.get("_DMODE", 0.0))) % 10
     if plane not in (0, around.plane + 1):
-        return say("{rest} is not known here", rest=f"_DMODE={drill.told['_DMODE']:g}")
-    if drill.told.get("_AXN") and around.plane:
-        return say("{rest} is not known here", rest=f"_AXN={drill.told['_AXN']:g}")
+        return say("{rest} is not known here", rest=f"_DMODE={drill.values['_DMODE']:g}")
+    if drill.values.get("_AXN") and around.plane:
+        return say("{rest} is not known here", rest=f"_AXN={drill.values['_AXN']:g}")
     return ""
 
 
 def steps(drill: Drill, around: Around) -> list[tuple[bool, float, float]]:
     """Rapids and feeds of a hole, from wherever the tool stands above it: (fast, height, F), in the program's units."""
-    told, clear = drill.told, drill.told["RTP"]
-    r, z = told["RFP"] + abs(told.get("SDIS", 0.0)), _depth(told, "DP", "DPR")
+    values, clear = drill.values, drill.values["RTP"]
+    r, z = values["RFP"] + abs(values.get("SDIS", 0.0)), _depth(values, "DP", "DPR")
     if drill.name == "CYCLE83":
-        made: Steps = [*_deep(told, r, z, around.scale), (True, clear)]
+        moves: Steps = [*_deep(values, r, z, around.scale), (True, clear)]
     else:
-        made = steps_of(Hole(CODE.get(drill.name, 810), r=r, z=z), clear, WAYS)
-    feeds = [*_feeds(drill.name, told, around)]
-    feeding = iter(feeds + [feeds[-1]] * len(made))
-    return [(True, r, math.nan), *((fast, height, math.nan if fast else next(feeding)) for fast, height in made)]
+        moves = steps_of(Hole(CODE.get(drill.name, 810), r=r, z=z), clear, WAYS)
+    feeds = [*_feeds(drill.name, values, around)]
+    feeding = iter(feeds + [feeds[-1]] * len(moves))
+    return [(True, r, math.nan), *((fast, height, math.nan if fast else next(feeding)) for fast, height in moves)]
 
 
-def _deep(told: dict[str, float], r: float, z: float, scale: float) -> Steps:
-    whole = told.get("VARI", 0.0) == 1.0
-    off = told.get("_DIS1", 0.0) if whole else told.get("_VRT", 0.0)
+def _deep(values: dict[str, float], r: float, z: float, scale: float) -> Steps:
+    whole = values.get("VARI", 0.0) == 1.0
+    off = values.get("_DIS1", 0.0) if whole else values.get("_VRT", 0.0)
     if not off > 0.0:
-        off = (min(max((told["RFP"] - z) * scale / 50.0, 0.6), 7.0) if whole else 1.0) / scale
-    return pecks(r, _depths(told), z, off, whole, fast=whole)
+        off = (min(max((values["RFP"] - z) * scale / 50.0, 0.6), 7.0) if whole else 1.0) / scale
+    return pecks(r, _depths(values), z, off, whole, fast=whole)
 
 
-def _feeds(name: str, told: dict[str, float], around: Around) -> tuple[float, ...]:
+def _feeds(name: str, values: dict[str, float], around: Around) -> tuple[float, ...]:
     """F of the feeds one after the other; the last goes on."""
     if name == "CYCLE83":
-        return around.feed * (told.get("FRF", 0.0) or 1.0), around.feed
+        return around.feed * (values.get("FRF", 0.0) or 1.0), around.feed
     if name == "CYCLE85":
-        return told.get("FFR", 0.0) or around.feed, told.get("RFF", 0.0) or around.feed
-    pitch = _pitch(told) / around.scale
+        return values.get("FFR", 0.0) or around.feed, values.get("RFF", 0.0) or around.feed
+    pitch = _pitch(values) / around.scale
     if name not in ("CYCLE84", "CYCLE840") or not pitch:
         return (around.feed,)
-    down = abs(told.get("SST", 0.0)) or around.speed
-    speeds = down, abs(told.get("SST1", 0.0)) or down
+    down = abs(values.get("SST", 0.0)) or around.speed
+    speeds = down, abs(values.get("SST1", 0.0)) or down
     return (pitch,) if around.per_turn else tuple(around.feed if math.isnan(one) else pitch * one for one in speeds)
 
 
-def _pitch(told: dict[str, float]) -> float:
+def _pitch(values: dict[str, float]) -> float:
     """mm a turn; 0 where the cycle does not say it."""
-    told_pitch = abs(told.get("PIT", 0.0))
-    if not told_pitch:
-        return COARSE.get(int(abs(told.get("MPIT", 0.0))), 0.0)
-    way = int(told.get("_PITA", 0.0))
-    return {2: told_pitch * INCH, 3: INCH / told_pitch, 4: math.pi * told_pitch}.get(way, told_pitch)
+    pitch = abs(values.get("PIT", 0.0))
+    if not pitch:
+        return COARSE.get(int(abs(values.get("MPIT", 0.0))), 0.0)
+    way = int(values.get("_PITA", 0.0))
+    return {2: pitch * INCH, 3: INCH / pitch, 4: math.pi * pitch}.get(way, pitch)
 
 
 def split_arguments(inside: str) -> list[str]:

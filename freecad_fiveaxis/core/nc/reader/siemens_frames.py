@@ -57,7 +57,7 @@ def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[
     """The words with the frames as planes (:mod:`.planes`), those of the lines that program them left out; ``kind`` (lines,)
     says what a line does, NaN where it programs no frame."""
     scale = np.where(lines.inch(grammar), INCH, 1.0)
-    told = np.stack([axis_words(lines, letter)[0] for letter in "XYZ"], axis=1)
+    programmed = np.stack([axis_words(lines, letter)[0] for letter in "XYZ"], axis=1)
     rotary = np.logical_or.reduce([np.nan_to_num(axis_words(lines, letter)[0]) != 0.0 for letter in "ABC"])
     normal = AXES[lines.mode(codes.PLANES, 0), 2]
     in_plane = lines.column(codes.IN_THE_PLANE)
@@ -68,7 +68,7 @@ def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[
             if not swivels[row].refused:
                 swivel, own = _of_swivel(swivels[row], float(scale[row])), _Place()
             continue
-        value, does = np.nan_to_num(told[row]), int(kind[row])
+        value, does = np.nan_to_num(programmed[row]), int(kind[row])
         reason = beyond(value.tolist()) or (say("it shifts a rotary axis") if rotary[row] else "")
         if reason:
             findings.append(shift_finding(NAMES.get(does, "TRANS"), reason, row))

@@ -45,7 +45,7 @@ class _State:
 
 
 @dataclass(eq=False)
-class _Made:
+class _HoleMoves:
     """``rows`` of the calls that are written out, by what is in force; ``which`` of them each line takes; ``refused``: first line
     by cycle and reason."""
 
@@ -60,14 +60,14 @@ def holes_written_out(words: Words, lines: Lines, grammar: Grammar) -> tuple[Wor
     call, the same object. Raises ProgramError for more moves than :data:`.canned_cycles.MOST`."""
     if codes.DRILL not in lines.letters:
         return words, []
-    made, state = _Made(), _state(lines, grammar)
+    holes, state = _HoleMoves(), _state(lines, grammar)
     for row, drill in _calls(lines):
         reason = drill.refused or _wrong(state, row)
         if reason:
-            made.refused.setdefault((drill.name, reason), row)
+            holes.refused.setdefault((drill.name, reason), row)
             continue
-        _put(made, drill, row, state, lines)
-    return _with_rows(words, lines, made), _findings(made)
+        _put(holes, drill, row, state, lines)
+    return _with_rows(words, lines, holes), _findings(holes)
 
 
 def _calls(lines: Lines) -> list[tuple[int, Drill]]:
@@ -119,22 +119,22 @@ def _wrong(state: _State, row: int) -> str:
     return say("its feed is inverse time (G93)") if state.feed_mode[row] == codes.INVERSE else ""
 
 
-def _put(made: _Made, drill: Drill, row: int, state: _State, lines: Lines) -> None:
-    """The rows of a call into ``made``: made once for calls of the same cycle in the same state."""
+def _put(holes: _HoleMoves, drill: Drill, row: int, state: _State, lines: Lines) -> None:
+    """The rows of a call into ``holes``: made once for calls of the same cycle in the same state."""
     around = Around(
         int(state.plane[row]), float(state.feed[row]), float(state.speed[row]), bool(state.feed_mode[row] == codes.PER_TURN),
         INCH if state.inch[row] else 1.0,
     )  # fmt: skip
     if reason := wrong_here(drill, around):
-        made.refused.setdefault((drill.name, reason), row)
+        holes.refused.setdefault((drill.name, reason), row)
         return
     key = (id(drill), str(around), state.steps[row], state.motion[row])
-    rows = made.rows.get(key)
+    rows = holes.rows.get(key)
     if rows is None:
-        rows = made.rows[key] = _rows(drill, around, bool(state.steps[row]), int(state.motion[row]))
-    made.which[row] = rows
-    made.count += len(rows[0])
-    if made.count > 4 * MOST:
+        rows = holes.rows[key] = _rows(drill, around, bool(state.steps[row]), int(state.motion[row]))
+    holes.which[row] = rows
+    holes.count += len(rows[0])
+    if holes.count > 4 * MOST:
         line = int(lines.words.in_file(np.array([row]))[0])
         raise ProgramError(
             say("line {line}: the cycles make more than {most} moves; divide the program", line=line, most=MOST), MOST
@@ -143,27 +143,27 @@ def _put(made: _Made, drill: Drill, row: int, state: _State, lines: Lines) -> No
 
 def _rows(drill: Drill, around: Around, stepwise: bool, motion: int) -> Rows:
     """The words of a call: its moves, each a row, and a row that puts back what was in force."""
-    axis, feed, told = "XYZ"[AXES[around.plane, 2]], around.feed, list[tuple[int, str, float]]()
+    axis, feed, words = "XYZ"[AXES[around.plane, 2]], around.feed, list[tuple[int, str, float]]()
     if stepwise:
-        told.append((1, "G", 90.0))
+        words.append((1, "G", 90.0))
     moves = steps(drill, around)
     for row, (fast, height, own) in enumerate(moves, 1):
-        told += [(row, "G", 0.0 if fast else 1.0), (row, axis, height)]
+        words += [(row, "G", 0.0 if fast else 1.0), (row, axis, height)]
         if not math.isnan(own) and own != feed:
-            told.append((row, "F", own))
+            words.append((row, "F", own))
             feed = own
     last = len(moves) + 1
-    told += [(last, "G", motion / 10.0), *([(last, "G", 91.0)] if stepwise else [])]
+    words += [(last, "G", motion / 10.0), *([(last, "G", 91.0)] if stepwise else [])]
     if feed != around.feed and not math.isnan(around.feed):
-        told.append((last, "F", around.feed))
-    letters = np.array([ord(letter) for _, letter, _ in told], np.int8)
-    return np.array([row for row, *_ in told], np.int64), letters, np.array([value for *_, value in told])
+        words.append((last, "F", around.feed))
+    letters = np.array([ord(letter) for _, letter, _ in words], np.int8)
+    return np.array([row for row, *_ in words], np.int64), letters, np.array([value for *_, value in words])
 
 
-def _with_rows(words: Words, lines: Lines, made: _Made) -> Words:
+def _with_rows(words: Words, lines: Lines, holes: _HoleMoves) -> Words:
     keep = words.letter != ord(codes.DRILL)
-    at = np.array(sorted(made.which), np.int64)
-    rows = [made.which[row] for row in at.tolist()]
+    at = np.array(sorted(holes.which), np.int64)
+    rows = [holes.which[row] for row in at.tolist()]
     more = np.zeros(lines.count, np.int64)
     more[at] = [int(row.max()) for row, *_ in rows]
     first = (at + (np.cumsum(more) - more)[at]).tolist()
@@ -177,10 +177,10 @@ def _with_rows(words: Words, lines: Lines, made: _Made) -> Words:
     return spread(words, more, keep, words.letter[keep], put)
 
 
-def _findings(made: _Made) -> list[Finding]:
+def _findings(holes: _HoleMoves) -> list[Finding]:
     text = [
         (say("{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.",
              name=name, reason=reason), row)
-        for (name, reason), row in made.refused.items()
+        for (name, reason), row in holes.refused.items()
     ]  # fmt: skip
-    return [Finding(Severity.ERROR, codes.CYCLE_KIND[1], said, line=row) for said, row in text[:MOST_NAMED]]
+    return [Finding(Severity.ERROR, codes.CYCLE_KIND[1], sentence, line=row) for sentence, row in text[:MOST_NAMED]]

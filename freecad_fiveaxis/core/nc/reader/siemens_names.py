@@ -63,13 +63,13 @@ def definition(line: str) -> str:
         if WITHOUT_VALUE.match(line):
             return ""
         raise Unread(say("{rest} is not known here", rest=repr(unmarked(line)[:20])))
-    told = []
+    settings = []
     for part in found[1].split(","):
         name, _, value = part.partition("=")
         if not MARKED.fullmatch(name) or not re.fullmatch(r"|[-+]?[0-9.]+|TRUE|FALSE", value):
             raise Unread(say("{rest} is not known here", rest=repr(unmarked(part)[:20])))
-        told.append(f"{by_names(name)}=[{ {'': '0', 'TRUE': '1', 'FALSE': '0'}.get(value, value) }]")
-    return "".join(told)
+        settings.append(f"{by_names(name)}=[{ {'': '0', 'TRUE': '1', 'FALSE': '0'}.get(value, value) }]")
+    return "".join(settings)
 
 
 def value_end(row: str, at: int) -> int:

@@ -167,10 +167,10 @@ def _addressed(row: str) -> str:
 def _set(rest: str) -> str:
     """R1=R2*2 R3=5: each value in brackets of its own."""
     parts = re.split(r"(?<![-+*/(=A-Z])(?=(?:R[0-9]+|\xab[^\xbb]*\xbb)=(?!=))", rest)
-    told = [part.split("=", 1) for part in parts if part]
-    if any(len(one) != 2 or (len(told) > 1 and USED.search(one[1])) for one in told):
+    settings = [part.split("=", 1) for part in parts if part]
+    if any(len(one) != 2 or (len(settings) > 1 and USED.search(one[1])) for one in settings):
         raise Unread(say("{rest} is not known here", rest=repr(unmarked(rest)[:20])))
-    return "".join(f"{_expression(name)}=[{_expression(value)}]" for name, value in told)
+    return "".join(f"{_expression(name)}=[{_expression(value)}]" for name, value in settings)
 
 
 def _jump(jump: re.Match[str], labels: dict[str, int]) -> str:

@@ -38,17 +38,17 @@ class Block:
     def row(self, known: Variables, without: str = "") -> tuple[str, dict[str, Value]]:
         """The line with numbers for values, without the words of the letters ``without``, whose values come beside it."""
         text, values = [], dict[str, Value]()
-        for letter, told, value in self.words:
-            what = float(told) if value is None else value(known)
+        for letter, literal, value in self.words:
+            what = float(literal) if value is None else value(known)
             values[letter] = what
             if what is not None and letter not in without:
-                text.append(letter + (told if value is None else written(what)))
+                text.append(letter + (literal if value is None else written(what)))
         return " ".join(text), values
 
     def set(self, known: Variables) -> None:
         """Set its variables, all from the values that were there before."""
-        told = [(setting, value(known)) for setting, value in self.settings]
-        for setting, value in told:
+        values = [(setting, value(known)) for setting, value in self.settings]
+        for setting, value in values:
             setting(known, value)
 
 
@@ -81,8 +81,8 @@ class Text:
 
     def row(self, known: Variables) -> str:
         """The line with numbers for its values."""
-        told = [*(written(number(value(known))) for value in self.values), ""]
-        return "".join(part + value for part, value in zip(self.parts, told, strict=True))
+        numbers = [*(written(number(value(known))) for value in self.values), ""]
+        return "".join(part + value for part, value in zip(self.parts, numbers, strict=True))
 
 
 Statement = Block | OWord | Macro | Text
@@ -176,13 +176,13 @@ def _word(parser: Parser, letter: str) -> tuple[str, str, Expression | None]:
 
 def _kind(words: list[tuple[str, str, Expression | None]], fanuc: bool) -> tuple[str, bool]:
     """The call that a block of words is, if any, and whether it ends the program."""
-    told = {(letter, float(text)) for letter, text, value in words if value is None and letter in "GM"}
-    if not fanuc and told & STATES:
+    codes = {(letter, float(text)) for letter, text, value in words if value is None and letter in "GM"}
+    if not fanuc and codes & STATES:
         raise Unread(say("M70 to M73 keep and restore modes"))
-    if ("G", 66.0) in told or ("G", 66.1) in told:
+    if ("G", 66.0) in codes or ("G", 66.1) in codes:
         raise Unread(say("G66 calls a program after each block"))
-    call = next((f"{letter}{code:g}" for letter, code in sorted(told) if (letter, code) in CALLS), "")
-    return call, bool(told & {("M", 2.0), ("M", 30.0)})
+    call = next((f"{letter}{code:g}" for letter, code in sorted(codes) if (letter, code) in CALLS), "")
+    return call, bool(codes & {("M", 2.0), ("M", 30.0)})
 
 
 STATES = {("M", 70.0), ("M", 71.0), ("M", 72.0), ("M", 73.0)}

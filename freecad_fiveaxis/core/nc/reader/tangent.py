@@ -78,9 +78,9 @@ class Rounding:
         sweep = self.side * float(np.mod(self.side * (np.arctan2(end[1], end[0]) - begin), 2.0 * np.pi))
         count = max(int(np.ceil(abs(sweep) / (2.0 * np.arccos(1.0 - min(ARC_TOLERANCE / radius, 1.0))))), 1)
         angle = begin + sweep * np.linspace(0.0, 1.0, count + 1)
-        made = self.centre + radius * np.column_stack([np.cos(angle), np.sin(angle)])
-        made[-1] = self.last
-        return np.asarray(made)
+        points = self.centre + radius * np.column_stack([np.cos(angle), np.sin(angle)])
+        points[-1] = self.last
+        return np.asarray(points)
 
 
 def corner(one: Piece, two: Piece) -> tuple[float, float]:

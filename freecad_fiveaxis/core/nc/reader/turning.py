@@ -36,8 +36,8 @@ class Turned:
 
 def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]) -> Turned:
     """The words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of ``planes.turning``."""
-    made: Words = [(value.copy(), kind.copy()) for value, kind in words]
-    rotary, stand, since, findings = made[3:], np.zeros(2), 0, list[Finding]()
+    output: Words = [(value.copy(), kind.copy()) for value, kind in words]
+    rotary, stand, since, findings = output[3:], np.zeros(2), 0, list[Finding]()
     first = True
     for line, (tilt, frame) in planes.turning.items():
         row = int(np.searchsorted(at, line))
@@ -54,27 +54,27 @@ def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tupl
         if tilt.move == MOVE and tilt.dist:
             axes = forward(kinematics, np.concatenate([np.zeros((2, 3)), np.radians([stand, angles])], axis=1))[1]
             for k, way in enumerate(tilt.dist * (axes[1] - axes[0])):
-                made[k][0][row], made[k][1][row] = way, STEP
+                output[k][0][row], output[k][1][row] = way, STEP
         for k, (value, kind) in enumerate(rotary):
             value[row], kind[row] = angles[k], ABSOLUTE
         stand, since = angles, row + 1
-    return Turned(made, tuple(findings))
+    return Turned(output, tuple(findings))
 
 
-def vector_findings(planes: Planes, told: Moves) -> tuple[Finding, ...]:
+def vector_findings(planes: Planes, motions: Moves) -> tuple[Finding, ...]:
     """Where tool axes are told by vectors in a tilted plane."""
-    both = (told.meaning >= IN_PLANE) & ~planes.frames(told.meaning) & ~np.isnan(told.told).all(axis=1)
+    both = (motions.meaning >= IN_PLANE) & ~planes.frames(motions.meaning) & ~np.isnan(motions.vector).all(axis=1)
     return (
-        (refused(say("Tool vectors"), say("tool axes are told by vectors in it"), int(told.at[both.argmax()])),)
+        (refused(say("Tool vectors"), say("tool axes are told by vectors in it"), int(motions.at[both.argmax()])),)
         if both.any()
         else ()
     )
 
 
-def off_normal(planes: Planes, told: Moves, chords: Chords | None, axis: Floats) -> tuple[Finding, ...]:
+def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floats) -> tuple[Finding, ...]:
     """The blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and nobody guides the tip."""
     row = np.arange(len(axis)) if chords is None else chords.row
-    meaning, on, line = told.meaning[row], told.on[row], told.at[row]
+    meaning, on, line = motions.meaning[row], motions.on[row], motions.at[row]
     rows = np.flatnonzero((meaning >= IN_PLANE) & ~on & ~planes.frames(meaning))
     normal = planes.turn[meaning[rows] - IN_PLANE, :, 2]
     lean = np.degrees(2.0 * np.arcsin(np.clip(np.linalg.norm(axis[rows] - normal, axis=1) / 2.0, 0.0, 1.0)))

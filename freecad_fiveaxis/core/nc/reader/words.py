@@ -126,12 +126,12 @@ class Words:
         freeze(self, None, letter="m", value="f", line="i")
 
 
-def language_of(text: bytes, told: str) -> str:
-    """Whose language a text is in: what its first lines show without doubt, or else ``told``."""
+def language_of(text: bytes, expected: str) -> str:
+    """Whose language a text is in: what its first lines show without doubt, or else ``expected``."""
     start = text[:LOOKED_AT]
     if HEIDENHAIN_SIGN.search(start):
         return "heidenhain"
-    return "siemens" if told == "iso" and SIEMENS_SIGN.search(start) else told
+    return "siemens" if expected == "iso" and SIEMENS_SIGN.search(start) else expected
 
 
 def read_words(
@@ -142,8 +142,8 @@ def read_words(
     text, findings, plain = _blanked(text, language, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
-    made = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
-    words = _words_of(*made)
+    expanded = _run(text, marks, language, fanuc, findings, progress) if marks else (text, source)
+    words = _words_of(*expanded)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
     cause = plain.cause or next((found for found in findings if found.code == codes.MACRO[1] and language == "iso"), None)
@@ -241,18 +241,18 @@ def _run(
     """The text as the control comes to its lines, and the lines of the file that these are; where they are not understood, blanks
     for the lines that hold one of the ``marks``, with a finding."""
     if language == "iso":
-        made = interpreter.written_out(text, fanuc, progress)
-        if isinstance(made, interpreter.Written):
-            return made.text, made.source
+        expanded = interpreter.written_out(text, fanuc, progress)
+        if isinstance(expanded, interpreter.Written):
+            return expanded.text, expanded.source
         if not marks:
-            findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=made.reason), line=made.line))
+            findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=expanded.reason), line=expanded.line))
             return text, None
-        findings.append(not_run(made))
+        findings.append(not_run(expanded))
         return _blank_lines(text, _lines_with(text, marks)), None
     hit = _lines_with(text, marks)
     shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
-    said = MACROS.say(count=len(hit), shown=repr(shown))
-    findings.append(Finding(Severity.ERROR, codes.MACRO[1], said, float(len(hit)), line=hit[0] + 1))
+    sentence = MACROS.say(count=len(hit), shown=repr(shown))
+    findings.append(Finding(Severity.ERROR, codes.MACRO[1], sentence, float(len(hit)), line=hit[0] + 1))
     return _blank_lines(text, hit), None
 
 
