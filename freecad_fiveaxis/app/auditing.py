@@ -65,7 +65,7 @@ class Audit(Proxy):
         solids = compared.held_parts(fixtures, zero, self.held)
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part, fixtures=solids)
 
-    def made(self, task: results.Task, progress: Progress) -> job.ProgramDraft:
+    def make_draft(self, task: results.Task, progress: Progress) -> job.ProgramDraft:
         """The file's program."""
         return job.make(task.settings, progress, fixtures=task.held(progress))
 

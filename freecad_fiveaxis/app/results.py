@@ -159,7 +159,7 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
         result = change_speed(last.result, task.settings, progress)
     else:
         part = None if task.part is None else mesh_of(task.part.stl, progress)
-        result = job.prove(proxy.draft(task, progress), progress, part)
+        result = job.prove(proxy.make_draft(task, progress), progress, part)
     figures = job.figures(result)
     _ = figures.at_part  # found here, where it does not hold up the window that draws it
     return Last(fingerprint, blocks, result, figures)

@@ -62,7 +62,7 @@ class Toolpath(Proxy):
         solids = compared.held_parts(fixtures, zero, self.seen)
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
-    def made(self, task: results.Task, progress: Progress) -> job.ProgramDraft:
+    def make_draft(self, task: results.Task, progress: Progress) -> job.ProgramDraft:
         """The program, not yet proven."""
         mesh, faces = task.mesh_and_mask(progress)
         return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=task.held(progress))

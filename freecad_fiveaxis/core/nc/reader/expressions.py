@@ -197,6 +197,7 @@ class Parser:
         return left
 
     def operator(self, level: int) -> str | None:
+        """Read the next operator of that level; None, and nothing read, where there is none."""
         found = OPERATOR.match(self.text, self.at)
         if found is None or found[0] not in self.levels[level]:
             return None

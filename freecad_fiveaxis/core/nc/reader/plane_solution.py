@@ -108,6 +108,7 @@ def _chosen(kinematics: Chain, tilt: Tilt, ways: Floats, stand: Floats) -> Float
 
 
 def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
+    """Say which of the ways to stand (2,) deg is taken, and from which line on."""
     letters = kinematics.letters[3:]
     first, second = letters[0] + f"{angles[0]:.4f}", letters[1] + f"{angles[1]:.4f}"
     text = say(
@@ -121,5 +122,6 @@ def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
 
 
 def lost(line: int, reason: str) -> Finding:
+    """Say that the axes cannot turn to the plane of that line, and why."""
     text = say("The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.", reason=reason)
     return Finding(Severity.ERROR, "axis-not-reachable", text, line=line)
