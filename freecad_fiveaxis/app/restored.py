@@ -21,7 +21,7 @@ def settle(doc: Any) -> list[Any]:
     for obj in settled:
         obj.purgeTouched()
     for obj in _ours(doc):
-        if (hasattr(obj.Proxy, "made") or hasattr(obj.Proxy, "settles")) and not results.out_of_date(obj):
+        if (hasattr(obj.Proxy, "make_draft") or hasattr(obj.Proxy, "settles")) and not results.out_of_date(obj):
             obj.purgeTouched()
             settled.append(obj)
     return settled

@@ -139,7 +139,7 @@ def nc_of(obj: Any, progress: Progress | None = None) -> bytes:
 
 def _last(obj: Any, progress: Progress | None) -> Last:
     proxy = getattr(obj, "Proxy", None)
-    if not hasattr(proxy, "made"):
+    if not hasattr(proxy, "make_draft"):
         label = "Nothing" if obj is None else getattr(obj, "Label", None) or repr(obj)
         raise SelectionError(say("{label} is no toolpath and no audit: select one of these.", label=label), label)
     task = proxy.task(obj)
