@@ -78,7 +78,7 @@ def _answered(argv: Sequence[str]) -> int:
     """The exit code; what went wrong is told in one line."""
     written.clear()
     try:
-        arguments = _parser().parse_args(_bare_text(argv))
+        arguments = _parser().parse_args(_with_bare_options(argv))
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled) as stop:
         return _stopped(stop)
@@ -125,7 +125,7 @@ def _failed(fault: Exception) -> int:
     return FAULT
 
 
-def _bare_text(argv: Sequence[str]) -> list[str]:
+def _with_bare_options(argv: Sequence[str]) -> list[str]:
     """Options that may stand without a value, followed by something that is none: with the value that they then mean."""
     from freecad_fiveaxis.core.pipeline.settings import option_fields
 
@@ -292,9 +292,9 @@ def _batch(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.batch import command
 
     with bars(arguments.quiet) as progress:
-        sentence, new, rows = command.act(arguments, _options_given(arguments), progress)
+        remarks, files, rows = command.act(arguments, _options_given(arguments), progress)
     if not arguments.quiet:
-        _show_report([*map(command.line_of, rows), *map(one_line, sentence), *_wrote(new)], new)
+        _show_report([*map(command.line_of, rows), *map(one_line, remarks), *_wrote(files)], files)
     return DONE_WITH_ERRORS if any(row["error"] or row["errors"] for row in rows) else DONE
 
 
@@ -320,9 +320,9 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int
     check_readable(settings.source)
     with bars(quiet) as progress:
         result = job.run(settings, progress)
-        new = outputs.write_outputs(result, progress)
+        files = outputs.write_outputs(result, progress)
     if not quiet:
-        _show_report([as_text(job.figures(result)), *_wrote(new)], new)
+        _show_report([as_text(job.figures(result)), *_wrote(files)], files)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
 
 
@@ -333,9 +333,9 @@ def _try(settings: Settings, quiet: bool, workers: int) -> int:
     check_readable(settings.source)
     with bars(quiet) as progress, at_work(process_crew(workers) if workers > 1 else None) as executor:
         trial = trials.run(settings, progress, executor)
-        new = trials.write_outputs(trial)
+        files = trials.write_outputs(trial)
     if not quiet:
-        _show_report([trials.as_text(trial), *_wrote(new)], new)
+        _show_report([trials.as_text(trial), *_wrote(files)], files)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in trial.findings) else DONE
 
 
@@ -344,9 +344,9 @@ def _work(settings: Settings, quiet: bool) -> int:
 
     with bars(quiet) as progress:
         done = workshop.run(settings, progress)
-        new = workshop.write_outputs(done)
+        files = workshop.write_outputs(done)
     if not quiet:
-        _show_report([workshop.as_text(done), *_wrote(new)], new)
+        _show_report([workshop.as_text(done), *_wrote(files)], files)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in done.findings) else DONE
 
 
@@ -395,10 +395,10 @@ def _strategies(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
     from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 
-    known = {
+    descriptions = {
         name: (strategy.__doc__ or "").strip() for name, strategy in STRATEGIES.items()
     }  # none where Python left them out (-OO)
-    rows = [(name, text.partition("\n")[0]) for name, text in known.items()]
+    rows = [(name, text.partition("\n")[0]) for name, text in descriptions.items()]
     return _list([*rows, *((f"--passes {name}", strategy.text) for name, strategy in PASS_STRATEGIES.items())])
 
 
