@@ -138,7 +138,7 @@ def planted(mesh: Mesh) -> FacetTree:
     """The tree, made anew."""
     a, b, c = (mesh.vertex.take(column, axis=0) for column in mesh.face.T)
     order, depth = _parted(((a + b) + c) / 3.0, mesh.normal)
-    corner, normal = _picked(order, a, b, c), _picked(order, mesh.normal)
+    corner, normal = _take_columns(order, a, b, c), _take_columns(order, mesh.normal)
     del a, b, c
     counts = [2**k for k in range(depth % 2, depth + 1, 2)] if depth else [1]
     counts = ([1] if counts[0] != 1 else []) + counts + [len(order)]
@@ -160,7 +160,7 @@ def planted(mesh: Mesh) -> FacetTree:
     return FacetTree(order, corner, once, *boxes, allowance, mesh.allowance)
 
 
-def _picked(order: Ints, *tables: Floats) -> Floats:
+def _take_columns(order: Ints, *tables: Floats) -> Floats:
     """The rows ``order`` (k,) of tables (f, 3) as columns (3 times as many as tables, k)."""
     columns = np.empty((3 * len(tables), len(order)))
     for place, column in enumerate(column for table in tables for column in table.T):

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from freecad_fiveaxis.core.base.findings import Finding
@@ -57,32 +55,30 @@ def mill_context(
     if keep_off is not None:
         inside, near = facets_off(keep_off, mesh, inside)
         reports, chosen = reports + near, inside
+    field, frames = None, None
     if settings.tool_axis.tool_axis == AUTO:
         standing = find_standing(settings, mesh, faces)
         faces = (~standing if faces is None else faces) & inside
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
         reacher = reacher_of(settings, machine, kinematics, mesh)
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
-        about = (*reports, *report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
+        reports += (*report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
         if settings.passes.passes == FRAMES:
             frames, keep, left_out = find_frames(joined, to_cut, reacher, most, int(settings.passes.frames), progress)
-            context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep[: len(faces)], None, joined)
-            return replace(context, chosen=chosen, boundary=boundary, frames=frames, keep_off=keep_off), (*about, *left_out)
-        field = find_axis_field(joined, to_cut, reacher, progress)
-        keep, left_out = select_facets(field, joined, to_cut, most)
+        else:
+            field = find_axis_field(joined, to_cut, reacher, progress)
+            keep, left_out = select_facets(field, joined, to_cut, most)
         keep = keep[: len(faces)]
-        context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary)
-        return replace(context, keep_off=keep_off), (*about, *left_out)
-    if settings.tool_axis.tool_axis == FROM_AXIS:
+    elif settings.tool_axis.tool_axis == FROM_AXIS:
         stand = axis_options(settings)
         keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
-        context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
-        return replace(context, keep_off=keep_off), (*reports, *left_out)
-    followed = None if keeps_its_axis(settings, machine) else kinematics
-    keep, left_out = facets_within_limits(mesh, followed, most, chosen)
-    left_out = (*reports, *left_out)
-    context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, None, joined, chosen, boundary)
-    return replace(context, keep_off=keep_off), left_out
+    else:
+        followed = None if keeps_its_axis(settings, machine) else kinematics
+        keep, left_out = facets_within_limits(mesh, followed, most, chosen)
+    context = MillContext(
+        settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary, frames, keep_off
+    )
+    return context, (*reports, *left_out)
 
 
 def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
