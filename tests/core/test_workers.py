@@ -172,6 +172,19 @@ def test_a_stop_reaches_what_runs_here_and_there_and_what_waits(tmp_path, starte
             future.result(LIMIT)
 
 
+@pytest.mark.parametrize(("seconds", "died"), [(600, 0), (0, 1)], ids=["stopped", "ended"])
+def test_a_worker_that_is_stopped_before_it_is_ready_has_not_died(tmp_path, started, seconds, died):
+    pool = beside(find=lambda: workers.Command((sys.executable, "-c", f"import time; time.sleep({seconds})")))
+    for name in range(3):
+        pool.submit(work_on, tmp_path, name)
+    end = time.monotonic() + LIMIT
+    while not (started and pool.died == died) and time.monotonic() < end:
+        time.sleep(0.02)
+    pool.stop()
+    pool.shutdown(wait=True)
+    assert len(started) == 1 and pool.died == died
+
+
 def test_a_worker_ends_with_its_parent_in_the_middle_of_a_task(tmp_path):
     """Stdin ends where the parent does, however it ends."""
     import pickle

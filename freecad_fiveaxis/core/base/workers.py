@@ -294,7 +294,7 @@ class WorkerProcesses(Executor):
                 worker.wait_until_ready()
                 return worker
         except (EOFError, OSError):
-            self.died += 1
+            self.died += not self._stop.is_set()
         self._dismiss(worker)
         return None
 
