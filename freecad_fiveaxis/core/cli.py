@@ -26,9 +26,9 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core.base import signals
+from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, check_writable, written
-from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.memory import keep_freed_memory
 from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.base.terminal import bars, show

@@ -122,11 +122,15 @@ CLEAN = LAYERS
 """Where no name is made of them: in all of the core."""
 
 
+CODES = frozenset(["AXIS_LED_PAST_POLE", "CYCLE_STEP_NOT_SAID", "UNITS_NOT_SAID"])
+"""The codes by which reports and scripts know some findings are as they were."""
+
+
 def private_names(source):
     """The names of a source, with their lines, that are made of such words."""
-    tokens = tokenize.generate_tokens(io.StringIO(source).readline)
+    names = [one for one in tokenize.generate_tokens(io.StringIO(source).readline) if one.type == tokenize.NAME]
     return [
-        (one.start[0], one.string) for one in tokens if one.type == tokenize.NAME and PRIVATE & set(one.string.lower().split("_"))
+        (one.start[0], one.string) for one in names if PRIVATE & set(one.string.lower().split("_")) and one.string not in CODES
     ]
 
 

@@ -77,8 +77,8 @@ def test_mill_runs_every_stage_once_in_their_order(tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def script():
-    loader = SourceFileLoader("pipeline_page", str(ROOT / "scripts" / "pipeline_page"))
-    module = module_from_spec(spec_from_loader("pipeline_page", loader))
+    loader = SourceFileLoader("pages", str(ROOT / "scripts" / "pages"))
+    module = module_from_spec(spec_from_loader("pages", loader))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "dont_write_bytecode", True)  # no cache beside the scripts
         loader.exec_module(module)
@@ -86,6 +86,6 @@ def script():
 
 
 def test_the_page_lists_the_stages_as_they_are(script):
-    page = script.PAGE.read_text(encoding="utf-8")
-    assert script.with_table(page, STAGES) == page
-    assert script.with_table(page, STAGES[1:]) != page
+    page = (script.DOCS / "pipeline.md").read_text(encoding="utf-8")
+    assert script.replace_list(page, script.stage_table(STAGES)) == page
+    assert script.replace_list(page, script.stage_table(STAGES[1:])) != page

@@ -24,9 +24,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, plural, say
@@ -213,17 +214,17 @@ def _findings(
     between &= ~own
     off = np.flatnonzero((against.off > tolerance) & ~between & ~own)
     if len(off):
-        found.append(_place_finding(program, against, off, "off-cl-path", _ends_text(against, ends), tolerance))
+        found.append(_place_finding(program, against, off, Code.OFF_CL_PATH, _ends_text(against, ends), tolerance))
     if between.any():
         text = say(
             "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Divide blocks "
             "({linearize}).",
             linearize=Choice("linearize", ("on",)),
         )
-        found.append(_place_finding(program, against, np.flatnonzero(between), "between-cl-rows", text, tolerance))
+        found.append(_place_finding(program, against, np.flatnonzero(between), Code.BETWEEN_CL_ROWS, text, tolerance))
     if own.any():
         text = say("leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.")
-        found.append(_place_finding(program, against, np.flatnonzero(own), "way-not-in-cl-path", text, tolerance, Severity.NOTE))
+        found.append(_place_finding(program, against, np.flatnonzero(own), Code.WAY_NOT_IN_CL_PATH, text, tolerance))
     leaning = np.flatnonzero((against.axis > axis_tolerance) & (against.end <= max(100.0 * tolerance, 1.0)))
     if len(leaning):
         found.append(_axis_finding(program, against, leaning, axis_tolerance))
@@ -247,9 +248,7 @@ def _ends_text(against: AgainstPath, ends: Bools) -> Sentence:
     )
 
 
-def _place_finding(
-    program: Program, against: AgainstPath, at: Ints, code: str, text: str, tolerance: float, severity: Severity = Severity.ERROR
-) -> Finding:
+def _place_finding(program: Program, against: AgainstPath, at: Ints, code: Code, text: str, tolerance: float) -> Finding:
     worst = int(at[against.off[at].argmax()])
     row = int(against.block[worst])
     whole = plural(
@@ -266,7 +265,7 @@ def _place_finding(
     )
     x, y, z = against.place[worst].tolist()
     value, line = float(against.off[worst]), int(program.line[row])
-    return Finding(severity, code, whole, value, tolerance, "mm", row, line, (x, y, z))
+    return report_finding(code, whole, value, tolerance, row, line, (x, y, z))
 
 
 def _axis_finding(program: Program, against: AgainstPath, at: Ints, tolerance: float) -> Finding:
@@ -283,7 +282,7 @@ def _axis_finding(program: Program, against: AgainstPath, at: Ints, tolerance: f
         first=program.line[against.block[at[0]]],
     )
     line = int(program.line[row])
-    return Finding(Severity.ERROR, "axis-off-cl-path", text, lean, math.degrees(tolerance), "deg", row, line)
+    return report_finding(Code.AXIS_OFF_CL_PATH, text, lean, math.degrees(tolerance), row, line)
 
 
 def _missed_finding(against: AgainstPath, path: CLPath, tolerance: float) -> Finding:
@@ -301,4 +300,4 @@ def _missed_finding(against: AgainstPath, path: CLPath, tolerance: float) -> Fin
     )
     x, y, z = path.tip[against.missed[worst]].tolist()
     value = float(against.distance[worst]) if math.isfinite(against.distance[worst]) else None
-    return Finding(Severity.ERROR, "cl-rows-missed", text, value, tolerance, "mm", None, None, (x, y, z))
+    return report_finding(Code.CL_ROWS_MISSED, text, value, tolerance, place=(x, y, z))

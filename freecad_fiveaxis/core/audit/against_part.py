@@ -21,7 +21,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Length, Option, say
@@ -140,4 +141,4 @@ def _findings(program: Program, rows: Ints, found: Peaks, tolerance: float, radi
         origin=Option("origin"),
     )
     x, y, z = found.place[worst].tolist()
-    return (Finding(Severity.ERROR, "overcut", text, depth, tolerance, "mm", row, int(program.line[row]), (x, y, z)),)
+    return (report_finding(Code.OVERCUT, text, depth, tolerance, row, int(program.line[row]), (x, y, z)),)

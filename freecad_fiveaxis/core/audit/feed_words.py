@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Number, plural
 from freecad_fiveaxis.core.controllers import Dialect
@@ -55,4 +56,4 @@ def _over(program: Program, dialect: Dialect, mode: str, unit: str, largest: flo
         "F{feed}: it refuses them. Post the program with longer blocks, or with a lower F.",
         line=line, feed=Number(float(feed[worst]), ".10g"), name=dialect.name, most=Number(largest, ".10g"), mode=mode or unit,
     )  # fmt: skip
-    return Finding(Severity.WARNING, "feed-word-too-large", text, float(feed[worst]), largest, unit, block, line)
+    return report_finding(Code.FEED_WORD_TOO_LARGE, text, float(feed[worst]), largest, block, line, unit=unit)

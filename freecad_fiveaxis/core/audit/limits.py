@@ -15,7 +15,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bytes, Floats, freeze
 from freecad_fiveaxis.core.base.sentences import Number, Option, Task, measure, plural, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_to_q
@@ -95,4 +96,4 @@ def _finding(kinematics: Chain, program: Program, k: int, limit: float, beyond: 
     )
     x, y, z = forward_tip(kinematics, words_to_q(program.words[worst : worst + 1]))[0].tolist()
     value, line = float(word[worst]), int(program.line[worst])
-    return Finding(Severity.ERROR, "limit", text, value, limit, unit, worst, line, (x, y, z))
+    return report_finding(Code.LIMIT, text, value, limit, worst, line, (x, y, z), unit=unit)

@@ -14,11 +14,12 @@ Rapids are left out: each goes as fast as its slowest axis may.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Feed, Number, Sentence, Task, measure, plural, say
@@ -114,7 +115,7 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
             most=measure(most, unit, ".5g", bare=True),
             first=program.line[rows[0]],
         )
-        found.append(_finding(Severity.WARNING, "axis-rate", text, commanded, most, unit, kinematics, program, worst))
+        found.append(_finding(Code.AXIS_RATE, text, commanded, most, unit, kinematics, program, worst))
     return tuple(found)
 
 
@@ -168,8 +169,8 @@ def _unlike(kinematics: Chain, program: Program, rates: Rates, rows: Ints, wante
         if by_f
         else say("Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.")
     )
-    severity = Severity.WARNING if by_f else Severity.NOTE
-    return (_finding(severity, "feed-over-part", text, feed, float(wanted[at]), "mm/min", kinematics, program, row),)
+    found = _finding(Code.FEED_OVER_PART, text, feed, float(wanted[at]), "mm/min", kinematics, program, row)
+    return (found if by_f else replace(found, severity=Severity.NOTE),)
 
 
 def _blocks(rows: Ints) -> Sentence:
@@ -177,7 +178,7 @@ def _blocks(rows: Ints) -> Sentence:
 
 
 def _finding(
-    severity: Severity, code: str, text: str, value: float, limit: float, unit: str, kinematics: Chain, program: Program, row: int
+    code: Code, text: str, value: float, limit: float, unit: str, kinematics: Chain, program: Program, row: int
 ) -> Finding:
     x, y, z = forward_tip(kinematics, words_to_q(program.words[row : row + 1]))[0].tolist()
-    return Finding(severity, code, text, value, limit, unit, row, int(program.line[row]), (x, y, z))
+    return report_finding(code, text, value, limit, row, int(program.line[row]), (x, y, z), unit=unit)

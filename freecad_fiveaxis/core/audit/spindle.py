@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import re
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 
@@ -36,4 +37,4 @@ def spindle_findings(text: bytes, program: Program) -> tuple[Finding, ...]:
         "gets to the part.",
         line=line,
     )
-    return (Finding(Severity.WARNING, "spindle-off", found, line=line),)
+    return (report_finding(Code.SPINDLE_OFF, found, line=line),)

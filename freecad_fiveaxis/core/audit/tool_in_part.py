@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Option, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge import INDEPENDENT_RAPID, check_program
+from freecad_fiveaxis.core.gouge import check_program
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.tool import Cutter
@@ -55,7 +56,7 @@ def is_ball(cutter: Cutter) -> bool:
 
 def _with_remedy(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """The first of them asks whether part and program belong together; not where the tool enters on no commanded way."""
-    if not findings or findings[0].code == INDEPENDENT_RAPID:
+    if not findings or findings[0].code == Code.INDEPENDENT_RAPID:
         return findings
     first, *others = findings
     return (replace(first, text=joined((first.text, REMEDY))), *others)

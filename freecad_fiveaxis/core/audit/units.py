@@ -14,7 +14,8 @@ import re
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -22,7 +23,6 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, forward_tip, words_t
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-CODE = "unit-suspected"
 INCH = 25.4
 """mm."""
 HALF_TURN, LEAST_TURN = 3.15, 0.05
@@ -95,7 +95,7 @@ def _two_sizes(size: float, other: float, name: str) -> Finding:
         times=Number(max(size, other) / min(size, other), ".3g"),
         option=Option("units"),
     )
-    return Finding(Severity.WARNING, CODE, text, size, other, "mm")
+    return report_finding(Code.UNIT_SUSPECTED, text, size, other, unit="mm")
 
 
 def _could_be_radians(program: Program) -> bool:
@@ -121,7 +121,7 @@ def _radians_by_way(kinematics: Chain, program: Program) -> tuple[Finding, ...]:
         radians=Length(radians, ".4g"),
         degrees=Length(degrees, ".4g"),
     )
-    return (Finding(Severity.WARNING, CODE, text, radians, degrees, "mm", line=int(program.line[turning[0]])),)
+    return (report_finding(Code.UNIT_SUSPECTED, text, radians, degrees, line=int(program.line[turning[0]]), unit="mm"),)
 
 
 def _way(kinematics: Chain, words: Floats, blocks: Floats | Bools) -> float:
@@ -144,7 +144,7 @@ def radians_by_axis(program: Program, path: CLPath) -> tuple[Finding, ...]:
         wanted=Angle(wanted, ".4g"),
         turned=Number(turned, ".4g"),
     )
-    return (Finding(Severity.WARNING, CODE, text, turned, wanted, "deg", line=int(program.line[feeds[0]])),)
+    return (report_finding(Code.UNIT_SUSPECTED, text, turned, wanted, line=int(program.line[feeds[0]]), unit="deg"),)
 
 
 def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding, ...]:
@@ -164,4 +164,6 @@ def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding,
         has=Length(has[k], ".4g"),
         mm=Length(goes[k] / INCH, ".4g"),
     )
-    return (Finding(Severity.WARNING, CODE, found, float(goes[k]), float(has[k]), "mm", line=int(program.line[feeds[0]])),)
+    return (
+        report_finding(Code.UNIT_SUSPECTED, found, float(goes[k]), float(has[k]), line=int(program.line[feeds[0]]), unit="mm"),
+    )

@@ -2,22 +2,14 @@
 """What a result says about itself.
 
 finding   one poor spot of a result: what, how bad, where, and what helps. Findings never stop the output.
-severity  ordered by consequence: NOTE changes nothing on the part, WARNING may show on the part,
-          ERROR will spoil the part or the machine if nobody looks (the command line then exits with 1).
+code      what it is about, one of the list in :mod:`.codes`, with its severity.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import IntEnum
 
-
-class Severity(IntEnum):
-    """Consequence for the part, least first."""
-
-    NOTE = 0
-    WARNING = 1
-    ERROR = 2
+from .codes import Code, Severity
 
 
 @dataclass(frozen=True)
@@ -51,3 +43,23 @@ class Finding:
     place: tuple[float, float, float] | None = None
     hit: Hit | None = None
     near: Hit | None = None
+
+
+def report_finding(
+    code: Code,
+    text: str,
+    value: float | None = None,
+    limit: float | None = None,
+    block: int | None = None,
+    line: int | None = None,
+    place: tuple[float, float, float] | None = None,
+    *,
+    severity: Severity | None = None,
+    unit: str | None = None,
+    hit: Hit | None = None,
+    near: Hit | None = None,
+) -> Finding:
+    """Make a finding of the list: ``severity`` and ``unit`` are those of its code where none are given."""
+    if unit is None:
+        unit = "" if value is None else code.unit
+    return Finding(code.severity if severity is None else severity, code, text, value, limit, unit, block, line, place, hit, near)

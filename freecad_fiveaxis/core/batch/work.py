@@ -17,9 +17,9 @@ from typing import Any
 
 from freecad_fiveaxis import __version__
 from freecad_fiveaxis.core.base.chunks import keep_to_one_thread
+from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError
 from freecad_fiveaxis.core.base.files import read_bytes, write_all
-from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import one_line
 from freecad_fiveaxis.core.pipeline import job as pipeline

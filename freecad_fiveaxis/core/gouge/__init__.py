@@ -4,7 +4,6 @@
 from .check import CURES, DIVIDE, GOUGES, GougeCheck, check_motion, check_program, program_motion
 from .inside import inside, is_closed
 from .outline import Outline, outline
-from .rapid_check import INDEPENDENT_RAPID
 from .rapid_ways import WayEntries
 from .rest_material import RestMaterial, find_rest_material, too_deep_finding, uncut_finding
 from .search import Entries, find_entries, which_enter
@@ -15,7 +14,6 @@ __all__ = [
     "CURES",
     "DIVIDE",
     "GOUGES",
-    "INDEPENDENT_RAPID",
     "Entries",
     "GougeCheck",
     "Outline",

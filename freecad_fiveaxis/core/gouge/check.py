@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats
@@ -36,28 +37,28 @@ from .swept_motion import SweptMotion, real_motion, straight_motion
 ROUGHLY = 0.1
 """mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
 
-GOUGES = OVERCUT, RAPID_COLLISION, HOLDER_COLLISION = "overcut", "rapid-collision", "holder-collision"
+GOUGES = (Code.OVERCUT, Code.RAPID_COLLISION, Code.HOLDER_COLLISION)
 """The codes of the findings."""
 
 LIFT, TILT = Choice("gouge", ("lift", "leave-out")), Choice("gouge", ("tilt", "leave-out"))
 DIVIDE = Choice("linearize", ("on",))
 """What helps, as the user asks for it."""
 WITH_REMEDY = {
-    OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
-    RAPID_COLLISION: Template(
+    Code.OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
+    Code.RAPID_COLLISION: Template(
         "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
         "over the tool, let it be lifted there or leave such places out ({lift})."
     ),
-    HOLDER_COLLISION: Template(
+    Code.HOLDER_COLLISION: Template(
         "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), "
         "use a longer tool, or more lead or tilt."
     ),
 }
 
 PLAIN = {
-    OVERCUT: WITH_REMEDY[OVERCUT],
-    RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
-    HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
+    Code.OVERCUT: WITH_REMEDY[Code.OVERCUT],
+    Code.RAPID_COLLISION: Template("The cutter goes {depth} into the part at {at}, not cutting."),
+    Code.HOLDER_COLLISION: Template("The {part} goes {depth} into the part at {at}."),
 }
 """The same of a program that is only looked at: what helps is not ours to do."""
 
@@ -85,18 +86,18 @@ class GougeCheck:
     findings: tuple[Finding, ...]
     ways: WayEntries | None = None
 
-    def cases(self, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+    def cases(self, motion: Bytes) -> tuple[tuple[Code, Entries, Floats], ...]:
         """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of this kind;
         ``motion`` (m,) what each block does."""
         return _cases(self.cutter, self.above, motion)
 
 
-def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[str, Entries, Floats], ...]:
+def _cases(cutter: Entries, above: Entries, motion: Bytes) -> tuple[tuple[Code, Entries, Floats], ...]:
     cuts = (motion == Motion.CUT) | (motion == Motion.FILL)
     return (
-        (OVERCUT, cutter, cutter.depth * cuts),
-        (RAPID_COLLISION, cutter, cutter.depth * ~cuts),
-        (HOLDER_COLLISION, above, above.depth),
+        (Code.OVERCUT, cutter, cutter.depth * cuts),
+        (Code.RAPID_COLLISION, cutter, cutter.depth * ~cuts),
+        (Code.HOLDER_COLLISION, above, above.depth),
     )
 
 
@@ -164,7 +165,7 @@ def _findings(
 
 
 def _spots(
-    code: str, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
+    code: Code, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
 ) -> list[Finding]:  # fmt: skip
     """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of ``whole`` mm on more
     than the depth may be in the part."""
@@ -177,11 +178,11 @@ def _spots(
         sentence = (WITH_REMEDY if remedy else PLAIN)[code].say(
             depth=amount, at=Point((x, y, z)), part=PARTS[int(entries.part[block])], lift=LIFT, tilt=TILT
         )
-        sentence = joined((sentence, remedy if code == OVERCUT else ""))
+        sentence = joined((sentence, remedy if code == Code.OVERCUT else ""))
         if k == 0 and blocks > 1:
             sentence += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
         row, line = where(block)
-        found.append(Finding(Severity.ERROR, code, sentence, float(depth[block]), tolerance, "mm", row, line, (x, y, z)))
+        found.append(report_finding(code, sentence, float(depth[block]), tolerance, row, line, (x, y, z)))
     return found
 
 
@@ -197,4 +198,4 @@ def _buried(buried: Bools, where: Where, swept: SweptMotion) -> tuple[Finding, .
         count=len(rows),
         place=Point((x, y, z), ".6g"),
     )
-    return (Finding(Severity.ERROR, "buried", text, float(len(rows)), 0.0, "1", row, line, (x, y, z)),)
+    return (report_finding(Code.BURIED, text, float(len(rows)), 0.0, row, line, (x, y, z)),)

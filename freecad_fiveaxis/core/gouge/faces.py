@@ -13,8 +13,9 @@ import math
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Sentence, Template, say
@@ -113,7 +114,7 @@ def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bo
         name=name,
         gouge=Option("gouge"),
     )
-    reports = [Finding(Severity.NOTE, "faces-chosen" if machined else "faces-avoided", text, area, unit="mm2")]
+    reports = [report_finding(Code.FACES_CHOSEN if machined else Code.FACES_AVOIDED, text, area)]
     if area < (1.0 - MISSED) * wanted:
         text = say(
             "{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same solid, "
@@ -122,5 +123,5 @@ def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bo
             wanted=Area(wanted, ".6g"),
             area=Area(area, ".6g"),
         )
-        reports.append(Finding(Severity.WARNING, "faces-missed", text, wanted - area, MISSED * wanted, "mm2"))
+        reports.append(report_finding(Code.FACES_MISSED, text, wanted - area, MISSED * wanted))
     return tuple(reports)

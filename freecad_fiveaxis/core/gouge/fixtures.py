@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Hit, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
@@ -24,9 +25,6 @@ from freecad_fiveaxis.core.tool.body import Body
 
 from .check import GougeCheck, check_program
 from .worst import find_nearest, find_unproven, find_worst, near_finding
-
-FIXTURE_COLLISION, FIXTURE_UNPROVEN, FIXTURE_NEAR = "fixture-collision", "fixture-unproven", "fixture-near"
-"""The codes of the findings."""
 
 ENTERS = Template("The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks.")
 REMEDY = say("Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.")
@@ -86,7 +84,7 @@ def check_fixtures(
             body, clearance if not new else 0.0, fixture.mesh, kinematics, program, tolerance, back, progress, rapids
         )
         if near is not None:
-            new.append(near_finding(FIXTURE_NEAR, fixture.name, near, clearance, Point(near.place)))
+            new.append(near_finding(Code.FIXTURE_NEAR, fixture.name, near, clearance, Point(near.place)))
         found += new
     return tuple(found)
 
@@ -102,14 +100,14 @@ def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
             part=worst.part, depth=Length(worst.depth, ".4g"), fixture=fixture.name, at=Point(worst.place), count=count
         )
         text = joined((text, REMEDY))
-        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, worst.depth, tolerance, "mm", row, line, worst.place, hit)
+        yield report_finding(Code.FIXTURE_COLLISION, text, worst.depth, tolerance, row, line, worst.place, unit="mm", hit=hit)
     else:
         text = say(
             "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the "
             "fixture.",
             count=count, fixture=fixture.name,
         )  # fmt: skip
-        yield Finding(Severity.ERROR, FIXTURE_COLLISION, text, float(count), 0.0, "1", row, line, hit=hit)
+        yield report_finding(Code.FIXTURE_COLLISION, text, float(count), 0.0, row, line, unit="1", hit=hit)
 
 
 def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:
@@ -122,4 +120,4 @@ def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
         "the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the other.",
         count=found.rapids, fixture=fixture.name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
-    yield Finding(Severity.WARNING, FIXTURE_UNPROVEN, text, found.bound, tolerance, "mm", found.row, found.line)
+    yield report_finding(Code.FIXTURE_UNPROVEN, text, found.bound, tolerance, found.row, found.line)

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, take_rows
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Point, Sentence, say
@@ -178,7 +179,7 @@ def _left(
         why=why(say("there")),
         remedy=remedy,
     )
-    finding = Finding(Severity.WARNING, "left-out", text, length, 0.0, "mm", place=place)
+    finding = report_finding(Code.LEFT_OUT, text, length, 0.0, place=place)
     return replace(left, findings=(*path.findings, finding)), take_rows(axis, rows)
 
 

@@ -21,7 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Point, say
@@ -354,4 +355,4 @@ def _findings(path: CLPath, way: _Way) -> tuple[Finding, ...]:
         place=Point((x, y, z), ".6g"),
         lift=Length(way.lift[worst], ".4g"),
     )
-    return (Finding(Severity.WARNING, "lifted", text, float(way.lift[worst]), 0.0, "mm", place=(x, y, z)),)
+    return (report_finding(Code.LIFTED, text, float(way.lift[worst]), 0.0, place=(x, y, z)),)

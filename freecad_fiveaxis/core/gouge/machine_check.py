@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Hit, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.records import Floats
@@ -28,9 +29,6 @@ from freecad_fiveaxis.core.tool.body import Body
 from .check import GougeCheck, check_program
 from .machine_bodies import make_mesh, spindle_body
 from .worst import Worst, find_nearest, find_unproven, find_worst, near_finding
-
-MACHINE_COLLISION, MACHINE_UNPROVEN, MACHINE_NEAR = "machine-collision", "machine-unproven", "machine-near"
-"""The codes of the findings."""
 
 REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
 
@@ -64,7 +62,7 @@ def check_machine(
             "The controller guides the tip, so where the axes stand between the ends of blocks is not known: the machine's "
             "bodies were not looked at."
         )
-        return (Finding(Severity.NOTE, MACHINE_UNPROVEN, text),)
+        return (report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE),)
     return (
         *_unplaced(given),
         *_against_bodies(given, program, tolerance, progress),
@@ -82,7 +80,7 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
             names=", ".join(missing),
             option=Option("tool_length"),
         )
-        yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text)
+        yield report_finding(Code.MACHINE_UNPROVEN, text)
 
 
 def needs_length(machine: Machine, body: MachineBody) -> bool:
@@ -130,7 +128,7 @@ def _against_bodies(given: InMachine, program: Program, tolerance: float, progre
         near = find_nearest(stack, wanted, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids)
         if near is not None:
             at, place = _places(near, given, program)
-            new.append(near_finding(MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
+            new.append(near_finding(Code.MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
         yield from new
 
 
@@ -170,7 +168,7 @@ def _entering(
         text = say("In {count} blocks the whole cutter is inside the {name}.", count=worst.blocks, name=name)
     text, row, line = joined((text, REMEDY)), worst.row, worst.line
     hit = Hit(worst.part, entered, worst.u)
-    yield Finding(Severity.ERROR, MACHINE_COLLISION, text, worst.depth, tolerance, "mm", row, line, place, hit)
+    yield report_finding(Code.MACHINE_COLLISION, text, worst.depth, tolerance, row, line, place, hit=hit)
 
 
 def _places(worst: Worst, given: InMachine, program: Program) -> tuple[Sentence, Vector]:
@@ -190,4 +188,4 @@ def _unproven(name: str, check: GougeCheck, program: Program, tolerance: float) 
         "first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the other.",
         count=found.rapids, name=name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
-    yield Finding(Severity.WARNING, MACHINE_UNPROVEN, text, found.bound, tolerance, "mm", found.row, found.line)
+    yield report_finding(Code.MACHINE_UNPROVEN, text, found.bound, tolerance, found.row, found.line)

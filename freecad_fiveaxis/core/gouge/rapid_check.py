@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INDEPENDENT, INTERPOLATED, UNKNOWN
 from freecad_fiveaxis.core.base.records import Bools, Ints
@@ -23,9 +24,6 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 from .joint_box import JointSpace
 from .rapid_ways import WayEntries, find_way_entries
 from .spots import MOST_SPOTS, spots
-
-INDEPENDENT_RAPID, UNPROVEN_RAPID = "independent-rapid", "rapid-unproven"
-"""The codes of the findings."""
 
 ENTERS = {
     INDEPENDENT: Template(
@@ -72,7 +70,7 @@ def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids:
         if k == 0 and blocks > 1:
             text += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
         text = joined((text, REMEDY))
-        found.append(Finding(Severity.ERROR, INDEPENDENT_RAPID, text, depth, tolerance, "mm", block + 1, line, (x, y, z)))
+        found.append(report_finding(Code.INDEPENDENT_RAPID, text, depth, tolerance, block + 1, line, (x, y, z)))
     return (*found, *_unproven(ways, program, tolerance))
 
 
@@ -92,4 +90,4 @@ def _unproven(ways: WayEntries, program: Program, tolerance: float) -> tuple[Fin
         count=len(rows), line=line, bound=Length(bound, ".3g"),
     )  # fmt: skip
     text = joined((text, REMEDY))
-    return (Finding(Severity.WARNING, UNPROVEN_RAPID, text, bound, tolerance, "mm", int(rows[0]) + 1, line),)
+    return (report_finding(Code.RAPID_UNPROVEN, text, bound, tolerance, int(rows[0]) + 1, line),)

@@ -22,8 +22,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.chunks import in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Length, Point, Volume, say
@@ -313,7 +314,7 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
         height=Length(remainder.height[worst], ".4g"),
         volume=Volume(volume, ".4g"),
     )
-    return (Finding(Severity.WARNING, "uncut", text, area, 0.0, "mm2", place=(x, y, z)),)
+    return (report_finding(Code.UNCUT, text, area, 0.0, place=(x, y, z), unit="mm2"),)
 
 
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:
@@ -333,4 +334,4 @@ def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding
         height=Length(-remainder.height[worst], ".4g"),
         volume=Volume(volume, ".4g"),
     )
-    return (Finding(Severity.ERROR, "cut-too-deep", text, -float(remainder.height[worst]), tolerance, "mm", place=(x, y, z)),)
+    return (report_finding(Code.CUT_TOO_DEEP, text, -float(remainder.height[worst]), tolerance, place=(x, y, z)),)

@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, say
@@ -26,8 +27,6 @@ from .swept_motion import SweptMotion
 
 BEYOND = 1000.0
 """mm that the slab goes beyond the places of the tip on all sides, and down."""
-
-TABLE_COLLISION = "table-collision"
 
 
 def check_table(
@@ -80,4 +79,4 @@ def _below(entries: Entries | WayEntries, program: Program, tolerance: float) ->
         part=PARTS[int(entries.part[block])], depth=Length(depth, ".4g"), at=Point((x, y, z)), count=count,
         max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip
-    return Finding(Severity.ERROR, TABLE_COLLISION, text, depth, tolerance, "mm", block + 1, line, (x, y, z))
+    return report_finding(Code.TABLE_COLLISION, text, depth, tolerance, block + 1, line, (x, y, z))

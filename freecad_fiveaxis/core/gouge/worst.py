@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Hit, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -82,7 +83,7 @@ def find_nearest(
     return find_worst(check, program)
 
 
-def near_finding(code: str, name: str, worst: Worst, clearance: float, at: object) -> Finding:
+def near_finding(code: Code, name: str, worst: Worst, clearance: float, at: object) -> Finding:
     """Tell what comes nearer to a body of this ``name`` than the ``clearance``, mm, and ``at`` which place."""
     distance = max(clearance - worst.depth, 0.0)
     text = say(
@@ -90,4 +91,4 @@ def near_finding(code: str, name: str, worst: Worst, clearance: float, at: objec
         part=worst.part, distance=Length(distance, ".3g"), name=name, at=at, count=worst.blocks, clearance=Length(clearance),
     )  # fmt: skip
     row, line, near = worst.row, worst.line, Hit(worst.part, name, worst.u)
-    return Finding(Severity.WARNING, code, text, distance, clearance, "mm", row, line, worst.place, near=near)
+    return report_finding(code, text, distance, clearance, row, line, worst.place, near=near)

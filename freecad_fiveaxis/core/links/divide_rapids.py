@@ -16,7 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Insertion, Ints
@@ -195,4 +196,4 @@ def _divided_finding(rapids: int, rows: int, dialect: Dialect) -> Finding:
         "drives the axes between their ends.",
         count=rapids, rows=rows, name=dialect.name,
     )  # fmt: skip
-    return Finding(Severity.NOTE, "rapids-divided", text, float(rows), None, "1")
+    return report_finding(Code.RAPIDS_DIVIDED, text, float(rows))

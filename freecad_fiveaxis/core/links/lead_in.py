@@ -16,7 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, plural
@@ -249,4 +250,4 @@ def _findings(path: CLPath, ends: Ends, radius: Floats, wanted: float) -> tuple[
         radius=Length(wanted),
     )  # fmt: skip
     x, y, z = path.contact[ends.row[less[0]]].tolist()
-    return (Finding(Severity.NOTE, "lead-in-smaller", text, float(len(less)), 0.0, "1", place=(x, y, z)),)
+    return (report_finding(Code.LEAD_IN_SMALLER, text, float(len(less)), 0.0, place=(x, y, z)),)

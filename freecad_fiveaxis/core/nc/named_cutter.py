@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import re
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, parse_cutter
 
@@ -37,4 +38,4 @@ def find_named_cutter(text: bytes) -> Cutter | None:
 def named_cutter_note(cutter: Cutter) -> tuple[Finding, ...]:
     """Say that the cutter is taken from the program, because none is given."""
     text = say("No cutter is given; the one that the program names is taken: {cutter}.", cutter=cutter_name(cutter))
-    return (Finding(Severity.NOTE, "cutter-from-program", text, cutter.diameter, unit="mm"),)
+    return (report_finding(Code.CUTTER_FROM_PROGRAM, text, cutter.diameter),)

@@ -20,7 +20,8 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Number, Point, say
@@ -258,7 +259,7 @@ def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
         place=Point((x, y, z)),
     )
     severity = Severity.NOTE if count <= FEW * len(free) else Severity.WARNING
-    return (Finding(severity, "no-free-axis", text, float(count), 0.0, "", place=(x, y, z)),)
+    return (report_finding(Code.NO_FREE_AXIS, text, float(count), 0.0, place=(x, y, z), severity=severity),)
 
 
 def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
@@ -276,4 +277,4 @@ def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
         length=Length(length, ".4g"),
         place=Point((x, y, z)),
     )
-    return (Finding(Severity.WARNING, "no-way-out", text, length, 0.0, "mm", place=(x, y, z)),)
+    return (report_finding(Code.NO_WAY_OUT, text, length, 0.0, place=(x, y, z)),)

@@ -14,8 +14,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.base.chunks import batches, in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ReachError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Area, Number, Sentence, say
@@ -138,7 +139,7 @@ def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
         "over, or raise the largest axis angle.",
         area=Area(lost, ".6g"), share=share, most=Angle(math.degrees(most)),
     )  # fmt: skip
-    return (Finding(Severity.NOTE, "facets-looking-down", text, lost, 0.0, "mm2", place=place),)
+    return (report_finding(Code.FACETS_LOOKING_DOWN, text, lost, 0.0, place=place),)
 
 
 def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle) -> Finding:
@@ -147,7 +148,7 @@ def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle) -> Finding:
         "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",
         area=Area(lost, ".6g"), share=share, remedy=_REMEDY[obstacle],
     )  # fmt: skip
-    return Finding(Severity.WARNING, "facets-without-free-axis", text, lost, 0.0, "mm2", place=place)
+    return report_finding(Code.FACETS_WITHOUT_FREE_AXIS, text, lost, 0.0, place=place)
 
 
 def _area_of(mesh: Mesh, group: Bools) -> tuple[float, Number, tuple[float, float, float]]:

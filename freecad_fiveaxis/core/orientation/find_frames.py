@@ -16,7 +16,8 @@ import math
 import numpy as np
 from scipy.spatial import cKDTree
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Number, Point, say
@@ -189,11 +190,11 @@ def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: in
         area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"), place=Point((x, y, z)),
         count=len(frames.axis), could=Area(could, ".4g"), more=more,
     )  # fmt: skip
-    return (Finding(Severity.WARNING, "outside-frames", text, lost, 0.0, "mm2", place=(x, y, z)),)
+    return (report_finding(Code.OUTSIDE_FRAMES, text, lost, 0.0, place=(x, y, z)),)
 
 
 def _report_frames(frames: Frames) -> Finding:
     """How many frames there are, and their axes."""
     shown = "; ".join(",".join(f"{number:g}" for number in (np.round(axis, 3) + 0.0).tolist()) for axis in frames.axis)
     text = say("The part is cut in {count} frames, each with a tool axis of its own: {axes}.", count=len(frames.axis), axes=shown)
-    return Finding(Severity.NOTE, "frames", text, float(len(frames.axis)), None, "1")
+    return report_finding(Code.FRAMES, text, float(len(frames.axis)))

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Number, Point, say
@@ -75,4 +76,4 @@ def _held(held: Bools, contacts: Contacts) -> tuple[Finding, ...]:
         count=count, all=len(held), share=Number(100.0 * count / len(held), ".3g"), place=Point((x, y, z)),
     )  # fmt: skip
     severity = Severity.NOTE if count <= FEW * len(held) else Severity.WARNING
-    return (Finding(severity, "no-free-axis", text, float(count), 0.0, "", place=(x, y, z)),)
+    return (report_finding(Code.NO_FREE_AXIS, text, float(count), 0.0, place=(x, y, z), severity=severity),)

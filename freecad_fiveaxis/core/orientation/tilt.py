@@ -23,7 +23,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, Point, say
@@ -311,7 +312,7 @@ def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) 
             angle=Angle(angle[worst], ".3g"),
             place=Point(place),
         )
-        found.append(Finding(Severity.NOTE, "tilted", text, float(angle[worst]), most, "deg", place=place))
+        found.append(report_finding(Code.TILTED, text, float(angle[worst]), most, place=place))
     if left.depth.any():
         length = float(np.linalg.norm(np.diff(path.point, axis=0), axis=1)[left.depth > 0.0].sum())
         place = _place(left.place[int(left.depth.argmax())])
@@ -323,7 +324,7 @@ def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) 
             place=Point(place),
             max_tilt=Option("max_tilt"),
         )
-        found.append(Finding(Severity.WARNING, "not-freed", text, length, 0.0, "mm", place=place))
+        found.append(report_finding(Code.NOT_FREED, text, length, 0.0, place=place))
     return tuple(found)
 
 

@@ -11,8 +11,9 @@ import math
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ReachError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Number, say
 from freecad_fiveaxis.core.base.vectors import away_from, row_dot
@@ -66,7 +67,7 @@ def report_across(mesh: Mesh, across: Bools) -> Finding | None:
         "square to that axis does not reach them. Cut them with other passes.",
         count=len(rows), area=Area(lost, ".6g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"),
     )  # fmt: skip
-    return Finding(Severity.NOTE, "facets-across-axis", text, value=lost, unit="mm2", place=(x, y, z))
+    return report_finding(Code.FACETS_ACROSS_AXIS, text, lost, place=(x, y, z))
 
 
 def _nothing_left(mesh: Mesh, wanted: Bools, across: Bools, beyond: Bools) -> str:

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.curve_text import read_runs
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, Point, Sentence, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -177,4 +178,4 @@ def _report_outside(boundary: Boundary, mesh: Mesh, out: Bools, wanted: Bools) -
         count=int(out.sum()), area=Area(area, ".6g"), share=Number(100.0 * area / whole, ".3g"), name=boundary.name,
         gouge=Option("gouge"),
     )  # fmt: skip
-    return (Finding(Severity.NOTE, "outside-boundary", text, area, unit="mm2"),)
+    return (report_finding(Code.OUTSIDE_BOUNDARY, text, area),)

@@ -11,17 +11,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Point, Template
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles
 from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
-
-NEAR_AVOIDED, FACETS_NEAR_AVOIDED = "near-avoided-faces", "facets-near-avoided"
-"""The codes of the findings: on facets that are cut, and of facets that are not cut at all."""
-
-AVOIDED_NEAR, AVOIDED_UNPROVEN = "avoided-faces-near", "avoided-faces-unproven"
-"""The codes of the findings on a finished program."""
 
 TOUCHING = 1e-6
 """mm; a ball that is so much too near keeps the allowance."""
@@ -99,7 +94,12 @@ def facets_allowed(keep_off: KeepOff, mesh: Mesh, facets: Bools) -> tuple[Bools,
     out[rows] = keep_off.room(middle + keep_off.corner * mesh.normal[rows]) + far < -TOUCHING
     area = np.where(out, mesh.area, 0.0)
     found = _report(
-        FACETS_NEAR_AVOIDED, ON_FACETS, keep_off, mesh, float(area.sum()), mesh.vertex[mesh.face[int(area.argmax())]].mean(axis=0)
+        Code.FACETS_NEAR_AVOIDED,
+        ON_FACETS,
+        keep_off,
+        mesh,
+        float(area.sum()),
+        mesh.vertex[mesh.face[int(area.argmax())]].mean(axis=0),
     )
     return facets & ~out, found
 
@@ -107,10 +107,10 @@ def facets_allowed(keep_off: KeepOff, mesh: Mesh, facets: Bools) -> tuple[Bools,
 def report_strip(keep_off: KeepOff, mesh: Mesh, point: Floats, facet: Ints, area: Floats) -> tuple[Finding, ...]:
     """Say how much area the corner ball cannot touch, of places (k, 3) mm of facets (k,) that stand for ``area`` (k,) mm2."""
     out = np.where(keep_off.allows(mesh, point, facet), 0.0, area)
-    return _report(NEAR_AVOIDED, ON_STRIP, keep_off, mesh, float(out.sum()), point[int(out.argmax())])
+    return _report(Code.NEAR_AVOIDED_FACES, ON_STRIP, keep_off, mesh, float(out.sum()), point[int(out.argmax())])
 
 
-def _report(code: str, words: Template, keep_off: KeepOff, mesh: Mesh, area: float, place: Floats) -> tuple[Finding, ...]:
+def _report(code: Code, words: Template, keep_off: KeepOff, mesh: Mesh, area: float, place: Floats) -> tuple[Finding, ...]:
     if area == 0.0:
         return ()
     x, y, z = place.tolist()
@@ -118,4 +118,4 @@ def _report(code: str, words: Template, keep_off: KeepOff, mesh: Mesh, area: flo
         area=Area(area, ".4g"), share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), place=Point((x, y, z), ".6g"),
         allowance=Length(keep_off.allowance),
     )  # fmt: skip
-    return (Finding(Severity.WARNING, code, text, area, 0.0, "mm2", place=(x, y, z)),)
+    return (report_finding(code, text, area, 0.0, place=(x, y, z)),)

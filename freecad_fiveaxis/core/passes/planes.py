@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Area, Length, say
 
@@ -98,7 +99,7 @@ def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
         count=len(rows),
         area=Area(lost, ".4g"),
     )
-    return (Finding(Severity.WARNING, "side-not-machined", text, lost, 0.0, "mm2", place=(x, y, z)),)
+    return (report_finding(Code.SIDE_NOT_MACHINED, text, lost, 0.0, place=(x, y, z)),)
 
 
 def _without_pass(region: Region, touched: Ints) -> Ints:

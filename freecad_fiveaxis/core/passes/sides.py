@@ -19,7 +19,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from freecad_fiveaxis.core.base.clauses import beginning
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Point, Sentence, Template, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -166,7 +167,7 @@ def side_findings(
 
 
 def _is_beside(one: Finding, sides: tuple[Side, ...], angle: float, near: float) -> bool:
-    if one.code != "least-interval" or one.place is None:
+    if one.code != Code.LEAST_INTERVAL or one.place is None:
         return False
     offset = float(_directions(angle)[1] @ one.place)
     return any(side.low - near <= offset <= side.high + near for side in sides)
@@ -179,7 +180,7 @@ def _finding(side: Side, mesh: Mesh, keep: Bools, angle: float, beside: list[Fin
     text = joined((lost, _remedy(side, mesh, keep, angle, finer)))
     if beside and beside[0].value is not None:
         text += say(" Beside it up to {height} is left between the passes.", height=Length(beside[0].value, ".4g"))
-    return Finding(Severity.WARNING, "side-not-machined", text, side.area, 0.0, "mm2", place=(x, y, z))
+    return report_finding(Code.SIDE_NOT_MACHINED, text, side.area, 0.0, place=(x, y, z))
 
 
 def side_name(mesh: Mesh, normal: Floats, place: Floats) -> Sentence:

@@ -24,8 +24,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Option, Template, say
@@ -333,7 +334,7 @@ class _March:
             option=Option("least_interval"),
         )
         value, limit = worst.height, self._scallop
-        return (Finding(Severity.WARNING, "least-interval", text, value=value, limit=limit, unit="mm", place=(x, y, z)),)
+        return (report_finding(Code.LEAST_INTERVAL, text, value, limit, place=(x, y, z)),)
 
 
 def _share(count: float) -> float:

@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import Delaunay, QhullError
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Area, Length, Number, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -41,7 +42,7 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
         height=Length(round(z, 3) + 0.0, bare=True), area=Area(area, ".6g"),
         share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip
-    return (Finding(Severity.NOTE, "facets-looking-down", text, area, 0.0, "mm2", place=(x, y, z)),)
+    return (report_finding(Code.FACETS_LOOKING_DOWN, text, area, 0.0, place=(x, y, z)),)
 
 
 def _middle(mesh: Mesh) -> Floats:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
@@ -98,7 +99,7 @@ def _mostly(slopes: Slopes, own: Bools, keep: Bools) -> Bools:
 def _at_rim(found: Finding, strip: Floats, region: Region) -> bool:
     """Whether a finding tells of planes far apart at the rim of the strip, corners (n, 3, 3): behind it the other strategy's
     passes lie, and the next level plane is nowhere near."""
-    if found.code != "least-interval" or found.place is None or not len(strip) or (found.value or 0.0) <= region.radius:
+    if found.code != Code.LEAST_INTERVAL or found.place is None or not len(strip) or (found.value or 0.0) <= region.radius:
         return False
     return float(np.linalg.norm(strip.reshape(-1, 3) - np.asarray(found.place), axis=1).min()) <= region.interval
 

@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import cache_chunks, dot
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Number, Sentence, Template, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -184,7 +185,7 @@ def _turned_within(word: Floats, low: float, high: float) -> Bools:
 
 
 def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
-    found = _left_out(Severity.NOTE, "facets-looking-down", _DOWN, mesh, area, out)
+    found = _left_out(Code.FACETS_LOOKING_DOWN, _DOWN, mesh, area, out)
     low, size = float(mesh.vertex[:, 2].min()), float(np.ptp(mesh.vertex))
     level = out & (mesh.vertex[mesh.face, 2].max(axis=1) <= low + LEVEL * size)
     if found is None or area[level].sum() < NEARLY * area[out].sum():
@@ -203,14 +204,14 @@ def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
 def report_too_steep(mesh: Mesh, area: Floats, out: Bools, most: float) -> Finding | None:
     """Say how much area the facets ``out`` (f,) have that lean more than ``most`` rad."""
     angle = Angle(math.degrees(most))
-    return _left_out(Severity.WARNING, "facets-beyond-axis-angle", _STEEP, mesh, area, out, most=angle)
+    return _left_out(Code.FACETS_BEYOND_AXIS_ANGLE, _STEEP, mesh, area, out, most=angle)
 
 
 def report_beyond(mesh: Mesh, area: Floats, out: Bools, kinematics: Chain | None) -> Finding | None:
     """Say how much area the facets ``out`` (f,) have that need rotary words beyond the limits."""
     if kinematics is None:
         return None
-    return _left_out(Severity.WARNING, "facets-beyond-machine", _BEYOND, mesh, area, out, limits=_limits(kinematics))
+    return _left_out(Code.FACETS_BEYOND_MACHINE, _BEYOND, mesh, area, out, limits=_limits(kinematics))
 
 
 def _limits(kinematics: Chain) -> Sentence:
@@ -224,9 +225,7 @@ def _limits(kinematics: Chain) -> Sentence:
     return say("{one} or {other}", one=one, other=other)
 
 
-def _left_out(
-    severity: Severity, code: str, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any
-) -> Finding | None:
+def _left_out(code: Code, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any) -> Finding | None:
     """The finding that says how much area is left out; its place is the centre of the largest such facet."""
     rows = np.flatnonzero(out)
     if not len(rows):
@@ -236,7 +235,7 @@ def _left_out(
     x, y, z = (float(v) for v in mesh.vertex[mesh.face[largest]].mean(axis=0))
     share = Number(100.0 * lost / total, ".3g")
     sentence = text.say(count=len(rows), area=Area(lost, ".6g"), share=share, **values)
-    return Finding(severity, code, sentence, value=lost, unit="mm2", place=(x, y, z))
+    return report_finding(code, sentence, lost, place=(x, y, z))
 
 
 def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: float) -> Sentence:

@@ -11,8 +11,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Area, Choice, Option, Sentence, joined, say
 from freecad_fiveaxis.core.tool import cutter_text
 
@@ -20,9 +21,6 @@ from .collision_avoidance import finished_area, unfinished_share
 from .over_table import AUTO
 from .programs import MilledProgram, Result
 from .settings import MILL, Settings, build_settings, flat_options
-
-ADVICE = "advice"
-"""The code of the finding."""
 
 SCALLOP = "scallop"
 LEAST, SHARE = 1.0, 0.01
@@ -113,13 +111,13 @@ def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
     best = trials[0] if trials else Trial({})
     if not is_worth(best):
         tried = joined([name_changes(one.changes) for one in trials], "; ") if trials else say("nothing else")
-        return Finding(Severity.NOTE, ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
+        return report_finding(Code.ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
     text = say(
         "Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead of {before}.",
         changes=name_changes(best.changes), gain=Area(best.gain, ".4g"), finished=Area(best.finished, ".4g"),
         time=clock(best.seconds), before=clock(seconds),
     )  # fmt: skip
-    return Finding(Severity.NOTE, ADVICE, text, best.gain, None, "mm2")
+    return report_finding(Code.ADVICE, text, best.gain)
 
 
 def name_changes(changes: Mapping[str, Any]) -> Sentence:

@@ -12,8 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -25,7 +26,7 @@ from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.gouge.worst import find_unproven, find_worst
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.orientation.order_with_axes import order_with_axes
-from freecad_fiveaxis.core.passes.keep_off import AVOIDED_NEAR, AVOIDED_UNPROVEN, KeepOff, facets_allowed, report_strip
+from freecad_fiveaxis.core.passes.keep_off import KeepOff, facets_allowed, report_strip
 from freecad_fiveaxis.core.tool.body import grow_body
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.cut_near_faces import cut_near_faces
@@ -131,7 +132,7 @@ def check_keep_off(context: MillContext, program: Program) -> tuple[Finding, ...
             allowance=Length(keep_off.allowance),
         )  # fmt: skip
         found.append(
-            Finding(Severity.ERROR, AVOIDED_NEAR, text, distance, keep_off.allowance, "mm", worst.row, worst.line, worst.place)
+            report_finding(Code.AVOIDED_FACES_NEAR, text, distance, keep_off.allowance, worst.row, worst.line, worst.place)
         )
     if open_ is not None:
         text = say(
@@ -139,5 +140,5 @@ def check_keep_off(context: MillContext, program: Program) -> tuple[Finding, ...
             "independent axes, the first in NC line {line}. Drive one group of axes after the other.",
             count=open_.rapids, allowance=Length(keep_off.allowance), line=open_.line,
         )  # fmt: skip
-        found.append(Finding(Severity.WARNING, AVOIDED_UNPROVEN, text, open_.bound, tolerance, "mm", open_.row, open_.line))
+        found.append(report_finding(Code.AVOIDED_FACES_UNPROVEN, text, open_.bound, tolerance, open_.row, open_.line))
     return tuple(found)

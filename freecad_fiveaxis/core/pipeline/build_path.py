@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge.leave_out import leave_out
@@ -59,7 +60,7 @@ def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLP
         seated, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, seated, axis)
     )
     if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
-        path = replace(path, findings=tuple(one for one in path.findings if one.code != "retract-below-part"))
+        path = replace(path, findings=tuple(one for one in path.findings if one.code != Code.RETRACT_BELOW_PART))
     if seated is not offset:
         path = replace(path, findings=seated.findings[len(offset.findings) :] + path.findings)
     return path, left_out

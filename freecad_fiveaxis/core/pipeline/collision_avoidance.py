@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Ints
 from freecad_fiveaxis.core.base.sentences import say
@@ -31,7 +32,6 @@ from freecad_fiveaxis.core.gouge import (
 from freecad_fiveaxis.core.gouge.table_check import check_table
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.orientation.spacing_radius import scallop_of
-from freecad_fiveaxis.core.passes.keep_off import FACETS_NEAR_AVOIDED, NEAR_AVOIDED
 from freecad_fiveaxis.core.tool.body import CUTTER, body_of
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
@@ -59,11 +59,12 @@ SAMPLES = 10_000
 """Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
 
 
-JUDGED = frozenset({"surface-tighter-than-cutter", "heel-in-hollow"})
+JUDGED = frozenset({Code.SURFACE_TIGHTER_THAN_CUTTER, Code.HEEL_IN_HOLLOW})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
 NOT_CUT = (
-    "facets-beyond-axis-angle", "facets-beyond-machine", "facets-without-free-axis", "outside-frames", FACETS_NEAR_AVOIDED,
+    Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_BEYOND_MACHINE, Code.FACETS_WITHOUT_FREE_AXIS, Code.OUTSIDE_FRAMES,
+    Code.FACETS_NEAR_AVOIDED,
 )  # fmt: skip
 """The codes of findings on facets that are not among those to be cut."""
 
@@ -166,7 +167,9 @@ def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> flo
 def rest_area(findings: tuple[Finding, ...]) -> float:
     """The area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides that no pass touches are
     uncut as well: the larger counts."""
-    return max(area_of(findings, "uncut"), area_of(findings, "side-not-machined")) + area_of(findings, NEAR_AVOIDED)
+    return max(area_of(findings, Code.UNCUT), area_of(findings, Code.SIDE_NOT_MACHINED)) + area_of(
+        findings, Code.NEAR_AVOIDED_FACES
+    )
 
 
 def area_of(findings: tuple[Finding, ...], *codes: str) -> float:

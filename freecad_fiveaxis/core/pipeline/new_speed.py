@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.nc.writer import write_nc
 
 from .options import nc_title, post_options
 from .programs import MilledProgram, Result
-from .safe_start import SPINDLE_OFF, find_spindle_off, start_plane
+from .safe_start import find_spindle_off, start_plane
 from .settings import Settings
 
 
@@ -32,7 +33,7 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
     draft = replace(draft, settings=settings)
     height, _ = start_plane(draft.context(progress), draft.program)
     nc = write_nc(draft.program, draft.dialect, nc_title(settings, draft.machine), post_options(settings), progress, height)
-    kept = tuple(one for one in draft.findings if one.code != SPINDLE_OFF)
+    kept = tuple(one for one in draft.findings if one.code != Code.SPINDLE_OFF)
     draft = replace(draft, nc=nc, findings=kept + find_spindle_off(settings))
     return replace(result, draft=draft, findings=_exchanged(result.findings, kept, find_spindle_off(settings)))
 
@@ -40,7 +41,7 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
 def _exchanged(findings: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]) -> tuple[Finding, ...]:
     """Those of the whole job with the ``new`` one about the spindle, which comes last of what the making of the program has found
     (``kept``, of which the proof may have dropped some)."""
-    others = [one for one in findings if one.code != SPINDLE_OFF]
+    others = [one for one in findings if one.code != Code.SPINDLE_OFF]
     draft = {id(one) for one in kept}
     first = next((at for at, one in enumerate(others) if id(one) not in draft), len(others))
     return (*others[:first], *new, *others[first:])

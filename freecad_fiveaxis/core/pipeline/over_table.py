@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import math
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Length, Option, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine
@@ -53,7 +54,7 @@ def report_part_in_table(settings: Settings, machine: Machine, mesh: Mesh) -> tu
         depth=Length(_table_height(settings, machine) - low, ".6g"), machine=machine.name, origin=Option("origin"),
         max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip
-    return (Finding(Severity.NOTE, "part-in-table", text, low, None, "mm"),)
+    return (report_finding(Code.PART_IN_TABLE, text, low),)
 
 
 def _table_height(settings: Settings, machine: Machine) -> float:

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.tool import Cutter
@@ -27,4 +28,4 @@ def unit_suspected(mesh: Mesh, cutter: Cutter) -> tuple[Finding, ...]:
         metres=Length(METRE * size, ".4g"),
         inches=Length(INCH * size, ".4g"),
     )
-    return (Finding(Severity.WARNING, "unit-suspected", text, size, cutter.diameter, "mm"),)
+    return (report_finding(Code.UNIT_SUSPECTED, text, size, cutter.diameter, unit="mm"),)

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Option, say
 from freecad_fiveaxis.core.controllers import Dialect
@@ -21,8 +22,6 @@ from freecad_fiveaxis.core.nc.start import UPRIGHT, by_reference, with_start
 from .context import Box, JobContext
 from .options import kept_off, tip_to_driven
 from .settings import Settings
-
-SPINDLE_OFF = "spindle-off"
 
 
 def started(dialect: Dialect, machine: Machine) -> Dialect:
@@ -52,7 +51,7 @@ def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]
             "length is active. Set the machine file's safe_start to reference or machine.",
             split=dialect.guide.on[0].split()[0],
         )
-        found += (Finding(Severity.NOTE, "starts-at-reference", text),)
+        found += (report_finding(Code.STARTS_AT_REFERENCE, text),)
     if machine.safe_start.retract == BY_NOTHING or not len(program.words):
         return found
     return found + _through_part(context.kinematics, program, context.box)
@@ -65,7 +64,7 @@ def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
         text, severity = say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")), Severity.WARNING
     else:
         text, severity = say("The spindle stays off, as asked: this program is for a dry run."), Severity.NOTE
-    return () if speed else (Finding(severity, SPINDLE_OFF, text),)
+    return () if speed else (report_finding(Code.SPINDLE_OFF, text, severity=severity),)
 
 
 def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
@@ -81,9 +80,7 @@ def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Findin
                 what=what,
             )
             x, y, z = place.tolist()
-            found.append(
-                Finding(Severity.ERROR, "start-through-part", text, block=row, line=int(program.line[row]), place=(x, y, z))
-            )
+            found.append(report_finding(Code.START_THROUGH_PART, text, block=row, line=int(program.line[row]), place=(x, y, z)))
     return tuple(found)
 
 

@@ -22,7 +22,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.gouge import GOUGES
 from freecad_fiveaxis.core.machine import fitted_columns
@@ -31,7 +32,6 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 from .deviation_scale import level_of, scale_end
 from .figures import Figures
-from .judgement import OVER, SINGULAR, UNPROVEN
 from .markers import Marker, markers
 from .playback import segment_foot
 from .thinning import COATS, coats, distances
@@ -163,7 +163,11 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
     A marker that no finding tells of has a row of its own, with a finding made of its numbers.
     """
     codes = [one.code for one in figures.findings]
-    whole = {codes.index(code) for code in (OVER, UNPROVEN, SINGULAR) if codes.count(code) > 1}
+    whole = {
+        codes.index(code)
+        for code in (Code.DEVIATION_OVER_TOLERANCE, Code.BOUND_OVER_TOLERANCE, Code.SINGULAR_BLOCK)
+        if codes.count(code) > 1
+    }
     rows = [Row(one.code, one, at in whole) for at, one in enumerate(figures.findings)]
     by_mark: dict[object, Row] = {(one.kind, one.finding.block): one for one in rows if not one.whole}
     by_mark |= {id(one.finding): one for one in rows if one.finding.block is None}
@@ -181,15 +185,19 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
 
 def _finding_of(figures: Figures, mark: Marker) -> Finding:
     """What is known of a marker, as a finding."""
-    if mark.block is None or mark.kind not in (LARGEST, OVER, SINGULAR):
+    if mark.block is None or mark.kind not in (LARGEST, Code.DEVIATION_OVER_TOLERANCE, Code.SINGULAR_BLOCK):
         severity = Severity.ERROR if mark.kind in GOUGES else Severity.NOTE
         line = None if mark.block is None else int(figures.program.line[mark.block])
         return mark.finding or Finding(severity, mark.kind, mark.label, block=mark.block, line=line, place=mark.place)
     there = spot(figures, mark.block)
-    if mark.kind == SINGULAR:
+    if mark.kind == Code.SINGULAR_BLOCK:
         value, unit, severity = max((turn for _, turn in there.turns), default=0.0), "deg", Severity.WARNING
     else:
-        value, unit, severity = there.deviation, "mm", Severity.ERROR if mark.kind == OVER else Severity.NOTE
+        value, unit, severity = (
+            there.deviation,
+            "mm",
+            Severity.ERROR if mark.kind == Code.DEVIATION_OVER_TOLERANCE else Severity.NOTE,
+        )
     return Finding(severity, mark.kind, mark.label, value, None, unit, there.block, there.line, mark.place)
 
 

@@ -27,7 +27,8 @@ import numpy as np
 
 from freecad_fiveaxis.core.audit import Audit
 from freecad_fiveaxis.core.audit.rates import RATE_ROUNDING
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Severity
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import GougeCheck, RestMaterial

@@ -68,7 +68,7 @@ def plain(value: object) -> Any:
     if isinstance(value, np.generic | np.ndarray):
         value = value.tolist()
     if isinstance(value, Enum):
-        return value.name.lower()
+        return str(value) if isinstance(value, str) else value.name.lower()
     if value is None or isinstance(value, str | bool | int):
         return value
     if isinstance(value, float):

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, joined, plural, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
@@ -28,7 +29,6 @@ from freecad_fiveaxis.core.motion.singularity import Singularity
 
 from .figures import WORST, axis_rates, inner_words, travel, worst_first
 
-OVER, UNPROVEN, SINGULAR = "deviation-over-tolerance", "bound-over-tolerance", "singular-block"
 ROUND_UP = 1.0 + 1e-4
 """A bound must not become less by being told with five digits."""
 UNHURRIED = 0.95
@@ -73,11 +73,10 @@ def judge(
 class _Kind:
     """One kind of trouble: ``values`` (m,) in ``unit``, the worst being the largest."""
 
-    severity: Severity
-    code: str
+    code: Code
     values: Floats
     limit: float | None
-    unit: str
+    severity: Severity | None = None
 
 
 def _findings(
@@ -98,7 +97,7 @@ def _findings(
 def _finding(kind: _Kind, program: Program, deviation: Deviation, row: int, text: str) -> Finding:
     x, y, z = deviation.place[row].tolist()
     value, line = float(kind.values[row]), int(program.line[row])
-    return Finding(kind.severity, kind.code, text, value, kind.limit, kind.unit, row, line, (x, y, z))
+    return report_finding(kind.code, text, value, kind.limit, row, line, (x, y, z), severity=kind.severity)
 
 
 def _over_tolerance(
@@ -134,7 +133,7 @@ def _over_tolerance(
         keep = singularity.singular[row]
         return joined((lead, say("Split it, or keep the tool off the pole.") if keep else say("Split it.")))
 
-    kind = _Kind(Severity.ERROR, OVER, deviation.segment, tolerance, "mm")
+    kind = _Kind(Code.DEVIATION_OVER_TOLERANCE, deviation.segment, tolerance)
     return _findings(kind, program, deviation, rows, whole, single)
 
 
@@ -159,7 +158,7 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
             tolerance=Length(tolerance),
         )
 
-    kind = _Kind(Severity.WARNING, UNPROVEN, deviation.bound, tolerance, "mm")
+    kind = _Kind(Code.BOUND_OVER_TOLERANCE, deviation.bound, tolerance)
     return _findings(kind, program, deviation, rows, whole, single)
 
 
@@ -193,7 +192,7 @@ def _near_pole(
             lean=_lean(singularity, row),
         )
 
-    kind = _Kind(Severity.WARNING, SINGULAR, turned, None, "deg")
+    kind = _Kind(Code.SINGULAR_BLOCK, turned, None)
     return _findings(kind, program, deviation, rows, whole, single)
 
 
@@ -220,7 +219,7 @@ def _note_harmless(program: Program, deviation: Deviation, singularity: Singular
         turns=_turns(program, row),
         lean=_lean(singularity, row),
     )
-    return [_finding(_Kind(Severity.NOTE, SINGULAR, turned, None, "deg"), program, deviation, row, text)]
+    return [_finding(_Kind(Code.SINGULAR_BLOCK, turned, None, Severity.NOTE), program, deviation, row, text)]
 
 
 def _lean(singularity: Singularity, row: int) -> Angle:

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
-from freecad_fiveaxis.core.gouge import GOUGES, INDEPENDENT_RAPID, Entries, GougeCheck, WayEntries
+from freecad_fiveaxis.core.gouge import GOUGES, Entries, GougeCheck, WayEntries
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool.body import PARTS
 
 from .figures import Figures, travel, worst_first
-from .judgement import OVER, SINGULAR
 
 MARKERS = 500
 """At most so many markers of a kind: more hide the part and slow the view down."""
@@ -44,8 +44,8 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
     return (
         *_marked(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
-        *_marked(figures, OVER, _run_peaks(over, deviation.segment), deviation.segment, "{:.4g} mm"),
-        *_marked(figures, SINGULAR, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
+        *_marked(figures, Code.DEVIATION_OVER_TOLERANCE, _run_peaks(over, deviation.segment), deviation.segment, "{:.4g} mm"),
+        *_marked(figures, Code.SINGULAR_BLOCK, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
         *_entered(figures),
         *_placed(figures),
     )
@@ -61,7 +61,7 @@ def _run_peaks(chosen: Bools, values: Floats) -> Ints:
 
 
 def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str) -> list[Marker]:
-    code = SINGULAR if kind == SINGULAR else OVER
+    code = Code.SINGULAR_BLOCK if kind == Code.SINGULAR_BLOCK else Code.DEVIATION_OVER_TOLERANCE
     by_block = {one.block: one for one in reversed(figures.findings) if one.code == code}
     marks = []
     for row in rows.tolist():
@@ -87,11 +87,11 @@ def _entered(figures: Figures) -> list[Marker]:
 def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEntries, Floats]]:
     """The cases of the check, and the rapids that are clear only if interpolated."""
     ways = gouge.ways
-    return [*gouge.cases(motion), *([] if ways is None else [(INDEPENDENT_RAPID, ways, ways.depth)])]
+    return [*gouge.cases(motion), *([] if ways is None else [(Code.INDEPENDENT_RAPID, ways, ways.depth)])]
 
 
 def _placed(figures: Figures) -> list[Marker]:
-    marked = (OVER, SINGULAR, *((*GOUGES, INDEPENDENT_RAPID) if figures.gouge else ()))
+    marked = (Code.DEVIATION_OVER_TOLERANCE, Code.SINGULAR_BLOCK, *((*GOUGES, Code.INDEPENDENT_RAPID) if figures.gouge else ()))
     others = [one for one in figures.findings if one.place is not None and one.code not in marked]
     return [Marker(one.place, one.code, _words(one), one, one.block) for one in others[:MARKERS] if one.place]
 

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.gouge import GOUGES, GougeCheck, RestMaterial, WayEntries, spots
 from freecad_fiveaxis.core.motion.program import Program
@@ -24,10 +25,10 @@ from .rest_material_map import HeightScale, height_scale, round_values, scale_ma
 DEEPEST = 10
 """So many places are named."""
 
-LABELS = {
-    "overcut": "deepest overcut",
-    "rapid-collision": "deepest entry between passes",
-    "holder-collision": "deepest entry of shank or holder",
+LABELS: Mapping[str, str] = {
+    Code.OVERCUT: "deepest overcut",
+    Code.RAPID_COLLISION: "deepest entry between passes",
+    Code.HOLDER_COLLISION: "deepest entry of shank or holder",
 }
 
 

@@ -9,15 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.rapids import INTERPOLATED
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, Task, plural, say
-from freecad_fiveaxis.core.gouge.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR, FIXTURE_UNPROVEN
-from freecad_fiveaxis.core.gouge.machine_check import MACHINE_COLLISION, MACHINE_UNPROVEN
-from freecad_fiveaxis.core.gouge.rapid_check import UNPROVEN_RAPID
-from freecad_fiveaxis.core.gouge.table_check import TABLE_COLLISION
 from freecad_fiveaxis.core.machine.bodies import SPINDLE
-from freecad_fiveaxis.core.passes.keep_off import AVOIDED_NEAR, AVOIDED_UNPROVEN
 
 from .figures import Figures
 from .verdict import ENTERS, is_checked
@@ -54,21 +49,27 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
             tolerance=Length(figures.tolerance),
         )
     errors = {one.code for one in figures.findings if one.severity is Severity.ERROR}
-    if is_checked(figures) and not errors & (set(ENTERS) - {TABLE_COLLISION, FIXTURE_COLLISION, MACHINE_COLLISION}):
+    if is_checked(figures) and not errors & (
+        set(ENTERS) - {Code.TABLE_COLLISION, Code.FIXTURE_COLLISION, Code.MACHINE_COLLISION}
+    ):
         yield from _out_of_the_part(figures)
-    if figures.table is not None and TABLE_COLLISION not in errors:
+    if figures.table is not None and Code.TABLE_COLLISION not in errors:
         yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
     names, codes = looked_at_bodies(figures), {one.code for one in figures.findings}
-    if names and not codes & {MACHINE_COLLISION, MACHINE_UNPROVEN}:
+    if names and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say("tool and spindle, as far as they are given, stay out of the machine's bodies: {names}", names=names)
-    if figures.fixtures and not codes & {FIXTURE_COLLISION, FIXTURE_UNPROVEN}:
+    if figures.fixtures and not codes & {Code.FIXTURE_COLLISION, Code.FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
         yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
         near = figures.inputs.get("fixture_clearance")
-        if isinstance(near, float) and near > figures.tolerance and FIXTURE_NEAR not in codes:
+        if isinstance(near, float) and near > figures.tolerance and Code.FIXTURE_NEAR not in codes:
             yield say("they keep {clearance} away from fixtures", clearance=Length(near))
     kept = figures.inputs.get("avoid_allowance")
-    if isinstance(kept, float) and kept > figures.tolerance and not codes & {AVOIDED_NEAR, AVOIDED_UNPROVEN}:
+    if (
+        isinstance(kept, float)
+        and kept > figures.tolerance
+        and not codes & {Code.AVOIDED_FACES_NEAR, Code.AVOIDED_FACES_UNPROVEN}
+    ):
         yield say(
             "cutter, shank and holder, as far as they are given, keep {distance} off the faces to avoid", distance=Length(kept)
         )
@@ -82,7 +83,7 @@ def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:
         "{tool} out of the part on feed moves and rapids, but for {tolerance}", tool=_tool(figures),
         tolerance=Length(figures.tolerance),
     )  # fmt: skip
-    if figures.rapids not in ("", INTERPOLATED) and all(one.code != UNPROVEN_RAPID for one in figures.findings):
+    if figures.rapids not in ("", INTERPOLATED) and all(one.code != Code.RAPID_UNPROVEN for one in figures.findings):
         yield say("on rapids that holds for each rate at which the axes may run beside each other")
 
 

@@ -16,7 +16,8 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 from freecad_fiveaxis.core.base.clauses import first_clause
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import (
     Area,
     Choice,
@@ -29,8 +30,6 @@ from freecad_fiveaxis.core.base.sentences import (
     plural,
     say,
 )
-
-from .judgement import OVER, SINGULAR, UNPROVEN
 
 if TYPE_CHECKING:
     from .figures import Figures
@@ -114,26 +113,26 @@ def judged_largest(numbers: Mapping[str, Any]) -> tuple[float, float]:
 
 # ------------------------------------------------------------------------------------------------ red
 
-ENTERS = {
-    "overcut": say("enters the part"),
-    "rapid-collision": say("hits the part between passes"),
-    "independent-rapid": say("a rapid with independent axes hits the part"),
-    "holder-collision": say("shank or holder hits the part"),
-    "table-collision": say("the tool goes below the table"),
-    "fixture-collision": say("the tool hits a fixture"),
-    "machine-collision": say("the tool hits the machine"),
-    "buried": say("the whole cutter is inside the part"),
-    "cut-too-deep": say("cuts too deep"),
+ENTERS: Mapping[str, Sentence] = {
+    Code.OVERCUT: say("enters the part"),
+    Code.RAPID_COLLISION: say("hits the part between passes"),
+    Code.INDEPENDENT_RAPID: say("a rapid with independent axes hits the part"),
+    Code.HOLDER_COLLISION: say("shank or holder hits the part"),
+    Code.TABLE_COLLISION: say("the tool goes below the table"),
+    Code.FIXTURE_COLLISION: say("the tool hits a fixture"),
+    Code.MACHINE_COLLISION: say("the tool hits the machine"),
+    Code.BURIED: say("the whole cutter is inside the part"),
+    Code.CUT_TOO_DEEP: say("cuts too deep"),
 }
 """What enters the part, the most frequent first; all of it before any other error."""
 
 
 def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     found = _of_severity(figures, Severity.ERROR)
-    for code in sorted(found, key=lambda code: [*ENTERS, OVER, code].index(code)):
+    for code in sorted(found, key=lambda code: [*ENTERS, Code.DEVIATION_OVER_TOLERANCE, code].index(code)):
         if code in ENTERS:
             yield ENTERS[code] + _where(code, found[code], numbers)
-        elif code == OVER:
+        elif code == Code.DEVIATION_OVER_TOLERANCE:
             yield _leaves_path(figures, numbers)
         else:
             yield first_clause(found[code][0].text)
@@ -143,7 +142,7 @@ def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) ->
     """As " at 203 places, 5 mm deep (NC line 17)"."""
     worst = max(found, key=lambda one: one.value or 0.0)
     depth = worst.value or 0.0
-    if code == "buried":
+    if code == Code.BURIED:
         clause = say(" in {count} blocks", count=Number(depth))
     else:
         places = numbers.get(f"{code.replace('-', '_')}_places", len(found))
@@ -191,31 +190,31 @@ def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
             all=feeds,
         )
     for code, found in _of_severity(figures, Severity.WARNING).items():
-        if code != UNPROVEN:
+        if code != Code.BOUND_OVER_TOLERANCE:
             yield _warning(code, found, numbers)
 
 
-WARNED = {
-    "spindle-off": Template("the spindle stays off"),
-    "lifted": Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
-    "left-out": Template("{value} of the passes are left out"),
-    "uncut": Template("more than scallops stays uncut on {value}"),
-    "near-avoided-faces": Template("{value} beside the faces to avoid stay uncut for the allowance on these"),
-    "facets-near-avoided": Template("{value} lie too near to the faces to avoid and are left out"),
-    "facets-beyond-axis-angle": Template("{value} are too steep for the largest axis angle and left out"),
-    "facets-beyond-machine": Template("{value} are beyond the machine's limits and left out"),
+WARNED: Mapping[str, Template] = {
+    Code.SPINDLE_OFF: Template("the spindle stays off"),
+    Code.LIFTED: Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
+    Code.LEFT_OUT: Template("{value} of the passes are left out"),
+    Code.UNCUT: Template("more than scallops stays uncut on {value}"),
+    Code.NEAR_AVOIDED_FACES: Template("{value} beside the faces to avoid stay uncut for the allowance on these"),
+    Code.FACETS_NEAR_AVOIDED: Template("{value} lie too near to the faces to avoid and are left out"),
+    Code.FACETS_BEYOND_AXIS_ANGLE: Template("{value} are too steep for the largest axis angle and left out"),
+    Code.FACETS_BEYOND_MACHINE: Template("{value} are beyond the machine's limits and left out"),
 }
 """What a warning says in the verdict; one that is not here gives its first clause."""
 
 
 def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
     worst = found[0]
-    if code == "side-not-machined":
+    if code == Code.SIDE_NOT_MACHINED:
         area = Area(sum(one.value or 0.0 for one in found), ".4g")
         return plural(len(found), "a side is not machined ({area})", "{count} sides are not machined ({area})", area=area)
-    if code == SINGULAR:
+    if code == Code.SINGULAR_BLOCK:
         return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
     clause = WARNED.get(code)
-    if clause is None or (worst.value is None and "{" in clause) or (code == "uncut" and worst.unit != "mm2"):
+    if clause is None or (worst.value is None and "{" in clause) or (code == Code.UNCUT and worst.unit != "mm2"):
         return first_clause(worst.text)
-    return clause.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == "lifted" else ".4g"))
+    return clause.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == Code.LIFTED else ".4g"))

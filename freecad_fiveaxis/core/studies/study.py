@@ -15,9 +15,10 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ReachError, SettingsError
 from freecad_fiveaxis.core.base.files import write_all
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools
 from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined, say
@@ -128,7 +129,7 @@ def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[F
         "or the table's height with {table_height}.",
         depth=Length(table - lowest), origin=Option("origin"), table_height=Option("table_height"),
     )  # fmt: skip
-    return None, (Finding(Severity.WARNING, "part-below-table", text, value=table - lowest, unit="mm"),)
+    return None, (report_finding(Code.PART_BELOW_TABLE, text, table - lowest),)
 
 
 def try_setups(
@@ -266,7 +267,7 @@ def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
             cure=Choice("cures", (cure,), alone=True),
             problem=problem,
         )
-        yield Finding(grave, "cannot-be-compared", text)
+        yield report_finding(Code.CANNOT_BE_COMPARED, text, severity=grave)
 
 
 def as_text(trial: Trial) -> str:

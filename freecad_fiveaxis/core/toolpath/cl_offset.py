@@ -17,7 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, say
 from freecad_fiveaxis.core.base.vectors import row_dot, slerp
@@ -207,7 +208,7 @@ def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) 
         report=Choice("gouge", ("report",)),
         lift=Choice("gouge", ("lift",)),
     )
-    return (Finding(Severity.WARNING, "heel-in-hollow", text, place=(x, y, z)),)
+    return (report_finding(Code.HEEL_IN_HOLLOW, text, place=(x, y, z)),)
 
 
 def heel_depth(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> Floats:

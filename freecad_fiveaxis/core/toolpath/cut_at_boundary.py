@@ -16,8 +16,9 @@ from typing import Any
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, row_dot, slerp
@@ -233,7 +234,7 @@ def _report_cut(path: OffsetPath, cut: OffsetPath, boundary: Boundary) -> Findin
         "The passes end at boundary {name}: {left} of {whole} lie inside.", name=boundary.name, left=Length(left, ".6g"),
         whole=Length(whole, ".6g"),
     )  # fmt: skip
-    return Finding(Severity.NOTE, "cut-at-boundary", text, left, unit="mm")
+    return report_finding(Code.CUT_AT_BOUNDARY, text, left)
 
 
 def _length(path: OffsetPath) -> float:

@@ -15,7 +15,8 @@ from dataclasses import replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, take_rows
 from freecad_fiveaxis.core.base.sentences import Length, Point, Template
 from freecad_fiveaxis.core.machine.kinematics import Chain
@@ -57,8 +58,8 @@ def feasible_rows(
     if not out.any():
         return path, axis
     found = (
-        _left_out(path, leaning, "axis-into-part", _LEANING), _left_out(path, flank, "flank-into-part", _FLANK),
-        _left_out(path, beyond, "axis-beyond-limits", _BEYOND),
+        _left_out(path, leaning, Code.AXIS_INTO_PART, _LEANING), _left_out(path, flank, Code.FLANK_INTO_PART, _FLANK),
+        _left_out(path, beyond, Code.AXIS_BEYOND_LIMITS, _BEYOND),
     )  # fmt: skip
     rows = lasting_rows(path, np.flatnonzero(~out))
     left = take_path_rows(path, rows)
@@ -66,7 +67,7 @@ def feasible_rows(
     return replace(left, findings=findings), take_rows(axis, rows)
 
 
-def _left_out(path: OffsetPath, out: Bools, code: str, text: Template) -> Finding | None:
+def _left_out(path: OffsetPath, out: Bools, code: Code, text: Template) -> Finding | None:
     first = int(out.argmax())
     if not out[first]:
         return None
@@ -74,4 +75,4 @@ def _left_out(path: OffsetPath, out: Bools, code: str, text: Template) -> Findin
     length = float(steps[(out[1:] | out[:-1]) & (np.diff(path.polyline) == 0)].sum())
     x, y, z = path.point[first].tolist()
     sentence = text.say(length=Length(length, ".1f"), at=Point((x, y, z), "g"))
-    return Finding(Severity.WARNING, code, sentence, value=length, limit=0.0, unit="mm", place=(x, y, z))
+    return report_finding(code, sentence, length, 0.0, place=(x, y, z))

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, Hit
-from freecad_fiveaxis.core.gouge.fixtures import FIXTURE_COLLISION, FIXTURE_NEAR
 from freecad_fiveaxis.core.report import Figures
 from freecad_fiveaxis.core.report.playback import Playback, Pose, following
 from freecad_fiveaxis.core.tool.body import PARTS, SPINDLE
@@ -144,7 +144,7 @@ class Player:
 
 def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
     """What is hit, of findings by their codes."""
-    fixture = (FIXTURE_COLLISION, FIXTURE_NEAR)
+    fixture = (Code.FIXTURE_COLLISION, Code.FIXTURE_NEAR)
     return Struck(
         frozenset(hit.entered for code, hit in hits if hit.entered and code not in fixture),
         frozenset(hit.entered for code, hit in hits if code in fixture),

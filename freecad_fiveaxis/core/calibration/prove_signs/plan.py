@@ -17,8 +17,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, Sentence, measure, say
 from freecad_fiveaxis.core.machine import Machine, Vector
@@ -279,7 +280,7 @@ def _unasked(wishes: Wishes) -> list[Finding]:
         z=Length(z, bare=True),
         mark=Option("mark"),
     )
-    return [Finding(Severity.WARNING, "mark-not-given", text, z, None, "mm")]
+    return [report_finding(Code.MARK_NOT_GIVEN, text, z)]
 
 
 def _findings(predicted_errors: tuple[tuple[str, Floats], ...]) -> list[Finding]:
@@ -293,5 +294,5 @@ def _findings(predicted_errors: tuple[tuple[str, Floats], ...]) -> list[Finding]
                 size=Length(size, ".2g"),
             )
             sentence += " before it, or give a --mark farther from the rotary axes or a larger --angle."
-            found.append(Finding(Severity.WARNING, "wrong-sign-hardly-seen", sentence, size, VISIBLE, "mm"))
+            found.append(report_finding(Code.WRONG_SIGN_HARDLY_SEEN, sentence, size, VISIBLE))
     return found

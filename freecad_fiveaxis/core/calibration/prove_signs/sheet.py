@@ -9,6 +9,7 @@ from html import escape
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.sentences import Length, Sentence, say
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
@@ -42,7 +43,7 @@ def verdict(plan: Plan) -> Sentence:
 
 def notices(plan: Plan) -> list[str]:
     """What stands on the sheet's first line: that nobody has said how high part and clamps reach."""
-    return [one.text for one in plan.findings if one.code == "mark-not-given"]
+    return [one.text for one in plan.findings if one.code == Code.MARK_NOT_GIVEN]
 
 
 def rows(plan: Plan, program: Program) -> list[dict[str, object]]:

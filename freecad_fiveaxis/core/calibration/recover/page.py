@@ -8,7 +8,7 @@ import textwrap
 from collections.abc import Mapping
 from html import escape
 
-from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.studies.setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
 
@@ -34,7 +34,7 @@ def verdict(found: Recovery) -> str:
     )
     if found.start is None:
         return text
-    same = not any(one.code == "post-and-machine-differ" for one in found.findings)
+    same = not any(one.code == Code.POST_AND_MACHINE_DIFFER for one in found.findings)
     name = found.start.name
     return text + (say(" {name} is that machine.", name=name) if same else say(" {name} is another machine.", name=name))
 

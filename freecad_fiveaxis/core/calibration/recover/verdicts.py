@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Option, Sentence, joined, measure, say
 from freecad_fiveaxis.core.machine import Axis
@@ -63,7 +64,7 @@ def _layouts(found: Recovery) -> Iterator[Finding]:
             more=more,
             machine=Option("machine"),
         )
-        yield Finding(Severity.ERROR, "layout-not-determined", text, float(len(found.others)), 0.0, "1")
+        yield report_finding(Code.LAYOUT_NOT_DETERMINED, text, float(len(found.others)), 0.0)
 
 
 def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
@@ -79,7 +80,7 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
             lines=lines,
             miss=Length(float(fit.miss[wrong].max()), ".4g"),
         )
-        yield Finding(Severity.WARNING, "rows-left-out", text, float(len(wrong)), 0.0, "1", line=int(pairs.line[wrong[0]]))
+        yield report_finding(Code.ROWS_LEFT_OUT, text, float(len(wrong)), 0.0, line=int(pairs.line[wrong[0]]))
     worst = float(fit.miss[fit.good].max(initial=0.0))
     lean = math.degrees(float(fit.lean[fit.good].max(initial=0.0)))
     if fit.scale > EQUAL and (worst > tolerance or lean > LEAST_LEAN):
@@ -91,12 +92,12 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
             lean=Angle(lean, ".3g"),
             scale=Number(fit.scale, ".3g"),
         )
-        yield Finding(Severity.ERROR, "poor-fit", text, worst, tolerance, "mm")
+        yield report_finding(Code.POOR_FIT, text, worst, tolerance)
     if found.skipped:
         text = say(
             "{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.", skipped=found.skipped
         )
-        yield Finding(Severity.NOTE, "blocks-without-row", text, float(found.skipped), unit="1")
+        yield report_finding(Code.BLOCKS_WITHOUT_ROW, text, float(found.skipped))
 
 
 def _certainties(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) -> Iterator[Finding]:
@@ -110,7 +111,7 @@ def _certainties(found: Recovery, fits: tuple[Parameter, ...], tolerance: float)
                 name=one.name,
                 kept=kept,
             )
-            yield Finding(Severity.ERROR, "not-determined", text)
+            yield report_finding(Code.NOT_DETERMINED, text)
         elif one.unit == "mm" and one.certainty > tolerance:
             text = say(
                 "{name} = {value} is certain within {certainty} only; give rows with larger turns.",
@@ -118,7 +119,7 @@ def _certainties(found: Recovery, fits: tuple[Parameter, ...], tolerance: float)
                 value=Length(one.value, ".4f"),
                 certainty=Length(one.certainty, ".2g"),
             )
-            yield Finding(Severity.WARNING, "uncertain", text, one.certainty, tolerance, "mm")
+            yield report_finding(Code.UNCERTAIN, text, one.certainty, tolerance)
 
 
 def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
@@ -140,7 +141,7 @@ def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
                 what=what,
             )
             severity = Severity.WARNING if one.unit == "mm" else Severity.ERROR
-            yield Finding(severity, "zero-elsewhere", text, one.value, 0.0, one.unit)
+            yield report_finding(Code.ZERO_ELSEWHERE, text, one.value, 0.0, unit=one.unit, severity=severity)
     assumed = [
         one.name[0] for one in fits[4:] if not one.fitted and not one.certainty_free < (100.0 if one.unit == "mm" else UNSURE)
     ]
@@ -150,7 +151,7 @@ def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
             "Give rows with larger turns to have them proven too.",
             assumed=", ".join(assumed),
         )
-        yield Finding(Severity.NOTE, "zeros-assumed", text)
+        yield report_finding(Code.ZEROS_ASSUMED, text)
 
 
 def _elsewhere(one: Parameter) -> bool:
@@ -168,7 +169,7 @@ def _shifted(zeros: list[Parameter]) -> Finding:
         values=", ".join(f"{one.value:.4f}" for one in zeros),
         certainty=Length(max(one.certainty for one in zeros), ".2g"),
     )
-    return Finding(Severity.WARNING, "zero-elsewhere", text, shift, 0.0, "mm")
+    return report_finding(Code.ZERO_ELSEWHERE, text, shift, 0.0, unit="mm")
 
 
 def _signs(found: Recovery) -> Iterator[Finding]:
@@ -180,7 +181,7 @@ def _signs(found: Recovery) -> Iterator[Finding]:
                 letter=axis.letter,
                 plus=_plus(axis),
             )
-            yield Finding(Severity.NOTE, "turns-against-iso", text)
+            yield report_finding(Code.TURNS_AGAINST_ISO, text)
 
 
 def _plus(axis: Axis) -> str:
@@ -192,12 +193,10 @@ def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) 
     if start is None:
         return
     own, layout = start_layout(start), found.fit.layout
-    code, effect = "post-and-machine-differ", _effect(found)
+    code, effect = Code.POST_AND_MACHINE_DIFFER, _effect(found)
     if own.slot != layout.slot:
         kinds = {"kind": layout.kind, "name": start.name, "own": KINDS.get(own.slot, own.kind)}
-        yield Finding(
-            Severity.ERROR, code, say("The machine that the post had in mind is {kind}, {name} is {own}.", **kinds) + effect
-        )
+        yield report_finding(code, say("The machine that the post had in mind is {kind}, {name} is {own}.", **kinds) + effect)
     if set(own.letters) != set(layout.letters):
         text = say(
             "The program has rotary words {letters}, {name} has {own}.",
@@ -205,7 +204,7 @@ def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) 
             name=start.name,
             own=" and ".join(own.letters),
         )
-        yield Finding(Severity.ERROR, code, text)
+        yield report_finding(code, text)
     elif own.letters != layout.letters:
         text = say(
             "For the post {letter} is the rotary axis nearer to the work, for {name} it is {own}.",
@@ -213,7 +212,7 @@ def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) 
             name=start.name,
             own=own.letters[0],
         )
-        yield Finding(Severity.ERROR, code, text + effect)
+        yield report_finding(code, text + effect)
     directions = dict(zip(layout.letters, (layout.direction1, layout.direction2), strict=True))
     for axis in start.rotary:
         if axis.letter in directions:
@@ -231,11 +230,11 @@ def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) 
                 apart=Length(one.apart, ".4f"),
                 effect=effect,
             )
-            yield Finding(Severity.ERROR, code, text, one.apart, limit, "mm")
+            yield report_finding(code, text, one.apart, limit, unit="mm")
 
 
 def _direction_mismatch(axis: Axis, direction: Floats, name: str, effect: str) -> Iterator[Finding]:
-    own, code = np.array(axis.direction), "post-and-machine-differ"
+    own, code = np.array(axis.direction), Code.POST_AND_MACHINE_DIFFER
     angle = math.degrees(math.acos(float(np.clip(own @ direction, -1.0, 1.0))))
     if angle > 179.9:
         text = say(
@@ -244,10 +243,9 @@ def _direction_mismatch(axis: Axis, direction: Floats, name: str, effect: str) -
             name=name,
             effect=effect,
         )
-        yield Finding(Severity.ERROR, code, text, 180.0, 0.0, "deg")
+        yield report_finding(code, text, 180.0, 0.0, unit="deg")
     elif angle > 1e-4:
-        yield Finding(
-            Severity.ERROR,
+        yield report_finding(
             code,
             say(
                 "{letter} is another axis: the post turns it about {way}, {name} about {own}.",
@@ -259,7 +257,7 @@ def _direction_mismatch(axis: Axis, direction: Floats, name: str, effect: str) -
             + effect,
             angle,
             0.0,
-            "deg",
+            unit="deg",
         )
 
 
@@ -278,11 +276,11 @@ def _assumed(found: Recovery) -> Iterator[Finding]:
             "them. Correct them from the machine's data sheet.",
             of=of,
         )
-        yield Finding(Severity.NOTE, "limits-unknown", text)
+        yield report_finding(Code.LIMITS_UNKNOWN, text)
     if any(axis.side == "head" for axis in found.machine.rotary) and not found.setup.tool_length:
         text = say(
             "A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to have the"
             " gauge point's written; else use the file with tool length 0.",
             tool_length=Option("tool_length"),
         )
-        yield Finding(Severity.NOTE, "tool-length-included", text)
+        yield report_finding(Code.TOOL_LENGTH_INCLUDED, text)

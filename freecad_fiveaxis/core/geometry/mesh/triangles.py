@@ -20,9 +20,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import cache_chunks
 from freecad_fiveaxis.core.base.errors import MeshError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Length, Point, Template, say
 
@@ -235,7 +236,7 @@ def join_loose(mesh: Mesh) -> Mesh:
     if found is None:
         return mesh
     joined = from_faces(mesh.vertex, found.face)
-    kept = [one for one in mesh.findings if one.code == "degenerate-facets"]
+    kept = [one for one in mesh.findings if one.code == Code.DEGENERATE_FACETS]
     findings = [_join_finding(mesh.vertex, *one) for one in zip(_JOIN_FINDINGS, found[1:], strict=True) if len(one[1])]
     return replace(joined, findings=(*kept, *findings, *joined.findings))
 
@@ -258,7 +259,7 @@ def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
         count=len(flat),
         at=_at(place),
     )
-    return Finding(Severity.NOTE, "degenerate-facets", text, value=float(len(flat)), limit=0.0, unit="1", place=place)
+    return report_finding(Code.DEGENERATE_FACETS, text, float(len(flat)), 0.0, place=place)
 
 
 def _turned(mesh: Mesh) -> Mesh:
@@ -268,7 +269,7 @@ def _turned(mesh: Mesh) -> Mesh:
         "All {count} facets looked inward and were turned outward; check the export if only some of them should.",
         count=len(mesh.face),
     )
-    finding = Finding(Severity.NOTE, "inward-facets", text, value=float(len(mesh.face)), limit=0.0, unit="1", place=place)
+    finding = report_finding(Code.INWARD_FACETS, text, float(len(mesh.face)), 0.0, place=place)
     return Mesh(
         mesh.vertex,
         np.asfortranarray(mesh.face[:, ::-1]),
@@ -380,38 +381,38 @@ def _put_ends(edge: Words, width: int, out: Ints) -> None:
 # ------------------------------------------------------------------------------------------------ findings
 
 _JOIN_FINDINGS = (
-    ("doubled-facets", Template("{count} facets were there twice, the first at {at}; one of each was kept.")),
-    ("corners-joined", Template("{count} corners next to others, the first at {at}, were joined with them.")),
+    (Code.DOUBLED_FACETS, Template("{count} facets were there twice, the first at {at}; one of each was kept.")),
+    (Code.CORNERS_JOINED, Template("{count} corners next to others, the first at {at}, were joined with them.")),
     (
-        "t-junctions-joined",
+        Code.T_JUNCTIONS_JOINED,
         Template("{count} corners lie on a side of another facet, the first at {at}; that facet was divided there."),
     ),
 )
 
 
-def _join_finding(vertex: Floats, named: tuple[str, Template], row: Ints) -> Finding:
+def _join_finding(vertex: Floats, named: tuple[Code, Template], row: Ints) -> Finding:
     (code, template), place = named, _place(vertex, row[:1])
     text = template.say(count=len(row), at=_at(place))
-    return Finding(Severity.NOTE, code, text, value=float(len(row)), limit=0.0, unit="1", place=place)
+    return report_finding(code, text, float(len(row)), 0.0, place=place)
 
 
 _EDGE_FINDINGS = (
     (
-        "open-shell",
+        Code.OPEN_SHELL,
         Template(
             "{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be "
             "solid."
         ),
     ),
     (
-        "inconsistent-winding",
+        Code.INCONSISTENT_WINDING,
         Template(
             "{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the "
             "facet normals."
         ),
     ),
     (
-        "non-manifold-edges",
+        Code.NON_MANIFOLD_EDGES,
         Template(
             "{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that "
             "meet there."
@@ -439,7 +440,7 @@ def _edge_findings(key: Words, half: Ints, low: int, vertex: Floats, face: Ints)
             place = _place(vertex, face[facet[worst], [corner, (corner + 1) % 3]])
             edges = int(np.count_nonzero(np.minimum(count, 3) == number))
             text = template.say(edges=edges, at=_at(place))
-            findings.append(Finding(Severity.WARNING, code, text, value=float(edges), limit=0.0, unit="1", place=place))
+            findings.append(report_finding(code, text, float(edges), 0.0, place=place))
     return findings, bool((2 * forward == count).all())
 
 

@@ -14,7 +14,8 @@ max    a head B over a table C. It moves the joints by its inverse,
 
 from __future__ import annotations
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Length, say
 
 from .record import Given, Kinematics, Pin, Turn, Y, Z, turned
@@ -36,7 +37,7 @@ def _fork_remarks(given: Given) -> tuple[Finding, ...]:
         "add motion.tooloffset.z to it by a sum2, or measure tools from the tip of that one.",
         pivot=Length(given.values[PIVOT]),
     )
-    return (Finding(Severity.WARNING, "constant-tool-offset", text, given.values[PIVOT]),)
+    return (report_finding(Code.CONSTANT_TOOL_OFFSET, text, given.values[PIVOT]),)
 
 
 def _head_over_table(given: Given) -> tuple[Turn, ...]:
@@ -53,8 +54,8 @@ def _max_remarks(given: Given) -> tuple[Finding, ...]:
     )
     length = say("maxkins turns the tool length with the head only where it is a W offset of the tool table; enter it there.")
     return (
-        Finding(Severity.WARNING, "forward-differs", forward),
-        Finding(Severity.NOTE, "tool-length-in-w", length),
+        report_finding(Code.FORWARD_DIFFERS, forward),
+        report_finding(Code.TOOL_LENGTH_IN_W, length),
     )
 
 

@@ -12,9 +12,10 @@ import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.files import read_bytes
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
@@ -65,23 +66,23 @@ def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
         text = say(
             "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.", lacking=", ".join(lacking)
         )
-        found.append(Finding(Severity.NOTE, "machine-default", text))
+        found.append(report_finding(Code.MACHINE_DEFAULT, text))
     if is_older(data["machine"]["axes"]):
         text = say(
             "The file is of an older layout, which does not say what carries what; taken: X and Y move the table, Z the head. "
             "Limits are those beside each axis."
         )
-        found.append(Finding(Severity.NOTE, "machine-default", text))
+        found.append(report_finding(Code.MACHINE_DEFAULT, text))
     if not extra:
         text = say(
             "The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting."
         )
-        found.append(Finding(Severity.WARNING, "sign-unproven", text))
+        found.append(report_finding(Code.SIGN_UNPROVEN, text))
     kinematics = data["machine"].get("kinematics")
     frame = kinematics.get("base_frame") if isinstance(kinematics, dict) else None
     if isinstance(frame, dict) and any(frame.get(key, value) != value for key, value in UPRIGHT.items()):
         text = say("The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.")
-        found.append(Finding(Severity.ERROR, "base-frame-not-used", text))
+        found.append(report_finding(Code.BASE_FRAME_NOT_USED, text))
     return replace(machine, controller=machine.controller or _controller(data)), tuple(found)
 
 

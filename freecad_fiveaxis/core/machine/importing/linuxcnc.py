@@ -13,8 +13,9 @@ import math
 import re
 from pathlib import Path
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import MachineError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.machine import Axis, Machine
 
@@ -125,7 +126,7 @@ def _unread(hal: HalValues, kind: Kinematics) -> list[Finding]:
         module=kind.name,
         error=hal.unread[0],
     )
-    return [Finding(Severity.NOTE, "hal-file-not-read", text)]
+    return [report_finding(Code.HAL_FILE_NOT_READ, text)]
 
 
 def _held(kind: Kinematics, given: Given, turns: tuple[Turn, ...]) -> list[Finding]:
@@ -138,7 +139,7 @@ def _held(kind: Kinematics, given: Given, turns: tuple[Turn, ...]) -> list[Findi
         module=kind.name,
         letters=" and ".join(held),
     )
-    return [Finding(Severity.WARNING, "axis-held", text)]
+    return [report_finding(Code.AXIS_HELD, text)]
 
 
 def _unit(ini: IniFile, key: str, known: dict[str, float]) -> float:

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Number, say
 
 from .hal_files import HalValues
@@ -70,7 +71,7 @@ def _lacking(given: Mapping[str, float | None], kind: Kinematics) -> list[Findin
         lacking=" and ".join(lacking),
         module=kind.name,
     )
-    return [Finding(Severity.WARNING, "offset-not-set", text)]
+    return [report_finding(Code.OFFSET_NOT_SET, text)]
 
 
 def _unused(hal: HalValues, kind: Kinematics) -> list[Finding]:
@@ -78,7 +79,7 @@ def _unused(hal: HalValues, kind: Kinematics) -> list[Finding]:
     for name in kind.unused:
         if number := hal.value(kind.pin(name)):
             text = say("{unused} is {given}, but {module} does not use it.", unused=name, given=Number(number), module=kind.name)
-            found.append(Finding(Severity.WARNING, "offset-not-used", text, number))
+            found.append(report_finding(Code.OFFSET_NOT_USED, text, number))
     return found
 
 
@@ -90,7 +91,7 @@ def _constant(kind: Kinematics, constant: float) -> list[Finding]:
         pin=kind.tool,
         given=Number(constant),
     )
-    return [Finding(Severity.WARNING, "constant-tool-offset", text, constant)]
+    return [report_finding(Code.CONSTANT_TOOL_OFFSET, text, constant)]
 
 
 def _by_panel(hal: HalValues, kind: Kinematics) -> list[Finding]:
@@ -102,4 +103,4 @@ def _by_panel(hal: HalValues, kind: Kinematics) -> list[Finding]:
         module=kind.name,
         taken=", ".join(taken),
     )
-    return [Finding(Severity.WARNING, "offset-from-panel", text)]
+    return [report_finding(Code.OFFSET_FROM_PANEL, text)]

@@ -11,8 +11,9 @@ Source: ``trivkins.c``.
 
 from __future__ import annotations
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import MachineError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 
 from .record import Given, Kinematics, Turn, X, Y
@@ -55,7 +56,7 @@ def _remarks(given: Given) -> tuple[Finding, ...]:
         letter=rotary[0],
         along="X" if rotary[0] == "A" else "Y",
     )
-    return (Finding(Severity.WARNING, "rotary-assumed", text),)
+    return (report_finding(Code.ROTARY_ASSUMED, text),)
 
 
 TRIVIAL = (Kinematics("trivkins", "XYZABCUVW", "", _turns, _remarks, spare="XYZABCUVW"),)

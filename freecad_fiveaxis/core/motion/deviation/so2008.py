@@ -24,7 +24,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
@@ -192,4 +193,4 @@ def _rootless_finding(rootless: int, blocks: int) -> tuple[Finding, ...]:
         rootless=rootless,
         blocks=blocks,
     )
-    return (Finding(Severity.NOTE, "so2008-no-root", text, float(rootless), 0.0, "1"),)
+    return (report_finding(Code.SO2008_NO_ROOT, text, float(rootless), 0.0),)

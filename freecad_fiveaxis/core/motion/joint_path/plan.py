@@ -18,9 +18,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import Matrix, mapped, split
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
@@ -320,7 +321,5 @@ def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding
                     origin=Option("origin"),
                 )
                 x, y, z = path.tip[worst].tolist()
-                findings.append(
-                    Finding(Severity.ERROR, "limit", text, float(q[worst, axis]), limit, "mm", worst, None, (x, y, z))
-                )
+                findings.append(report_finding(Code.LIMIT, text, float(q[worst, axis]), limit, worst, place=(x, y, z), unit="mm"))
     return tuple(findings)

@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import in_threads
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 from freecad_fiveaxis.core.base.vectors import slerp
@@ -246,14 +247,12 @@ def rewind_findings(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints
             after=Angle(after[axis], ".3f"),
         )
         place = _point(given.path.tip[step])
-        findings.append(
-            Finding(Severity.WARNING, "rewind", text, float(abs(after - before)[axis]), None, "deg", block, None, place)
-        )
+        findings.append(report_finding(Code.REWIND, text, float(abs(after - before)[axis]), block=block, place=place))
     if len(breaks) > 1:
         text = say(
             "{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.", count=len(breaks)
         )
-        findings.append(replace(findings[0], code="rewinds", text=text, value=float(len(breaks)), unit="1"))
+        findings.append(replace(findings[0], code=Code.REWINDS, text=text, value=float(len(breaks)), unit="1"))
     if (uncut > 0.0).any():
         worst = int(uncut.argmax())
         text = say(
@@ -264,7 +263,7 @@ def rewind_findings(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints
         )
         place = _point(given.path.tip[breaks[worst]])
         block = int(np.searchsorted(driven.row, breaks[worst] + 1))
-        findings.append(Finding(Severity.WARNING, "uncut", text, float(uncut[worst]), 0.0, "mm", block, None, place))
+        findings.append(report_finding(Code.UNCUT, text, float(uncut[worst]), 0.0, block, place=place, unit="mm"))
     return tuple(findings)
 
 

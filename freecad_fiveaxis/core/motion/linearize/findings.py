@@ -14,7 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, Option, Sentence, measure, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
@@ -49,7 +50,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             tolerance=Length(tolerance),
             pieces=outcome.count[divided].sum(),
         )
-        reports.append(Finding(Severity.NOTE, "linearized", text, float(divided.sum()), None, "1"))
+        reports.append(report_finding(Code.LINEARIZED, text, float(divided.sum())))
     if even.any():
         text = say(
             "In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis "
@@ -57,7 +58,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             "pole to avoid it.",
             count=even.sum(),
         )
-        reports.append(_at(kinematics, Severity.NOTE, "rotary-words-even", text, float(even.sum()), None, "1", words, rows[even]))
+        reports.append(_at(kinematics, Code.ROTARY_WORDS_EVEN, text, float(even.sum()), None, "1", words, rows[even]))
     if coarse.any():
         value = float(outcome.held[coarse].max())
         worst = rows[coarse][np.argmax(outcome.held[coarse]) :]
@@ -73,7 +74,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             spot=_spot(kinematics, words[worst[0]]),
             value=Length(value, ".3g"),
         )
-        reports.append(_at(kinematics, Severity.WARNING, "linearize-rounding", text, value, tolerance, "mm", words, worst))
+        reports.append(_at(kinematics, Code.LINEARIZE_ROUNDING, text, value, tolerance, "mm", words, worst))
     if whole.any():
         text = say(
             "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of "
@@ -83,9 +84,7 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
             tolerance=Length(tolerance),
             spot=_spot(kinematics, words[rows[whole][0]]),
         )
-        reports.append(
-            _at(kinematics, Severity.WARNING, "linearize-impossible", text, float(whole.sum()), 0.0, "1", words, rows[whole])
-        )
+        reports.append(_at(kinematics, Code.LINEARIZE_IMPOSSIBLE, text, float(whole.sum()), 0.0, "1", words, rows[whole]))
     return (*reports, *_beyond_limits(kinematics, words, new))
 
 
@@ -96,18 +95,17 @@ def _end_rows(outcome: Outcome) -> Ints:
 
 def _at(
     kinematics: Chain,
-    severity: Severity,
-    code: str,
+    code: Code,
     text: str,
     value: float,
     limit: float | None,
-    unit: str,
+    unit: str | None,
     words: Floats,
     rows: Ints,
 ) -> Finding:
     """A finding at the first of ``rows``."""
     row = int(rows[0])
-    return Finding(severity, code, text, value, limit, unit, row, None, _place(kinematics, words[row]))
+    return report_finding(code, text, value, limit, row, place=_place(kinematics, words[row]), unit=unit)
 
 
 def _place(kinematics: Chain, words: Floats) -> tuple[float, float, float]:
@@ -140,7 +138,5 @@ def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]
                 count=(excess > LIMIT_SLACK).sum(),
                 origin=Option("origin"),
             )
-            reports.append(
-                _at(kinematics, Severity.ERROR, "linearize-limit", text, float(words[row, k]), limit, unit, words, new[worst:])
-            )
+            reports.append(_at(kinematics, Code.LINEARIZE_LIMIT, text, float(words[row, k]), limit, unit, words, new[worst:]))
     return reports

@@ -14,8 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import cache_chunks
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward, inverse_axis, joint_words, words_to_q
@@ -79,4 +80,4 @@ def rounding_finding(kinematics: Chain, words: Floats, tip: Floats, axis: Floats
         off=Length(off, ".2g"),
         lean=Angle(math.degrees(lean), ".2g"),
     )
-    return Finding(Severity.NOTE, "tip-guided-by-controller", text, off, None, "mm")
+    return report_finding(Code.TIP_GUIDED_BY_CONTROLLER, text, off, unit="mm")

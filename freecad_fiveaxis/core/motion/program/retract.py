@@ -13,9 +13,10 @@ from itertools import product
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import cos_sin
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
@@ -90,4 +91,4 @@ def within_travel(kinematics: Chain, height: float) -> tuple[float, tuple[Findin
         height=Length(height, bare=True),
         limit=Length(limit, ".4g", bare=True),
     )
-    return limit, (Finding(Severity.WARNING, "safe-start-beyond-limit", text, height, limit, "mm"),)
+    return limit, (report_finding(Code.SAFE_START_BEYOND_LIMIT, text, height, limit),)

@@ -16,9 +16,10 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.columns import empty_rows
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze, take_rows
@@ -109,7 +110,7 @@ def build_program(
 
 def _no_inverse_time(dialect: Dialect) -> tuple[Finding, ...]:
     text = say("{name} has no inverse time (G93): F is written in mm/min, one for each block.", name=dialect.name)
-    return (Finding(Severity.NOTE, "no-inverse-time", text),)
+    return (report_finding(Code.NO_INVERSE_TIME, text),)
 
 
 def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Floats, Ints]:
@@ -175,7 +176,7 @@ def _first_findings(motion: Bytes) -> tuple[Finding, ...]:
     if not len(motion) or motion[0] == Motion.RAPID:
         return ()
     text = say("The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.")
-    return (Finding(Severity.NOTE, "first-position-rapid", text, block=0),)
+    return (report_finding(Code.FIRST_POSITION_RAPID, text, block=0),)
 
 
 @dataclass(frozen=True)
@@ -272,18 +273,18 @@ def _feed_findings(commanded: Floats, held: Bools, scale: _FeedScale) -> tuple[F
     below = np.flatnonzero(commanded < step / (1.0 + FEED_SLACK))
     below = below[commanded[below] > 0.0]  # not those of rapids
     cases = (
-        (np.flatnonzero(held), Severity.NOTE, "feed-held-back",
+        (np.flatnonzero(held), Code.FEED_HELD_BACK,
          HELD, float(held.sum()), 0.0, "1"),
-        (np.flatnonzero(commanded > scale.largest), Severity.NOTE, "feed-above-largest",
+        (np.flatnonzero(commanded > scale.largest), Code.FEED_ABOVE_LARGEST,
          ABOVE,
          float(commanded.max(initial=0.0)), scale.largest, unit),
-        (below, Severity.WARNING, "feed-below-step", BELOW,
+        (below, Code.FEED_BELOW_STEP, BELOW,
          float(commanded[below].min(initial=step)), step, unit),
     )  # fmt: skip
     found = []
-    for blocks, severity, code, text, value, limit, unit_of in cases:
+    for blocks, code, text, value, limit, unit_of in cases:
         if len(blocks):
             block = int(blocks[0])
             programmed = text.say(count=len(blocks))
-            found.append(Finding(severity, code, programmed, value, limit, unit_of, block, scale.dialect.first_line + block))
+            found.append(report_finding(code, programmed, value, limit, block, scale.dialect.first_line + block, unit=unit_of))
     return tuple(found)

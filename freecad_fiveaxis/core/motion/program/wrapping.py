@@ -12,7 +12,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.number_text import rounded
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
@@ -60,7 +61,7 @@ def by_the_shorter_way(
                 name=dialect.name,
                 letter=letter,
             )
-            found.append(Finding(Severity.WARNING, "wrap-not-written", text))
+            found.append(report_finding(Code.WRAP_NOT_WRITTEN, text))
         if rotary[k] != "modulo":
             continue
         turns = shorter_turns(words[:, 3 + k])
@@ -83,4 +84,4 @@ def _other_way(letter: str, blocks: Ints, feeding: Bools) -> Finding:
         cutting=cutting,
     )
     severity = Severity.WARNING if cutting else Severity.NOTE
-    return Finding(severity, "turned-the-shorter-way", text, float(len(blocks)), None, "1", int(blocks[0]))
+    return report_finding(Code.TURNED_THE_SHORTER_WAY, text, float(len(blocks)), block=int(blocks[0]), severity=severity)

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -158,4 +159,4 @@ def _findings(arcs: Arcs, good: Bools, line: Ints) -> list[Finding]:
         "{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.",
         count=len(bad),
     )
-    return [Finding(Severity.ERROR, "arc-without-centre", text, float(len(bad)), line=int(line[arcs.row[bad[0]]]))]
+    return [report_finding(Code.ARC_WITHOUT_CENTRE, text, float(len(bad)), line=int(line[arcs.row[bad[0]]]))]

@@ -20,8 +20,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, say
 
@@ -297,9 +298,8 @@ def _new_words(cycles: CycleMoves, rows: Ints, count: Ints, shift: Ints, table: 
 
 def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding]:
     found = [
-        Finding(
-            Severity.ERROR,
-            codes.CYCLE_KIND[1],
+        report_finding(
+            codes.CYCLE_KIND[0],
             say(
                 "The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.",
                 code=f"{code / 10:g}",
@@ -316,12 +316,12 @@ def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding
             "No other place hangs on it.",
             back=Length(WAYS[controller].peck),
         )
-        found.append(Finding(Severity.NOTE, "peck-clearance", text, line=int(pecks[0])))
+        found.append(report_finding(Code.PECK_CLEARANCE, text, line=int(pecks[0])))
     fine = np.flatnonzero(lines.any_of((FINE,)))
     if controller in WAYS and len(fine) and cycles.moves:
         text = say(
             "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, "
             "and comes back above."
         )
-        found.append(Finding(Severity.NOTE, "boring-shift", text, line=int(fine[0])))
+        found.append(report_finding(Code.BORING_SHIFT, text, line=int(fine[0])))
     return found

@@ -7,14 +7,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
 
 FOLLOW = (
-    codes.MACRO[1], codes.CALL[1], codes.CYCLE_KIND[1], "feed-by-parameter", "no-feed", "plane-not-taken", "position-unknown",
-    "no-motion-code",
+    codes.MACRO[0], codes.CALL[0], codes.CYCLE_KIND[0], Code.FEED_BY_PARAMETER, Code.NO_FEED, Code.PLANE_NOT_TAKEN,
+    Code.POSITION_UNKNOWN, Code.NO_MOTION_CODE,
 )  # fmt: skip
 """Codes of what is missing, or stands where it would not, in a program that is not run."""
 

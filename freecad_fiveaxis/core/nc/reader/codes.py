@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.sentences import say
 
 NONE, RAPID, STRAIGHT, ARC, CYCLE, SPLINE_MODE = -1, 0, 1, 2, 3, 4
@@ -91,66 +91,55 @@ AXIS_LETTERS = "XYZABC"
 ABSOLUTE = "u"
 """u3: the word of A in this line, the fourth of AXIS_LETTERS, is absolute whatever is in force (Siemens' A=AC())."""
 
-Kind = tuple[Severity, str, str]
-CYCLE_KIND: Kind = (Severity.ERROR, "cycle-not-interpreted", say("cycles, whose moves are missing here; post straight moves"))
+Kind = tuple[Code, str]
+CYCLE_KIND: Kind = (Code.CYCLE_NOT_INTERPRETED, say("cycles, whose moves are missing here; post straight moves"))
 ARC_KIND: Kind = (
-    Severity.ERROR,
-    "arc-not-interpreted",
+    Code.ARC_NOT_INTERPRETED,
     say("arcs of a form that is not known here, taken as straight to their end points; post straight moves"),
 )
 SPLINE: Kind = (
-    Severity.ERROR,
-    "spline-not-interpreted",
+    Code.SPLINE_NOT_INTERPRETED,
     say("splines, taken as straight to their end points; post straight moves"),
 )
-CALL: Kind = (Severity.ERROR, "call-not-interpreted", say("calls, whose moves are missing here; post one program without them"))
+CALL: Kind = (Code.CALL_NOT_INTERPRETED, say("calls, whose moves are missing here; post one program without them"))
 HOME: Kind = (
-    Severity.WARNING,
-    "machine-position",
+    Code.MACHINE_POSITION,
     say("moves to machine positions unknown to the program; they are not audited"),
 )
-SHIFT: Kind = (Severity.ERROR, "offset-not-interpreted", say("shifts, turns or scales of the coordinates; post without them"))
+SHIFT: Kind = (Code.OFFSET_NOT_INTERPRETED, say("shifts, turns or scales of the coordinates; post without them"))
 POLAR: Kind = (
-    Severity.ERROR,
-    "polar-not-interpreted",
+    Code.POLAR_NOT_INTERPRETED,
     say("polar coordinates, whose moves are missing here; post X, Y and Z"),
 )
-RADIUS: Kind = (Severity.ERROR, "compensation-not-interpreted", say("cutter compensation; the words are taken as they are"))
-PER_TURN_KIND: Kind = (Severity.WARNING, "feed-per-turn", say("feeds per spindle turn; no time is given for these blocks"))
+RADIUS: Kind = (Code.COMPENSATION_NOT_INTERPRETED, say("cutter compensation; the words are taken as they are"))
+PER_TURN_KIND: Kind = (Code.FEED_PER_TURN, say("feeds per spindle turn; no time is given for these blocks"))
 MACRO: Kind = (
-    Severity.ERROR,
-    "macro-not-interpreted",
+    Code.MACRO_NOT_INTERPRETED,
     say("variables, expressions or jumps; their words are missing here. Post without them"),
 )
 CORNER: Kind = (
-    Severity.ERROR,
-    "corner-not-interpreted",
+    Code.CORNER_NOT_INTERPRETED,
     say("roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and arcs"),
 )
 SPATIAL: Kind = (
-    Severity.ERROR,
-    "orientation-not-interpreted",
+    Code.ORIENTATION_NOT_INTERPRETED,
     say("tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"),
 )
-UNKNOWN: Kind = (Severity.WARNING, "unknown-code", say("not known and not interpreted; what it does is missing here"))
+UNKNOWN: Kind = (Code.UNKNOWN_CODE, say("not known and not interpreted; what it does is missing here"))
 DELTA: Kind = (
-    Severity.NOTE,
-    "tool-delta",
+    Code.TOOL_DELTA,
     say("a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference"),
 )
 PRESET: Kind = (
-    Severity.NOTE,
-    "datum-of-table",
+    Code.DATUM_OF_TABLE,
     say("the zero is that row of the control's table; the program is read as if the work zero stood there"),
 )
 PRESETS: Kind = (
-    Severity.WARNING,
-    "work-offset-change",
+    Code.WORK_OFFSET_CHANGE,
     say("rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own"),
 )
 WAY: Kind = (
-    Severity.WARNING,
-    "rotary-direction",
+    Code.ROTARY_DIRECTION,
     say("rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words"),
 )
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -142,4 +142,4 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
         count=len(lost),
         line=int(line[lost[0]]),
     )
-    return [Finding(Severity.ERROR, codes.CORNER[1], text, float(len(lost)), line=int(line[lost[0]]))]
+    return [report_finding(codes.CORNER[0], text, float(len(lost)), line=int(line[lost[0]]), unit="")]

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -246,4 +247,4 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
         count=len(lost),
         line=int(line[lost[0]]),
     )
-    return [Finding(Severity.ERROR, "corner-not-interpreted", text, float(len(lost)), line=int(line[lost[0]]))]
+    return [report_finding(Code.CORNER_NOT_INTERPRETED, text, float(len(lost)), line=int(line[lost[0]]))]

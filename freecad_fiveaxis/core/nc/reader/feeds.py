@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Template
 
@@ -29,17 +30,11 @@ def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Flo
     inverse: Bools = mode[at] == codes.INVERSE
     own = last[at] == at
     cases = (
-        (feeding & ~(feed > 0.0), "no-feed", NO_FEED),
-        (feeding & inverse & ~own & (feed > 0.0), "inverse-feed-missing", NO_INVERSE_FEED),
+        (feeding & ~(feed > 0.0), Code.NO_FEED, NO_FEED),
+        (feeding & inverse & ~own & (feed > 0.0), Code.INVERSE_FEED_MISSING, NO_INVERSE_FEED),
     )
     found = [
-        Finding(
-            Severity.ERROR,
-            code,
-            text.say(count=int(rows.sum())),
-            block=int(rows.argmax()),
-            line=int(at[rows.argmax()]),
-        )
+        report_finding(code, text.say(count=int(rows.sum())), block=int(rows.argmax()), line=int(at[rows.argmax()]))
         for rows, code, text in cases
         if rows.any()
     ]

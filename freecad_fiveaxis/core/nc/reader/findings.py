@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Choice, Number, Option, Template, say
 from freecad_fiveaxis.core.controllers.dialect import Dialect
@@ -65,7 +66,7 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
     if keep < len(words.line):
         line = int(words.line[keep])
         text = say("The lines after the end of the program in line {last} are not read.", last=last)
-        findings = (Finding(Severity.NOTE, "text-after-end", text, line=line),)
+        findings = (report_finding(Code.TEXT_AFTER_END, text, line=line),)
     start = None if words.start is None else words.start[:keep]
     return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
 
@@ -78,7 +79,7 @@ def shift_finding(name: str, reason: str, row: int) -> Finding:
         name=name,
         reason=reason,
     )
-    return Finding(Severity.ERROR, codes.SHIFT[1], text, line=row)
+    return report_finding(codes.SHIFT[0], text, line=row)
 
 
 def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
@@ -100,7 +101,7 @@ def language_finding(language: str, expected: str) -> tuple[Finding, ...]:
         language=NAMES[language],
         option=Option("controller"),
     )
-    return (Finding(Severity.NOTE, "other-language", text),)
+    return (report_finding(Code.OTHER_LANGUAGE, text),)
 
 
 def read_as_finding(language: str, controller: str) -> Finding:
@@ -111,7 +112,7 @@ def read_as_finding(language: str, controller: str) -> Finding:
         controller=controller,
         option=Option("controller"),
     )
-    return Finding(Severity.NOTE, "read-as", text)
+    return report_finding(Code.READ_AS, text)
 
 
 def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Finding], list[Finding]]:
@@ -139,7 +140,7 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
                     name=name,
                     count=count,
                 )
-                found.append(Finding(Severity.WARNING, "unknown-code", text, float(count), line=line))
+                found.append(report_finding(Code.UNKNOWN_CODE, text, float(count), line=line))
         known += [one for kind, named in met.items() for one in kind_findings(kind, named)]
     return found, known
 
@@ -171,10 +172,10 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
                 letter=letter,
                 count=count,
             )
-            found.append(Finding(Severity.ERROR, "unknown-axis", text, float(count), line=line))
+            found.append(report_finding(Code.UNKNOWN_AXIS, text, float(count), line=line))
         elif not ((letter in "IJKR" and arcs) or (letter in "IJK" and (vectors or tilts))):
             text = say("The {count} words {letter} are not interpreted.", count=count, letter=letter)
-            found.append(Finding(Severity.WARNING, "word-not-interpreted", text, float(count), line=line))
+            found.append(report_finding(Code.WORD_NOT_INTERPRETED, text, float(count), line=line))
     return found
 
 
@@ -192,11 +193,11 @@ def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, gramm
             "The first motion line does not say where {unknown} stand; they are taken as 0 there.",
             unknown=", ".join(sorted(unknown)),
         )
-        found.append(Finding(Severity.NOTE, "position-unknown", text, block=0, line=first))
+        found.append(report_finding(Code.POSITION_UNKNOWN, text, block=0, line=first))
     if (mode == codes.NONE).any():
         block = int((mode == codes.NONE).argmax())
         text = say("Axis words stand under no G0 or G1; they are taken as G1. Give a motion code.")
-        found.append(Finding(Severity.WARNING, "no-motion-code", text, block=block, line=int(motions.at[block])))
+        found.append(report_finding(Code.NO_MOTION_CODE, text, block=block, line=int(motions.at[block])))
     if lines.assumed.units == "file" and not np.isin(lines.code, list(grammar.units)).any():
         found.append(_units_finding(motions, lines, grammar))
     offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
@@ -205,7 +206,7 @@ def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, gramm
             "The program uses {count} work offsets; their distance is not known, and the blocks between are not right.",
             count=len(offsets),
         )
-        found.append(Finding(Severity.WARNING, "work-offset-change", text, line=first))
+        found.append(report_finding(Code.WORK_OFFSET_CHANGE, text, line=first))
     found += _without_offset(motions, lines, grammar)
     return found
 
@@ -223,7 +224,7 @@ def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Find
         "here. Post them under the offset, or as machine positions (SUPA).",
         count=len(rows),
     )
-    return [Finding(Severity.ERROR, codes.SHIFT[1], text, float(len(rows)), block=int(rows[0]), line=int(motions.at[rows[0]]))]
+    return [report_finding(codes.SHIFT[0], text, float(len(rows)), block=int(rows[0]), line=int(motions.at[rows[0]]), unit="")]
 
 
 def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
@@ -235,7 +236,7 @@ def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
     text = (UNITS_DOUBTED if against else UNITS_TAKEN).say(
         units=grammar.units_text, size=Number(size), feed=Number(fastest), option=Option("units")
     )
-    return Finding(Severity.WARNING, "units-not-said", text, line=int(motions.at[0]))
+    return report_finding(Code.UNITS_NOT_SAID, text, line=int(motions.at[0]))
 
 
 def point_findings(words: Words) -> tuple[Finding, ...]:
@@ -250,7 +251,7 @@ def point_findings(words: Words) -> tuple[Finding, ...]:
         small=f"{words.value[at[0]] / 1000.0:g}",
         option=Choice("decimal", ("least-increment",), flag=True),
     )
-    return (Finding(Severity.NOTE, "no-decimal-point", text, float(len(at)), line=int(words.line[at[0]])),)
+    return (report_finding(Code.NO_DECIMAL_POINT, text, float(len(at)), line=int(words.line[at[0]])),)
 
 
 def wrap_findings(
@@ -277,7 +278,9 @@ def wrap_findings(
             severity = Severity.NOTE if sentence is IF_SET else Severity.WARNING
             text = sentence.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
             block = int(wide[0])
-            found.append(Finding(severity, "wrap-contradicted", text, float(len(wide)), line=int(motions.at[block])))
+            found.append(
+                report_finding(Code.WRAP_CONTRADICTED, text, float(len(wide)), line=int(motions.at[block]), severity=severity)
+            )
     return found
 
 
@@ -293,7 +296,7 @@ def guide_findings(program: Program, motions: Moves) -> tuple[Finding, ...]:
             count=count,
         )
         found.append(
-            Finding(Severity.NOTE, "tip-guided-by-controller", text, float(count), block=block, line=int(program.line[block]))
+            report_finding(Code.TIP_GUIDED_BY_CONTROLLER, text, float(count), block=block, line=int(program.line[block]), unit="")
         )
     if len(motions.lost):
         line = int(motions.at[motions.lost[0]])
@@ -301,5 +304,5 @@ def guide_findings(program: Program, motions: Moves) -> tuple[Finding, ...]:
             "{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.",
             count=len(motions.lost),
         )
-        found.append(Finding(Severity.ERROR, "axis-not-reachable", text, float(len(motions.lost)), line=line))
+        found.append(report_finding(Code.AXIS_NOT_REACHABLE, text, float(len(motions.lost)), line=line))
     return tuple(found)

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import re
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.sentences import say
 
 from . import codes
@@ -48,7 +49,7 @@ FEED_BY_NAME = re.compile(rb"F *(?:AUTO|Q[LR]?[0-9]+|MAXT|[UZ](?= *[0-9])|T(?= *
 PARAMETER = re.compile(rb"^[^\n]*(?:Q[LRS]?[0-9]+|[=#])[^\n]*$", re.MULTILINE)
 
 PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"), (b"NZ", "n"))
-UNKNOWN_FEED = (codes.PER_TURN_KIND[0], "feed-by-parameter", say("feeds told by a parameter or the tool; F is not known there"))
+UNKNOWN_FEED = (Code.FEED_BY_PARAMETER, say("feeds told by a parameter or the tool; F is not known there"))
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
     b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING", b"CYCLE DEF 9.",

@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -278,7 +278,7 @@ class Run:
             name=f"CYCL DEF {number}",
             reason=reason,
         )
-        self.unread.setdefault(sentence, Finding(Severity.ERROR, CYCLE_KIND[1], sentence, line=self.at + 1))
+        self.unread.setdefault(sentence, report_finding(CYCLE_KIND[0], sentence, line=self.at + 1))
 
 
 DATUM_SHIFT = "7"

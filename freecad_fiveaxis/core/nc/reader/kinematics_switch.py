@@ -13,7 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -61,7 +62,7 @@ def _taken(row: int) -> Finding:
         "G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules "
         "and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file."
     )
-    return Finding(Severity.NOTE, "kinematics-number", text, line=row)
+    return report_finding(Code.KINEMATICS_NUMBER, text, line=row)
 
 
 def _unknown(row: int, number: float, count: int) -> Finding:
@@ -71,4 +72,4 @@ def _unknown(row: int, number: float, count: int) -> Finding:
         count=count,
         number=f"{number:g}",
     )
-    return Finding(Severity.ERROR, "kinematics-not-known", text, float(count), line=row)
+    return report_finding(Code.KINEMATICS_NOT_KNOWN, text, float(count), line=row)

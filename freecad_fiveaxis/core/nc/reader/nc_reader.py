@@ -137,7 +137,7 @@ def read_nc(
 
 def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
     """The error of a text without a motion line: where all stands in what is not interpreted, that is the cause."""
-    lost = next((found for found in before if found.code == codes.MACRO[1]), None)
+    lost = next((found for found in before if found.code == codes.MACRO[0]), None)
     if lost is None:
         return ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), letters)
     return ProgramError(

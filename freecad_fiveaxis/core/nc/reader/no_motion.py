@@ -14,7 +14,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 
 from .codes import UNKNOWN
@@ -39,7 +40,7 @@ def pass_over(text: bytes, language: str, own: Sequence[str] = ()) -> tuple[byte
         if _needle(name) in text and (found := pattern.search(text)):
             if name not in SHIPPED[language]:
                 sentence = say("{name} is passed over: the machine file says that it moves nothing (no_motion).", name=name)
-                findings.append(Finding(Severity.NOTE, "no-motion", sentence, line=text.count(b"\n", 0, found.start()) + 1))
+                findings.append(report_finding(Code.NO_MOTION, sentence, line=text.count(b"\n", 0, found.start()) + 1))
             text = pattern.sub(_blank, text)
     return _without_brackets(text, findings), findings
 
@@ -58,7 +59,7 @@ def _without_brackets(text: bytes, findings: list[Finding]) -> bytes:
             count=len(places),
         )
         line = text.count(b"\n", 0, places[0]) + 1
-        findings.append(Finding(Severity.WARNING, UNKNOWN[1], sentence, float(len(places)), line=line))
+        findings.append(report_finding(UNKNOWN[0], sentence, float(len(places)), line=line, unit=""))
     return BRACKETED.sub(_blank, text) if at else text
 
 

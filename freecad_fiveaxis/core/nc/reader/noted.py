@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -55,8 +55,8 @@ class Notes:
 
 def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Finding]:
     """What is said of one kind: ``named`` the first line and the count of each name."""
-    severity, code, explanation = kind
-    apart = code == UNKNOWN[1] or len(named) == 1
+    code, explanation = kind
+    apart = code == UNKNOWN[0] or len(named) == 1
     found = []
     if not apart:
         first, count = min(line for line, _ in named.values()), sum(count for _, count in named.values())
@@ -68,10 +68,10 @@ def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Find
             count=count,
             explanation=explanation,
         )
-        return [Finding(severity, code, text, float(count), line=first)]
+        return [report_finding(code, text, float(count), line=first)]
     for name, (line, count) in [*named.items()][:MOST]:
         text = say("{name} stands in {count} lines: {explanation}.", name=name, count=count, explanation=explanation)
-        found.append(Finding(severity, code, text, float(count), line=line))
+        found.append(report_finding(code, text, float(count), line=line))
     return found
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import NoReturn
 
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.records import Ints
 from freecad_fiveaxis.core.base.sentences import Template, say
@@ -84,7 +84,7 @@ def _heidenhain(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain
 
 def not_run(run: interpreter.Refused) -> Finding:
     """Why a text was not run."""
-    return Finding(Severity.ERROR, codes.MACRO[1], NOT_RUN.say(reason=run.reason), line=run.line)
+    return report_finding(codes.MACRO[0], NOT_RUN.say(reason=run.reason), line=run.line)
 
 
 def _with_findings(

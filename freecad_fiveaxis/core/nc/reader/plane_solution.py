@@ -18,7 +18,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine.kinematics import Chain, inverse_axis
@@ -118,10 +119,10 @@ def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
         first=first,
         second=second,
     )
-    return Finding(Severity.NOTE, "plane-solution", text, line=line)
+    return report_finding(Code.PLANE_SOLUTION, text, line=line)
 
 
 def lost(line: int, reason: str) -> Finding:
     """Say that the axes cannot turn to the plane of that line, and why."""
     text = say("The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.", reason=reason)
-    return Finding(Severity.ERROR, "axis-not-reachable", text, line=line)
+    return report_finding(Code.AXIS_NOT_REACHABLE, text, line=line)

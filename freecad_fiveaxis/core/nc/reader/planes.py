@@ -14,7 +14,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -203,11 +203,11 @@ def refused(name: str, reason: str, row: int) -> Finding:
         name=name,
         reason=reason,
     )
-    return Finding(Severity.ERROR, codes.SHIFT[1], text, line=row)
+    return report_finding(codes.SHIFT[0], text, line=row)
 
 
 def _away(row: int) -> Finding:
     text = say(
         "Before it tilts the plane the control draws the tool back by a setting of the machine; that move is missing here."
     )
-    return Finding(Severity.WARNING, codes.HOME[1], text, line=row)
+    return report_finding(codes.HOME[0], text, line=row)

@@ -14,7 +14,8 @@ from __future__ import annotations
 
 import re
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 
 SOLID = re.compile(rb"[^ \n]")
@@ -37,9 +38,7 @@ def without_end_sign(text: bytes, findings: list[Finding]) -> bytes:
     if found is None:
         return text
     at = len(text) - len(found[0])
-    findings.append(
-        finding_at(Severity.NOTE, "not-nc-text", say("The file ends in control characters; they are passed over."), text, at)
-    )
+    findings.append(finding_at(Code.NOT_NC_TEXT, say("The file ends in control characters; they are passed over."), text, at))
     return text[:at] + b" " * len(found[0])
 
 
@@ -68,7 +67,7 @@ def _passed(text: bytes, pattern: re.Pattern[bytes], findings: list[Finding], wh
         shown=repr(found[0].decode("latin-1").strip()[:40]),
         what=what,
     )
-    findings.append(finding_at(Severity.WARNING, "not-nc-text", sentence, text, found.start()))
+    findings.append(finding_at(Code.NOT_NC_TEXT, sentence, text, found.start(), Severity.WARNING))
     return pattern.sub(_blank, text)
 
 
@@ -78,7 +77,7 @@ def _without_colons(text: bytes, findings: list[Finding]) -> bytes:
     if not places:
         return text
     sentence = say("{count} lines begin with a colon without a number; the rest of them is read.", count=len(places))
-    findings.append(finding_at(Severity.NOTE, "not-nc-text", sentence, text, places[0]))
+    findings.append(finding_at(Code.NOT_NC_TEXT, sentence, text, places[0]))
     return COLON.sub(lambda found: found[0].replace(b":", b" "), text)
 
 
@@ -92,7 +91,7 @@ def between_marks(text: bytes, findings: list[Finding]) -> bytes:
     if mark < 0:
         return text
     if SOLID.search(text, line_end(text, mark)):
-        findings.append(finding_at(Severity.NOTE, "text-after-end", say("The text after the closing % is not read."), text, mark))
+        findings.append(finding_at(Code.TEXT_AFTER_END, say("The text after the closing % is not read."), text, mark))
     return text[:mark]
 
 
@@ -102,9 +101,9 @@ def line_end(text: bytes, at: int) -> int:
     return len(text) if end < 0 else end
 
 
-def finding_at(severity: Severity, code: str, sentence: str, text: bytes, at: int) -> Finding:
+def finding_at(code: Code, sentence: str, text: bytes, at: int, severity: Severity | None = None) -> Finding:
     """Make a finding with the line of position ``at``."""
-    return Finding(severity, code, sentence, line=text.count(b"\n", 0, at) + 1)
+    return report_finding(code, sentence, line=text.count(b"\n", 0, at) + 1, severity=severity)
 
 
 def _mark(text: bytes, start: int) -> int:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import say
 
@@ -183,4 +183,4 @@ def _findings(holes: _HoleMoves) -> list[Finding]:
              name=name, reason=reason), row)
         for (name, reason), row in holes.refused.items()
     ]  # fmt: skip
-    return [Finding(Severity.ERROR, codes.CYCLE_KIND[1], sentence, line=row) for sentence, row in text[:MOST_NAMED]]
+    return [report_finding(codes.CYCLE_KIND[0], sentence, line=row) for sentence, row in text[:MOST_NAMED]]

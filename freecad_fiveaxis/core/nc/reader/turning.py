@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bytes, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
@@ -88,4 +89,4 @@ def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floa
         count=int(off.sum()),
         lean=Angle(float(lean.max()), ".3g"),
     )
-    return (Finding(Severity.ERROR, "plane-not-taken", text, float(off.sum()), block=block, line=int(line[block])),)
+    return (report_finding(Code.PLANE_NOT_TAKEN, text, float(off.sum()), block=block, line=int(line[block])),)

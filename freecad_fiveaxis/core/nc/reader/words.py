@@ -22,8 +22,9 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Template, say
@@ -146,7 +147,7 @@ def read_words(
     words = _words_of(*expanded)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    cause = plain.cause or next((found for found in findings if found.code == codes.MACRO[1] and language == "iso"), None)
+    cause = plain.cause or next((found for found in findings if found.code == codes.MACRO[0] and language == "iso"), None)
     return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=cause)
 
 
@@ -206,7 +207,7 @@ def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachi
     if b"/" in text:
         text, lines = _overwritten(text, SLASH, b" ")
         if lines:
-            found = finding_at(Severity.NOTE, "block-skip", SKIPPED.say(count=len(lines)), text, lines[0])
+            found = finding_at(Code.BLOCK_SKIP, SKIPPED.say(count=len(lines)), text, lines[0])
             findings.append(moved(found, plain.source))
     if b":" in text:
         text, _ = _overwritten(text, COLON, b"O")
@@ -245,14 +246,14 @@ def _run(
         if isinstance(expanded, interpreter.Written):
             return expanded.text, expanded.source
         if not marks:
-            findings.append(Finding(Severity.ERROR, codes.CALL[1], NOT_CALLED.say(reason=expanded.reason), line=expanded.line))
+            findings.append(report_finding(codes.CALL[0], NOT_CALLED.say(reason=expanded.reason), line=expanded.line))
             return text, None
         findings.append(not_run(expanded))
         return _blank_lines(text, _lines_with(text, marks)), None
     hit = _lines_with(text, marks)
     shown = b" ".join(text.split(b"\n")[hit[0]].split())[:40].decode("latin-1")
     sentence = MACROS.say(count=len(hit), shown=repr(shown))
-    findings.append(Finding(Severity.ERROR, codes.MACRO[1], sentence, float(len(hit)), line=hit[0] + 1))
+    findings.append(report_finding(codes.MACRO[0], sentence, float(len(hit)), line=hit[0] + 1, unit=""))
     return _blank_lines(text, hit), None
 
 

@@ -17,8 +17,9 @@ import math
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.base.records import Floats
@@ -86,7 +87,7 @@ def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: Rerout
         )
         worst = np.flatnonzero(found.rerouted)[found.before.peak[found.rerouted].argmax()]
         place = _nearest_place(offset, axis, globe, int(worst))
-        findings.append(Finding(Severity.NOTE, "axis-led-past-pole", text, most, limit, "deg", place=place))
+        findings.append(report_finding(Code.AXIS_LED_PAST_POLE, text, most, limit, place=place))
     left = np.flatnonzero(near_polylines(offset, axis, globe, change) & ~found.rerouted & (found.after.peak > STEADY))
     if len(left):
         worst = left[found.after.peak[left].argmax()]
@@ -100,7 +101,7 @@ def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: Rerout
             rate=Turn(rate, ".3g"),
         )
         place = _nearest_place(offset, axis, globe, int(worst))
-        findings.append(Finding(Severity.NOTE, "axis-left-near-pole", text, rate, None, "deg/mm", place=place))
+        findings.append(report_finding(Code.AXIS_LEFT_NEAR_POLE, text, rate, place=place))
     return tuple(findings)
 
 

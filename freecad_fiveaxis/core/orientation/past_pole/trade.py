@@ -13,8 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
@@ -132,7 +133,7 @@ def trade_findings(
         tolerance=Length(tolerance),
         rows=joined(_rows(trade), "; "),
     )
-    return (Finding(Severity.NOTE, "axis-change-trade", text, math.degrees(change), None, "deg"),)
+    return (report_finding(Code.AXIS_CHANGE_TRADE, text, math.degrees(change)),)
 
 
 def _rows(trade: Trade) -> Iterator[Sentence]:

@@ -10,8 +10,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
@@ -129,7 +130,7 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
             "No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.",
             origin=Option("origin"),
         )
-        yield Finding(Severity.ERROR, "no-setup-on-the-table", text)
+        yield report_finding(Code.NO_SETUP_ON_THE_TABLE, text)
         return
     if best is None:
         over = min(one.over for one in found)
@@ -138,7 +139,7 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
             "{over} at least. Widen the region, turn the part, or take a larger machine.",
             over=Length(over, ".4g"),
         )
-        yield Finding(Severity.ERROR, "no-setup-within-limits", text, over, 0.0, "mm")
+        yield report_finding(Code.NO_SETUP_WITHIN_LIMITS, text, over, 0.0)
         return
     low, high = np.array(region.low), np.array(region.high)
     edges = [
@@ -152,7 +153,7 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
             "The recommended setup lies on the edge of the region ({edges}); beyond it may be a better one.",
             edges=", ".join(edges),
         )
-        yield Finding(Severity.NOTE, "setup-at-edge", text, float(len(edges)), None, "1")
+        yield report_finding(Code.SETUP_AT_EDGE, text, float(len(edges)))
 
 
 def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
@@ -161,7 +162,7 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
             "The height of the table is not known: check that the part stands on it, or give {table_height}.",
             table_height=Option("table_height"),
         )
-        yield Finding(Severity.WARNING, "table-unknown", text)
+        yield report_finding(Code.TABLE_UNKNOWN, text)
     elif not stands[0]:
         text = say(
             "In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give "
@@ -169,11 +170,11 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
             least=Length(stand.least),
             origin=Option("origin"),
         )
-        yield Finding(Severity.WARNING, "part-below-table", text, stand.least, None, "mm")
+        yield report_finding(Code.PART_BELOW_TABLE, text, stand.least)
 
 
 def _lost_findings(lost: dict[tuple[Kind, float], ReachError]) -> Iterator[Finding]:
     for (_, turn), error in lost.items():
         angle = math.degrees(turn)
         text = say("With the part turned by {angle} the rotary limits allow no way: {error}.", angle=Angle(angle), error=error)
-        yield Finding(Severity.WARNING, "turn-out-of-reach", text, angle, None, "deg")
+        yield report_finding(Code.TURN_OUT_OF_REACH, text, angle)

@@ -10,7 +10,7 @@ from html import escape
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Severity
+from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Sentence, joined, say
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.markers import MARKERS, Marker

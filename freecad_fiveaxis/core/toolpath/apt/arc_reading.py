@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Length, plural, say
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -96,7 +97,7 @@ def arc_findings(
             "one, or before another arc, or their direction points to their centre. The path goes straight there.",
             line=line,
         )
-        yield Finding(Severity.ERROR, "arc-does-not-fit", text, float(len(lost)), line=line)
+        yield report_finding(Code.ARC_DOES_NOT_FIT, text, float(len(lost)), line=line, unit="")
     back, on = (which & ~bad for which in runs_back(arcs, spans, tip, straight))
     if back.any():
         yield _runs_back(source, arcs, back) if back.sum() >= on.sum() else _cusps(source, arcs, back, int(on.sum()))
@@ -118,7 +119,7 @@ def _does_not_fit(source: Source, arcs: Arcs, off: Floats, bad: Bools) -> Findin
         off=Length(off[worst], ".4g"),
         radius=Length(arcs.radius[worst], ".6g"),
     )
-    return Finding(Severity.ERROR, "arc-does-not-fit", text, float(off[worst]), FIT, "mm", line=line)
+    return report_finding(Code.ARC_DOES_NOT_FIT, text, float(off[worst]), FIT, line=line, unit="mm")
 
 
 def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
@@ -131,7 +132,7 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
         "the other way round? Have curves written as points.",
         line=line,
     )
-    return Finding(Severity.ERROR, "arc-runs-back", text, float(back.sum()), line=line)
+    return report_finding(Code.ARC_RUNS_BACK, text, float(back.sum()), line=line, severity=Severity.ERROR)
 
 
 def _cusps(source: Source, arcs: Arcs, back: Bools, on: int) -> Finding:
@@ -146,7 +147,7 @@ def _cusps(source: Source, arcs: Arcs, back: Bools, on: int) -> Finding:
         line=line,
         on=on,
     )
-    return Finding(Severity.NOTE, "arc-runs-back", text, float(back.sum()), line=line)
+    return report_finding(Code.ARC_RUNS_BACK, text, float(back.sum()), line=line, severity=Severity.NOTE)
 
 
 def _ambiguous(source: Source, arcs: Arcs, spans: ArcSpans, either: Bools) -> Finding:
@@ -163,4 +164,4 @@ def _ambiguous(source: Source, arcs: Arcs, spans: ArcSpans, either: Bools) -> Fi
         line=line,
         taken=taken,
     )
-    return Finding(Severity.WARNING, "arc-runs-back", text, float(either.sum()), line=line)
+    return report_finding(Code.ARC_RUNS_BACK, text, float(either.sum()), line=line)

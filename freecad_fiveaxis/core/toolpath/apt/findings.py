@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import Option, plural, say
 
@@ -53,7 +54,7 @@ def _passed_over(source: Source, statements: Statements) -> Iterator[Finding]:
         text = say(
             "{words} further words ({count} statements) are not interpreted; is this a CL file?", words=len(rest), count=count
         )
-        yield Finding(Severity.WARNING, "statement-not-interpreted", text, float(count), line=line)
+        yield report_finding(Code.STATEMENT_NOT_INTERPRETED, text, float(count), line=line)
 
 
 def _not_interpreted(name: str, lines: Ints) -> Finding:
@@ -68,7 +69,7 @@ def _not_interpreted(name: str, lines: Ints) -> Finding:
         "{name} is not interpreted ({where}); what it does is missing in the path.{remedy}", name=name, where=where, remedy=remedy
     )
     severity = Severity.ERROR if name.partition("/")[0] in SPOILING else Severity.WARNING
-    return Finding(severity, "statement-not-interpreted", text, float(len(lines)), line=int(lines[0]))
+    return report_finding(Code.STATEMENT_NOT_INTERPRETED, text, float(len(lines)), line=int(lines[0]), severity=severity)
 
 
 def _frames(source: Source, statements: Statements) -> Iterator[Finding]:
@@ -85,7 +86,7 @@ def _frames(source: Source, statements: Statements) -> Iterator[Finding]:
             "{word} changes the coordinate system within the file; its points are taken in one. Write one file for each system.",
             word=name_of(statements.texts[statements.which[other[0]]]),
         )
-        yield Finding(Severity.ERROR, "several-coordinate-systems", text, float(len(other)), line=line)
+        yield report_finding(Code.SEVERAL_COORDINATE_SYSTEMS, text, float(len(other)), line=line)
 
 
 def _compensation(source: Source, statements: Statements) -> Iterator[Finding]:
@@ -104,7 +105,9 @@ def _compensation(source: Source, statements: Statements) -> Iterator[Finding]:
         if contour
         else say("the points are taken as the tool's own path, as CL files mean them."),
     )
-    yield Finding(Severity.ERROR if contour else Severity.WARNING, "cutter-compensation", text, float(len(at)), line=line)
+    yield report_finding(
+        Code.CUTTER_COMPENSATION, text, float(len(at)), line=line, severity=Severity.ERROR if contour else Severity.WARNING
+    )
 
 
 def units_findings(source: Source, statements: Statements, units: str) -> tuple[Finding, ...]:
@@ -127,7 +130,7 @@ def units_findings(source: Source, statements: Statements, units: str) -> tuple[
         statement=statements.texts[statements.which[at[0]]][:40],
         option=Option("units"),
     )
-    return (Finding(Severity.WARNING, "units-not-said", text, float(len(at)), line=line),)
+    return (report_finding(Code.UNITS_NOT_SAID, text, float(len(at)), line=line),)
 
 
 def _rows(source: Source, statements: Statements, moves: Moves, length: Floats, speed: Floats, fed: Bools) -> Iterator[Finding]:
@@ -136,7 +139,7 @@ def _rows(source: Source, statements: Statements, moves: Moves, length: Floats, 
     if (off > NOT_UNIT).any():
         text = say("{count} tool axes are no unit vectors; they are scaled to length 1.", count=int((off > NOT_UNIT).sum()))
         first = int((off > NOT_UNIT).argmax())
-        yield Finding(Severity.WARNING, "axis-not-unit", text, float(off.max()), NOT_UNIT, "1", line=int(line[first]))
+        yield report_finding(Code.AXIS_NOT_UNIT, text, float(off.max()), NOT_UNIT, line=int(line[first]))
     switch = statements.of(Kind.MULTAX)
     on = np.concatenate([[1.0], statements.value(switch)])[
         np.searchsorted(statements.row[switch], np.arange(len(length)), side="right")
@@ -147,10 +150,10 @@ def _rows(source: Source, statements: Statements, moves: Moves, length: Floats, 
             "{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.",
             count=int(leaning.sum()),
         )
-        yield Finding(Severity.WARNING, "axis-carried-on", text, line=int(line[leaning.argmax()]))
+        yield report_finding(Code.AXIS_CARRIED_ON, text, line=int(line[leaning.argmax()]))
     unfed = fed & (speed <= 0.0)
     if unfed.any():
         text = say("{count} moves come before any FEDRAT; give a feed.", count=int(unfed.sum()))
-        yield Finding(Severity.WARNING, "no-feed", text, line=int(line[unfed.argmax()]))
+        yield report_finding(Code.NO_FEED, text, line=int(line[unfed.argmax()]), severity=Severity.WARNING)
     if source.after_end:
-        yield Finding(Severity.NOTE, "text-after-end", say("The text after FINI is not read."), line=source.after_end)
+        yield report_finding(Code.TEXT_AFTER_END, say("The text after FINI is not read."), line=source.after_end)

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Length, Option, say
 from freecad_fiveaxis.core.tool import Cutter, cutter_from_apt, cutter_name
 
@@ -37,7 +38,7 @@ class ClHead:
 def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
     """That the CL file's cutter has been taken, because none is given."""
     text = say("No cutter is given; the CL file's is taken: {cutter}.", cutter=cutter_name(taken))
-    return (Finding(Severity.NOTE, "cutter-from-cl-file", text, taken.diameter, unit="mm"),)
+    return (report_finding(Code.CUTTER_FROM_CL_FILE, text, taken.diameter),)
 
 
 def of_cl_file(finding: Finding) -> Finding:
@@ -58,7 +59,7 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
             given=Length(given.diameter),
             cutter=Option("cutter"),
         )
-        return (Finding(Severity.NOTE, "cutter-differs", text, diameter, given.diameter, "mm"),)
+        return (report_finding(Code.CUTTER_DIFFERS, text, diameter, given.diameter),)
     if other is None or _off_shape(other, given) <= SAME_CUTTER:
         return ()
     text = say(
@@ -67,7 +68,7 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
         given=cutter_name(given),
         cutter=Option("cutter"),
     )
-    return (Finding(Severity.NOTE, "cutter-differs", text),)
+    return (report_finding(Code.CUTTER_DIFFERS, text),)
 
 
 def _off_shape(other: Cutter, given: Cutter) -> float:

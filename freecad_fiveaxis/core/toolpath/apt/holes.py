@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.sentences import plural, say
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -152,7 +153,7 @@ def _findings(source: Source, statements: Statements, events: Ints, cycle: list[
             "step, if the chips are to come out.",
             line=line,
         )
-        yield Finding(Severity.WARNING, "cycle-step-not-said", text, float(len(whole)), line=line)
+        yield report_finding(Code.CYCLE_STEP_NOT_SAID, text, float(len(whole)), line=line)
     dwells = where([one is not None and one.dwell > 0.0 for one in cycle])
     if len(dwells):
         line = int(source.line[dwells[0]])
@@ -162,14 +163,14 @@ def _findings(source: Source, statements: Statements, events: Ints, cycle: list[
             "{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there in the program.",
             line=line,
         )
-        yield Finding(Severity.WARNING, "cycle-dwell-left-out", text, float(len(dwells)), line=line)
+        yield report_finding(Code.CYCLE_DWELL_LEFT_OUT, text, float(len(dwells)), line=line)
     if len(others):
         line = int(source.line[source.move_at[others[0]]])
         text = say(
             "A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.",
             line=line,
         )
-        yield Finding(Severity.ERROR, "no-hole-in-cycle", text, float(len(others)), line=line)
+        yield report_finding(Code.NO_HOLE_IN_CYCLE, text, float(len(others)), line=line)
 
 
 def with_feeds(rows: Rows, holes: Holes) -> tuple[Floats, Bools]:

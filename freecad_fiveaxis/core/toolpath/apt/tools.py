@@ -13,8 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.base.sentences import Option, say
 
@@ -127,7 +128,7 @@ def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
             listed=tools.listed,
             option=Option("cl_tool"),
         )
-        return (Finding(Severity.ERROR, "several-tools", text, count, 1.0, line=tools.second),)
+        return (report_finding(Code.SEVERAL_TOOLS, text, count, 1.0, line=tools.second),)
     text = say(
         "Of the file's tools ({listed}) the moves of tool {tool} are taken: {count} of {all}.",
         listed=tools.listed,
@@ -135,4 +136,4 @@ def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
         count=int((tools.of == chosen).sum()),
         all=len(tools.of),
     )
-    return (Finding(Severity.NOTE, "tool-chosen", text, float(chosen)),)
+    return (report_finding(Code.TOOL_CHOSEN, text, float(chosen)),)

@@ -16,8 +16,9 @@ from typing import Any, Literal
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Number, say
@@ -214,4 +215,4 @@ def _below(leave: WayOut, enter: WayOut) -> tuple[Finding, ...]:
         count=np.count_nonzero(under),
     )
     where = (float(place[0]), float(place[1]), float(place[2]))
-    return (Finding(Severity.WARNING, "retract-below-part", text, value=float(np.count_nonzero(under)), unit="1", place=where),)
+    return (report_finding(Code.RETRACT_BELOW_PART, text, float(np.count_nonzero(under)), place=where),)

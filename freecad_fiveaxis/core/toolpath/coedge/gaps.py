@@ -14,8 +14,9 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.chunks import in_threads
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.findings import Finding, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, take_rows
 from freecad_fiveaxis.core.base.sentences import Choice, Length, plural, say
@@ -148,8 +149,8 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
             report=Choice("gouge", ("report",)),
             lift=Choice("gouge", ("lift",)),
         )
-        code, place = "surface-tighter-than-cutter", _place(contact, deep.segment)
-        found.append(Finding(Severity.WARNING, code, text, place=place))
+        code, place = Code.SURFACE_TIGHTER_THAN_CUTTER, _place(contact, deep.segment)
+        found.append(report_finding(code, text, place=place))
     high = _over([part.missed for part in trimmed], [part.height for part in trimmed], wanted)
     if high:
         much = say("a whole stretch of the surface stays uncut")
@@ -163,7 +164,7 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
             "At {count} places an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.",
             much=much,
         )
-        found.append(Finding(Severity.WARNING, "corner-not-reached", text, place=_place(contact, high.segment)))
+        found.append(report_finding(Code.CORNER_NOT_REACHED, text, place=_place(contact, high.segment)))
     return tuple(found)
 
 
