@@ -41,11 +41,11 @@ def tessellate(obj: Any, stl_path: Any, overwrite: bool, settings: Mapping[str, 
         _check_new(stl_path, overwrite)
     with _all_or_nothing(base.Document) as added:
         ready = _is_tessellation(base) and not settings
-        made = base if ready else tessellation.make(base.Document, base, faces, **mesh, avoid=avoid)
-        added += [made] * (made is not base)
+        mesh_object = base if ready else tessellation.make(base.Document, base, faces, **mesh, avoid=avoid)
+        added += [mesh_object] * (mesh_object is not base)
         if stl_path is not None:
-            write_whole(stl_path, stl_bytes(made))
-    return made
+            write_whole(stl_path, stl_bytes(mesh_object))
+    return mesh_object
 
 
 def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
@@ -102,14 +102,14 @@ def annotate(path: Any) -> Any:
     result_of(path)
     if not tells_of(path):
         path.touch()  # its numbers stand in the label of the markers
-    made = markers.of(path)
+    markers_object = markers.of(path)
     with _all_or_nothing(path.Document) as added:
-        if made is None:
-            made = markers.make(path)
-            added.append(made)
-        made.touch()
-        path.Document.recompute([path, made])
-    return made
+        if markers_object is None:
+            markers_object = markers.make(path)
+            added.append(markers_object)
+        markers_object.touch()
+        path.Document.recompute([path, markers_object])
+    return markers_object
 
 
 def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> Any:
@@ -122,10 +122,10 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
     fixtures = auditing.check_fixtures(doc, fixtures, part)
     build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options, part, fixtures))
     with _all_or_nothing(doc) as added:
-        made = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn), fixtures)
-        added.append(made)
-        _compute(made)
-    return made
+        audit_object = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn), fixtures)
+        added.append(audit_object)
+        _compute(audit_object)
+    return audit_object
 
 
 _OF_MESH = {"linear_deflection", "angular_deflection", "faces", "avoid"}

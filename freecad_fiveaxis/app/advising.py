@@ -25,12 +25,12 @@ def advise(path: Any) -> tuple[Trial, ...]:
     with listening() as listener:
         result, task = results.result_of(path, listener), path.Proxy.task(path)
 
-        def work(told: Progress) -> tuple[Trial, ...]:
-            mesh, faces = task.mesh_and_mask(told)
+        def work(progress: Progress) -> tuple[Trial, ...]:
+            mesh, faces = task.mesh_and_mask(progress)
 
             def make(settings: Any) -> job.Result:
-                made = job.make(settings, told, mesh=mesh, faces=faces, fixtures=result.draft.fixtures)
-                return job.prove(made, told)
+                draft = job.make(settings, progress, mesh=mesh, faces=faces, fixtures=result.draft.fixtures)
+                return job.prove(draft, progress)
 
             return try_others(result, make)
 
@@ -45,4 +45,4 @@ def leaves_something(figures: Figures) -> bool:
 def tell_advice(path: Any, trials: tuple[Trial, ...]) -> str:
     """Say which of the trials finishes most more, or that none does, in the user's language."""
     seconds = float(results.result_of(path).draft.program.seconds.sum())
-    return wording.told(report_advice(trials, seconds).text)
+    return wording.localize(report_advice(trials, seconds).text)

@@ -113,8 +113,8 @@ def _is_part(obj: Any) -> bool:
 def _checksum(shape: Any) -> bytes:
     """Not of its box, which OpenCASCADE finds otherwise once the shape is meshed for the view."""
     corners = [_text(corner.Point) for corner in shape.Vertexes]
-    said = (len(shape.Faces), corners, f"{shape.Volume:.{DIGITS}g}", f"{shape.Area:.{DIGITS}g}")
-    return hashlib.sha256(repr(said).encode()).digest()
+    features = (len(shape.Faces), corners, f"{shape.Volume:.{DIGITS}g}", f"{shape.Area:.{DIGITS}g}")
+    return hashlib.sha256(repr(features).encode()).digest()
 
 
 def _text(numbers: Sequence[float]) -> str:

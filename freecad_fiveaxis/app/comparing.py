@@ -50,9 +50,9 @@ def compare(
     settings = settings_of(toolpath, machines, cures, tool_length)
     task = toolpath.Proxy.task(toolpath)
 
-    def work(told: Progress) -> trials.Comparison:
-        mesh, faces = task.mesh_and_mask(told)
-        return trials.try_machines(settings, told, mesh, faces, executor)
+    def work(progress: Progress) -> trials.Comparison:
+        mesh, faces = task.mesh_and_mask(progress)
+        return trials.try_machines(settings, progress, mesh, faces, executor)
 
     with processes() as executor:
         return run(work, progress, toolpath.Document)

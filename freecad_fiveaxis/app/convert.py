@@ -242,18 +242,18 @@ def _signature(corner: Any) -> Any:
 
 def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     """Show the figures in the result properties."""
-    told = summary(figures)
-    whole = verdict(figures, told)
-    surface, proven_below = judged_largest(told)
+    numbers = summary(figures)
+    whole = verdict(figures, numbers)
+    surface, proven_below = judged_largest(numbers)
     values = {
-        "Passes": told["passes"], "Blocks": told["blocks"], "SingularBlocks": told["singular_blocks"],
-        "GuidedBlocks": told["guided_blocks"], "Verdict": wording.told(whole.text), "Light": whole.light.value,
-        "OverTolerance": told["over_tolerance"],
-        "WorstLine": told["worst_line"] or 0, "Time": told["time_s"],
-        "CutLength": told["cut_length"], "MaxSurfaceDeviation": surface, "MaxSurfaceBound": proven_below,
-        "MaxSegmentDeviation": told["max_segment_deviation"],
-        "MaxLineDeviation": told["max_line_deviation"], "MaxBound": told["max_bound"], "Proven": told["proven"],
-        "Findings": [wording.told(finding.text) for finding in figures.findings], "Fingerprint": fingerprint,
+        "Passes": numbers["passes"], "Blocks": numbers["blocks"], "SingularBlocks": numbers["singular_blocks"],
+        "GuidedBlocks": numbers["guided_blocks"], "Verdict": wording.localize(whole.text), "Light": whole.light.value,
+        "OverTolerance": numbers["over_tolerance"],
+        "WorstLine": numbers["worst_line"] or 0, "Time": numbers["time_s"],
+        "CutLength": numbers["cut_length"], "MaxSurfaceDeviation": surface, "MaxSurfaceBound": proven_below,
+        "MaxSegmentDeviation": numbers["max_segment_deviation"],
+        "MaxLineDeviation": numbers["max_line_deviation"], "MaxBound": numbers["max_bound"], "Proven": numbers["proven"],
+        "Findings": [wording.localize(finding.text) for finding in figures.findings], "Fingerprint": fingerprint,
     }  # fmt: skip
     for name, value in values.items():
         setattr(obj, name, UNKNOWN if isinstance(value, float) and not math.isfinite(value) else value)

@@ -51,10 +51,10 @@ class Facets(NamedTuple):
     def stl(self) -> bytes:
         """The facets as a binary STL."""
         corner, face = self._columns()
-        made = np.zeros(len(face), STL)
-        made["corner"] = _moved(corner, self.matrix)[face]
-        made["normal"] = _normals(made["corner"])
-        return _TITLE + len(face).to_bytes(4, "little") + made.tobytes()
+        records = np.zeros(len(face), STL)
+        records["corner"] = _moved(corner, self.matrix)[face]
+        records["normal"] = _normals(records["corner"])
+        return _TITLE + len(face).to_bytes(4, "little") + records.tobytes()
 
     def _order(self) -> str:
         """Of the bytes; the kernel begins with 0xA0B0C0D0."""

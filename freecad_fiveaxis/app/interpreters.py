@@ -117,13 +117,13 @@ def is_proven(command: Command, limit: float = PROOF) -> bool:
     except OSError:
         return False
     try:
-        said, _ = process.communicate(timeout=limit)
+        output, _ = process.communicate(timeout=limit)
     except subprocess.TimeoutExpired:
         return False
     finally:
         process.kill()
         process.communicate()
-    return MARK + identity().encode() + MARK in said
+    return MARK + identity().encode() + MARK in output
 
 
 @contextlib.contextmanager

@@ -153,7 +153,7 @@ def _tool(line: str) -> tool_bit.JobTool:
             )
         return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
     except SettingsError as error:
-        return tool_bit.JobTool(label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.told(error))
+        return tool_bit.JobTool(label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.localize(error))
 
 
 def _jobs(doc: Any, job: Any) -> list[Any]:

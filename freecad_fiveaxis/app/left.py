@@ -148,22 +148,22 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
     with listening(progress) as listener:
         figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
-            obj.Proxy.last = run(lambda told: _found(figures, known, told), listener, obj.Document)
+            obj.Proxy.last = run(lambda progress: _found(figures, known, progress), listener, obj.Document)
     return obj.Proxy.last
 
 
 def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
-    made = known.result.draft
-    left = figures.left or job.rest_material_of(made, progress)
-    return Heights(known.fingerprint, made.mesh, left, figures.tolerance, allowed(made.settings, made.mesh, made.keep))
+    draft = known.result.draft
+    left = figures.left or job.rest_material_of(draft, progress)
+    return Heights(known.fingerprint, draft.mesh, left, figures.tolerance, allowed(draft.settings, draft.mesh, draft.keep))
 
 
 def out_of_date(obj: Any) -> str:
     """Why the map does not show what its toolpath leaves now; an empty text where it does."""
     if obj.Path is None:
-        return wording.told(say("The toolpath of {label} was deleted", label=obj.Label))
-    if said := results.out_of_date(obj.Path):
-        return said
+        return wording.localize(say("The toolpath of {label} was deleted", label=obj.Label))
+    if why := results.out_of_date(obj.Path):
+        return why
     return "" if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint else f"{obj.Label} is old: recompute the document"
 
 
@@ -174,7 +174,7 @@ def _show(obj: Any, found: Heights) -> None:
     values = {
         "LargestUndercut": max(float(height.max(initial=0.0)), 0.0), "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
         "UncutArea": uncut, "OvercutArea": left.taken(found.tolerance)[0], "MachinedArea": float(left.area.sum()),
-        "UncutVolume": volume, "Allowed": found.allowed, "Verdict": wording.told(verdict(found)),
+        "UncutVolume": volume, "Allowed": found.allowed, "Verdict": wording.localize(verdict(found)),
         "Fingerprint": found.fingerprint,
         "UpToDate": True,
     }  # fmt: skip

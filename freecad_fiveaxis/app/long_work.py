@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.errors import Cancelled
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.sentences import say
 
-from .shown_in import windows
+from .progress_window import windows
 
 T = TypeVar("T")
 
@@ -73,10 +73,10 @@ def run(work: Callable[[Progress], T], listener: Progress | None = None, doc: An
 
     Raises what the work raises, and Cancelled where the listener stops it or ``doc``, if one is given, is closed meanwhile.
     """
-    with listening(listener) as told:
-        if not hasattr(told, "pump") or not _is_main():
-            return work(told)
-        return _followed(Worker(work), told, doc)
+    with listening(listener) as current:
+        if not hasattr(current, "pump") or not _is_main():
+            return work(current)
+        return _followed(Worker(work), current, doc)
 
 
 def is_open(doc: Any) -> bool:
@@ -108,7 +108,7 @@ def _is_main() -> bool:
     return threading.current_thread() is threading.main_thread()
 
 
-def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
+def _followed(worker: Worker[T], listener: Any, doc: Any) -> T:
     """The worker's result. Meanwhile the listener hears all news and handles the window's events."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(TURN)
@@ -116,11 +116,11 @@ def _followed(worker: Worker[T], told: Any, doc: Any) -> T:
     try:
         while not worker.done.wait(TICK):
             for news in worker.news():
-                told(*news)
-            told.pump()
+                listener(*news)
+            listener.pump()
             check_open(doc)
         for news in worker.news():
-            told(*news)
+            listener(*news)
         check_open(doc)
     except BaseException:
         worker.stop()
@@ -143,14 +143,14 @@ class Worker(threading.Thread, Generic[T]):
         self._heard: deque[tuple[str, float]] = deque()
         self._stopped = self._left = False
         self._leaving = threading.Lock()
-        self._made: list[T] = []
+        self._results: list[T] = []
         self._error: BaseException | None = None
 
     def run(self) -> None:
         """Do the work."""
         try:
             with self._rules:
-                self._made.append(self._work(self._tell))
+                self._results.append(self._work(self._tell))
         except BaseException as error:
             self._error = error
         self._leave()
@@ -167,7 +167,7 @@ class Worker(threading.Thread, Generic[T]):
         """What the work gave, or the error it raised."""
         if self._error is not None:
             raise self._error
-        return self._made[0]
+        return self._results[0]
 
     def stop(self) -> None:
         """End the work as soon as that can be; returns within POLITE + PATIENCE seconds, with the worker ended or abandoned."""

@@ -112,4 +112,4 @@ def _choice(machine: str, source: str) -> Choice:
     try:
         return Choice(load_machine(machine).name, machine, source)
     except FiveAxisError as error:
-        return Choice(Path(machine).stem, machine, source, wording.told(error))
+        return Choice(Path(machine).stem, machine, source, wording.localize(error))

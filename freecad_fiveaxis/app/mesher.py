@@ -21,7 +21,7 @@ import MeshPart
 import Part
 
 FOLDER = "FIVEAXIS_MESHER"
-TASK, SHAPE, MESH, MADE, STL = "task.json", "shape.bin", "mesh.bms", "made.json", "mesh.stl"
+TASK, SHAPE, MESH, OUTCOME, STL = "task.json", "shape.bin", "mesh.bms", "made.json", "mesh.stl"
 DOCUMENT = ".fcstd"
 SEVERAL = 8
 """So many solids of a document are named."""
@@ -46,30 +46,30 @@ def main(folder: str) -> None:
     """Do the task of a folder."""
     with open(os.path.join(folder, TASK), encoding="ascii") as file:
         task = json.load(file)
-    made = _mesh_file(task, folder) if "file" in task else _mesh_shape(task, folder)
-    with open(os.path.join(folder, MADE), "w", encoding="ascii") as file:
-        json.dump(made, file)
+    outcome = _mesh_file(task, folder) if "file" in task else _mesh_shape(task, folder)
+    with open(os.path.join(folder, OUTCOME), "w", encoding="ascii") as file:
+        json.dump(outcome, file)
 
 
 def _mesh_shape(task: dict[str, Any], folder: str) -> list[int] | None:
     shape = Part.Shape()
     shape.importBinary(os.path.join(folder, SHAPE))
-    made = solid_mesh(shape, task["linear"], task["angular"])
-    if made is not None:
-        made[0].write(os.path.join(folder, MESH))
-    return made and made[1]
+    meshed = solid_mesh(shape, task["linear"], task["angular"])
+    if meshed is not None:
+        meshed[0].write(os.path.join(folder, MESH))
+    return meshed and meshed[1]
 
 
 def _mesh_file(task: dict[str, Any], folder: str) -> dict[str, Any]:
     try:
         shape = _read_shape(task["file"], task["named"])
-        made = solid_mesh(shape, task["linear"], math.radians(task["angular"]))
+        meshed = solid_mesh(shape, task["linear"], math.radians(task["angular"]))
     except Exception as error:
         return {"error": " ".join(str(error).split()) or type(error).__name__}
-    if made is None:
+    if meshed is None:
         return {"error": "its solid is invalid; repair it (Part, Check geometry)"}
-    made[0].write(os.path.join(folder, STL))
-    return {"facets": made[0].CountFacets}
+    meshed[0].write(os.path.join(folder, STL))
+    return {"facets": meshed[0].CountFacets}
 
 
 def _read_shape(path: str, named: str) -> Any:

@@ -47,8 +47,8 @@ def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tup
     ``linear`` mm, ``angular`` rad. Raises Cancelled where the listener stops it.
     """
     program = command() if hasattr(progress, "pump") and expected(shape, linear, angular) > QUICK else ""
-    made = _beside(program, shape, linear, angular, progress) if program else ()
-    return mesher.solid_mesh(shape, linear, angular) if made == () else made  # type: ignore[return-value]
+    found = _beside(program, shape, linear, angular, progress) if program else ()
+    return mesher.solid_mesh(shape, linear, angular) if found == () else found  # type: ignore[return-value]
 
 
 def expected(shape: Any, linear: float, angular: float) -> float:
@@ -82,16 +82,16 @@ def _beside(program: str, shape: Any, linear: float, angular: float, progress: P
         shape.exportBinary(os.path.join(folder, mesher.SHAPE))
         with open(os.path.join(folder, mesher.TASK), "w", encoding="ascii") as file:
             json.dump({"linear": linear, "angular": angular}, file)
-        run(lambda told: _waited(program, folder, told), progress)
+        run(lambda progress: _waited(program, folder, progress), progress)
         return _read(folder)
 
 
 def _read(folder: str) -> Any:
-    made = os.path.join(folder, mesher.MADE)
-    if not os.path.isfile(made):
+    file_path = os.path.join(folder, mesher.OUTCOME)
+    if not os.path.isfile(file_path):
         FreeCAD.Console.PrintLog("Five-axis: the process that meshes failed; the solid is meshed here\n")
         return ()
-    with open(made, encoding="ascii") as file:
+    with open(file_path, encoding="ascii") as file:
         counts = json.load(file)
     if counts is None:
         return None

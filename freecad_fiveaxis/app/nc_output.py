@@ -100,21 +100,21 @@ def out_of_date(obj: Any) -> str:
     Looks at the document as it stands, also where a recompute is due or has failed; computes no toolpath.
     """
     if obj.Path is None:
-        return wording.told(say("the toolpath of {label} was deleted; the file stays as it is", label=obj.Label))
+        return wording.localize(say("the toolpath of {label} was deleted; the file stays as it is", label=obj.Label))
     try:
         if not _holds_written(obj):
-            return wording.told(
+            return wording.localize(
                 say(
                     "{file} was changed by somebody else; post-process to another file, or ask for it to be overwritten",
                     file=obj.File,
                 )
             )
     except FiveAxisError as error:
-        return wording.told(say("{error}; post-process again", error=error))
+        return wording.localize(say("{error}; post-process again", error=error))
     why = results.out_of_date(obj.Path)
     if why or obj.UpToDate:
         return why
-    return wording.told(
+    return wording.localize(
         say("{label} has changed since {file} was written; post-process again", label=obj.Path.Label, file=obj.File)
     )
 

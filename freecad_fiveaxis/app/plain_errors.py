@@ -58,6 +58,6 @@ def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None
 
 def _traceless(error: FiveAxisError) -> FiveAxisError:
     """The same error, which nothing else holds."""
-    made = copy.copy(error)
-    made.__dict__["traceless"] = _Traceless()
-    return made
+    copied = copy.copy(error)
+    copied.__dict__["traceless"] = _Traceless()
+    return copied

@@ -60,9 +60,9 @@ def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[fl
         facets, runs, off = _find_facets(part, work_zero, settings, listener)
         check_open(doc)
 
-        def work(told: Progress) -> preview.Preview:
-            mesh, faces = convert.mesh_and_mask(facets(), runs, off, settings.gouge.avoid_allowance, told)
-            return preview.preview_passes(settings, told, mesh, faces)
+        def work(progress: Progress) -> preview.Preview:
+            mesh, faces = convert.mesh_and_mask(facets(), runs, off, settings.gouge.avoid_allowance, progress)
+            return preview.preview_passes(settings, progress, mesh, faces)
 
         return run(work, listener, doc)
 
@@ -89,7 +89,7 @@ def _find_facets(
 def _is_meshed(part: Part) -> bool:
     """Whether the mesh object is that of the part as it is now."""
     mesh = part.mesh
-    if mesh is None or mesh.State != ["Up-to-date"] or mesh.MadeOf != tessellation.made_of(mesh):
+    if mesh is None or mesh.State != ["Up-to-date"] or mesh.MadeOf != tessellation.hash_inputs(mesh):
         return False
     known = (mesh.LinearDeflection.Value, mesh.AngularDeflection.Value, tessellation.avoided(mesh))
     return known == (part.linear, part.angular, tuple(part.avoid))

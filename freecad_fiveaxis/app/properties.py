@@ -164,7 +164,7 @@ def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
 @cache
 def setting_properties(task: str) -> tuple[Property, ...]:
     """A property for every option of the task that is not a file to write."""
-    return tuple(made for cls, leaf in shown_options(task) for made in _of_option(group_of(cls, leaf), leaf))
+    return tuple(one for cls, leaf in shown_options(task) for one in _of_option(group_of(cls, leaf), leaf))
 
 
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
@@ -174,12 +174,12 @@ def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
         return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]
     choices = _ENUMERATED.get(leaf.name, leaf.metadata["choices"])
     name, type_ = property_name(leaf.name), KINDS["choice" if choices else kind]
-    made = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
+    properties = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
     if kind == "point":
-        made.append(Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None))
+        properties.append(Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None))
     if kind == "feed":
-        made.append(Property(name + PER_MINUTE, "App::PropertyFloat", group, _PER_MINUTE.get(leaf.name, text)))
-    return made
+        properties.append(Property(name + PER_MINUTE, "App::PropertyFloat", group, _PER_MINUTE.get(leaf.name, text)))
+    return properties
 
 
 _UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER, "CutterNeck": NECK}

@@ -188,9 +188,9 @@ def _put(obj: Any, options: Mapping[str, Any], own: Mapping[str, Any]) -> None:
 
 def taken_over(path: Any) -> dict[str, Any]:
     """What a Toolpath says of machine, tool and part, as :func:`reach_map` takes it."""
-    said, known = convert.options_of(path, "mill"), {leaf.name for _, leaf in shown_options(REACH)}
+    options, known = convert.options_of(path, "mill"), {leaf.name for _, leaf in shown_options(REACH)}
     angle = {"largest_axis_angle": path.MaxAxisAngle.Value} if path.ToolAxis == "auto" and path.MaxAxisAngle.Value else {}
-    shared = {name: value for name, value in said.items() if name in known}
+    shared = {name: value for name, value in options.items() if name in known}
     return shared | {"machine": path.Machine, "work_zero": tuple(path.WorkZero), "fixtures": list(path.Fixtures)} | angle
 
 
@@ -208,10 +208,10 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
     task = obj.Proxy.task(obj)
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
-        with listening(progress) as told:
-            whole = replace(task, fixtures=tuple(one.meshed(told) for one in task.fixtures))
+        with listening(progress) as listener:
+            whole = replace(task, fixtures=tuple(one.meshed(listener) for one in task.fixtures))
             with processes(WORTH) as executor:
-                obj.Proxy.last = run(lambda told: _found(whole, fingerprint, told, executor), told, obj.Document)
+                obj.Proxy.last = run(lambda progress: _found(whole, fingerprint, progress, executor), listener, obj.Document)
     return obj.Proxy.last
 
 
@@ -254,22 +254,22 @@ def advice(found: Last) -> list[Sentence]:
     """What would help where the holder is in the way, and where the cutter is too large: a sentence each."""
     chart = found.chart
     held, (step, area) = chart.area_of(Obstacle.HOLDER), stick_out(chart)
-    said = []
+    sentences = []
     if held > 0.0 and step > 0.0:
-        said.append(say(
+        sentences.append(say(
             "Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.",
             step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
         ))  # fmt: skip
     elif held > 0.0:
-        said.append(say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps."))
+        sentences.append(say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps."))
     if found.smaller:
-        said.append(say(
+        sentences.append(say(
             "Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.",
             more=Length(radius_too_large(found), ".3g"), diameter=Length(2.0 * found.smaller, ".3g"),
         ))  # fmt: skip
     elif found.smaller == 0.0:
-        said.append(say("Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area."))
-    return said
+        sentences.append(say("Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area."))
+    return sentences
 
 
 def _show(obj: Any, found: Last) -> None:
@@ -280,8 +280,8 @@ def _show(obj: Any, found: Last) -> None:
     values |= {
         "WholeArea": float(chart.area.sum()), "ReachableShare": 100.0 * share_reached(chart), "StickOut": step,
         "StickOutArea": area, "RadiusTooLarge": radius_too_large(found),
-        "Advice": " ".join(wording.told(one) for one in advice(found)), "Verdict": wording.told(verdict(chart)),
-        "Findings": [wording.told(finding.text) for finding in found.trial.findings], "Fingerprint": found.fingerprint,
+        "Advice": " ".join(wording.localize(one) for one in advice(found)), "Verdict": wording.localize(verdict(chart)),
+        "Findings": [wording.localize(finding.text) for finding in found.trial.findings], "Fingerprint": found.fingerprint,
         "UpToDate": True,
     }  # fmt: skip
     for name, value in values.items():

@@ -37,7 +37,7 @@ def recover(
     settings = settings_of(cl_file, nc_file, fcm_file, options)
     if not machines.is_new_folder(settings.recover.machine_file):
         outputs.check_outputs(settings)
-    return run(lambda told: workshop.recover_machine(settings, told), progress)
+    return run(lambda progress: workshop.recover_machine(settings, progress), progress)
 
 
 def write(done: workshop.Recovered) -> str:

@@ -75,11 +75,11 @@ class Task:
     def _hash(self, settings: Settings) -> str:
         settings = replace(settings, source="")
         files = _contents(self.settings, ("against",) if self.part else ())
-        said = repr((__version__, settings, _machine(self.settings), self.runs, *files)).encode()
-        said += repr(self.avoided).encode() if self.avoided and settings.gouge.avoid_allowance else b""
+        inputs = repr((__version__, settings, _machine(self.settings), self.runs, *files)).encode()
+        inputs += repr(self.avoided).encode() if self.avoided and settings.gouge.avoid_allowance else b""
         data = self.data.digest() if isinstance(self.data, Facets) else hashlib.sha256(self.data).digest()
         data += b"".join(one.digest() for one in ((self.part,) if self.part else ()) + self.fixtures)
-        return hashlib.sha256(data + said).hexdigest()
+        return hashlib.sha256(data + inputs).hexdigest()
 
 
 def runs_of(mesh: Any, settings: Settings) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -133,8 +133,8 @@ def figures_of(obj: Any, progress: Progress | None = None) -> Figures:
 
 def nc_of(obj: Any, progress: Progress | None = None) -> bytes:
     """The NC file of a Toolpath; of an Audit the file that is audited. Raises as :func:`result_of`."""
-    made = _last(obj, progress).result.draft
-    return made.nc if isinstance(made, job.PostedProgram) else obj.Proxy.task(obj).data
+    draft = _last(obj, progress).result.draft
+    return draft.nc if isinstance(draft, job.PostedProgram) else obj.Proxy.task(obj).data
 
 
 def _last(obj: Any, progress: Progress | None) -> Last:
@@ -145,10 +145,10 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     task = proxy.task(obj)
     fingerprint = task.fingerprint
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
-        with listening(progress) as told:
-            whole = replace(task, part=task.part.meshed(told)) if task.part else task
-            whole = replace(whole, fixtures=tuple(one.meshed(told) for one in task.fixtures))
-            proxy.last = run(lambda told: _computed(proxy, whole, fingerprint, told), doc=obj.Document)
+        with listening(progress) as listener:
+            whole = replace(task, part=task.part.meshed(listener)) if task.part else task
+            whole = replace(whole, fixtures=tuple(one.meshed(listener) for one in task.fixtures))
+            proxy.last = run(lambda progress: _computed(proxy, whole, fingerprint, progress), doc=obj.Document)
     return proxy.last
 
 
@@ -174,7 +174,7 @@ def execute(obj: Any) -> None:
         mark_users(obj)
         raise
     except FiveAxisError as error:
-        clear_result(obj, wording.told(error))
+        clear_result(obj, wording.localize(error))
         raise
     put_result(obj, last.figures, last.fingerprint)
 
@@ -190,7 +190,7 @@ def judged_of(obj: Any) -> tuple[float, float]:
 def out_of_date(obj: Any) -> str:
     """Why the object does not show the result of its base and settings; an empty text where it does."""
     if _base_is_gone(obj):
-        return wording.told(
+        return wording.localize(
             say(
                 "The part that {label} was made of was deleted: undo that, or choose another one in its property Base",
                 label=obj.Mesh.Label,
@@ -200,15 +200,15 @@ def out_of_date(obj: Any) -> str:
     before = [one for one in needed if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
-            return wording.told(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))
+            return wording.localize(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))
         if "Touched" in one.State and one is not obj:
-            return wording.told(say("{label} was changed: recompute the document", label=one.Label))
+            return wording.localize(say("{label} was changed: recompute the document", label=one.Label))
     try:
         same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
     except FiveAxisError as error:
-        return wording.told(error)
+        return wording.localize(error)
     text = say("{label} shows the result of other settings, or of another version: recompute the document", label=obj.Label)
-    return "" if same else wording.told(text)
+    return "" if same else wording.localize(text)
 
 
 def tells_of(obj: Any) -> bool:

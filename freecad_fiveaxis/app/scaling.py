@@ -60,9 +60,9 @@ def _scaled(doc: Any, base: Any, faces: tuple[str, ...], factor: float) -> tuple
 
 
 def _matrix(factor: float) -> Any:
-    made = FreeCAD.Matrix()
-    made.scale(factor, factor, factor)
-    return made
+    matrix = FreeCAD.Matrix()
+    matrix.scale(factor, factor, factor)
+    return matrix
 
 
 def _show(copy: Any, base: Any) -> None:

@@ -158,8 +158,8 @@ def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tu
         text = say("{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT)
         raise SelectionError(text, obj.Label)
     whole = found[0] if len(found) == 1 else Part.makeCompound(found)
-    asked = [(name, text) for names, text in ((faces, _LOST), (avoid, _LOST_AVOIDED)) for name in names]
-    return whole, [_face_row(obj.Label, shape, whole, name, text) for name, text in asked]
+    wanted = [(name, text) for names, text in ((faces, _LOST), (avoid, _LOST_AVOIDED)) for name in names]
+    return whole, [_face_row(obj.Label, shape, whole, name, text) for name, text in wanted]
 
 
 def invalid(label: str) -> SelectionError:

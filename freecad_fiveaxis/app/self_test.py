@@ -76,11 +76,11 @@ def _by_pytest(file: Path) -> Callable[[], None]:
             raise unittest.SkipTest("FreeCAD's Python has no pytest")
         import pytest
 
-        told = io.StringIO()  # FreeCAD's own stdout is no file
+        output = io.StringIO()  # FreeCAD's own stdout is no file
         options = ["-c", str(ROOT / "tests" / "freecad" / "pytest.ini"), "--rootdir", str(ROOT), "-s"]
-        with contextlib.redirect_stdout(told), contextlib.redirect_stderr(told):
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
             code = pytest.main([*options, str(file)])
         if code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
-            raise AssertionError(told.getvalue())
+            raise AssertionError(output.getvalue())
 
     return run

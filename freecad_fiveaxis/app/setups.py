@@ -245,7 +245,7 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
         with processes() as executor:
-            obj.Proxy.last = run(lambda told: _tried(task, fingerprint, told, executor), progress, obj.Document)
+            obj.Proxy.last = run(lambda progress: _tried(task, fingerprint, progress, executor), progress, obj.Document)
     return obj.Proxy.last.trial
 
 
@@ -319,7 +319,7 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
         "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),
         "DeviationBefore": _known(chart.max_deviation[0]), "DeviationAfter": _known(chart.max_deviation[best]),
         "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": _verdict(obj, chart),
-        "Findings": [wording.told(finding.text) for finding in chart.findings],
+        "Findings": [wording.localize(finding.text) for finding in chart.findings],
         "Places": [FreeCAD.Vector(*chart.origin[row]) + shift for row, _ in marked],
         "Kinds": [kind for _, kind in marked], "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
         "Fingerprint": fingerprint, "UpToDate": True,
@@ -334,9 +334,9 @@ def divides_blocks(path: Any) -> bool:
 
 
 def _verdict(obj: Any, chart: Chart) -> str:
-    told = wording.told(verdict(chart))
+    text = wording.localize(verdict(chart))
     more = say("These are deviations of blocks that are not yet divided: the program's own keep its tolerance.")
-    return f"{told} {wording.told(more)}" if divides_blocks(obj.Path) else told
+    return f"{text} {wording.localize(more)}" if divides_blocks(obj.Path) else text
 
 
 def _known(value: float) -> float:

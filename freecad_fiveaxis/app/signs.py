@@ -28,7 +28,7 @@ def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress:
     """Program and sheet, not yet written. Raises FiveAxisError where the limits leave no room."""
     settings = settings_of(nc_file, options, sheet)
     outputs.check_outputs(settings)
-    return run(lambda told: workshop.prove(settings, told), progress)
+    return run(lambda progress: workshop.prove(settings, progress), progress)
 
 
 def top_of(objects: Iterable[Any]) -> float | None:

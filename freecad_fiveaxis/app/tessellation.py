@@ -91,7 +91,7 @@ class Tessellation(Proxy):
             mesh, runs, off = meshed(base, faces, *deflections, progress, avoided(obj))
             progress("tessellate", 1.0)
         check_open(doc)
-        obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, made_of(obj)
+        obj.Mesh, obj.FacetRuns, obj.Facets, obj.MadeOf = mesh, runs, mesh.CountFacets, hash_inputs(obj)
         obj.AvoidedRuns = off
         self.built = True
 
@@ -100,9 +100,9 @@ class Tessellation(Proxy):
         from the same mesh made once more, which stays out of the document. Raises SelectionError where it is not the same."""
         if obj.AvoidedRuns or not avoided(obj):
             return list(obj.AvoidedRuns)
-        made_for = chosen(obj)[1], avoided(obj), obj.MadeOf
-        if self._found is None or self._found[0] != made_for:
-            self._found = made_for, _find_avoided(obj)
+        inputs = chosen(obj)[1], avoided(obj), obj.MadeOf
+        if self._found is None or self._found[0] != inputs:
+            self._found = inputs, _find_avoided(obj)
         return self._found[1]
 
     def onChanged(self, obj: Any, name: str) -> None:
@@ -133,7 +133,7 @@ def _find_avoided(obj: Any) -> list[int]:
     return off
 
 
-def made_of(obj: Any) -> str:
+def hash_inputs(obj: Any) -> str:
     """A checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the deflections; empty without
     a base."""
     base, faces = chosen(obj)
@@ -145,9 +145,9 @@ def made_of(obj: Any) -> str:
     else:
         whole = selection.solids(base)[0]
         box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
-    said = (shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
-    said += (avoided(obj),) if avoided(obj) else ()  # documents that know of none keep their checksums
-    return hashlib.sha256(repr(said).encode()).hexdigest()
+    inputs = (shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
+    inputs += (avoided(obj),) if avoided(obj) else ()  # documents that know of none keep their checksums
+    return hashlib.sha256(repr(inputs).encode()).hexdigest()
 
 
 def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
@@ -201,10 +201,10 @@ def meshed(
     whole, rows = selection.solids(base, faces, avoid)
     off = sorted(set(rows[len(faces) :]))
     rows = _milled(base.Label, rows, len(faces), avoid, len(whole.Faces))
-    made = meshing.meshed(whole, linear, math.radians(angular), progress)
-    if made is None:
+    found = meshing.meshed(whole, linear, math.radians(angular), progress)
+    if found is None:
         raise selection.invalid(base.Label)
-    mesh, counts = made
+    mesh, counts = found
     if not mesh.CountFacets or len(counts) != len(whole.Faces) or sum(counts) != mesh.CountFacets:
         raise selection.SelectionError(
             say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base

@@ -148,14 +148,14 @@ def _size(given: Any, key: str, name: str) -> float:
 
     units = FreeCAD.Units
     unit, what = (units.Angle, say("angle; write it as 10 deg")) if key.endswith("Angle") else (units.Length, LENGTH)
-    said = say("{name}: {key} {given} is no {what}", name=name, key=key, given=repr(given), what=what)
+    message = say("{name}: {key} {given} is no {what}", name=name, key=key, given=repr(given), what=what)
     try:
         text = given.strip() or "?" if isinstance(given, str) else float(given)  # FreeCAD takes no text at all for 2e-308
         size = units.Quantity(text)
     except (ValueError, TypeError, OSError, ArithmeticError):
-        raise SettingsError(said, given) from None
+        raise SettingsError(message, given) from None
     if size.Unit not in (unit, units.Unit()):
-        raise SettingsError(said, given)
+        raise SettingsError(message, given)
     return float(size.Value)
 
 

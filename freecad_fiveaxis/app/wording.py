@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says, in the user's language and units: every finding, error and verdict that is shown goes through ``told``."""
+"""What the core says, in the user's language and units: findings, errors and verdicts are shown by ``localize``."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from .labels import name_of
 from .units import measure_text
 
 
-def told(text: str | BaseException) -> str:
-    """A sentence, or the message of an error, as the user reads it; any other text as it is."""
+def localize(text: str | BaseException) -> str:
+    """Give a sentence, or the message of an error, as the user reads it; any other text as it is."""
     if isinstance(text, FiveAxisError):
         text = text.text
     return render(text, FreeCAD.Qt.translate, measure_text, name_of) if isinstance(text, str) else str(text)

@@ -70,7 +70,7 @@ class Table:
         self.comparison = comparison
         self.label, self.document = path.Label, path.Document
         self.dock.setWindowTitle(translate("FiveAxis", "Machines on {label}").format(label=path.Label))
-        self.verdict.setText(wording.told(verdict(comparison.rows, comparison.settings.proof.tolerance)))
+        self.verdict.setText(wording.localize(verdict(comparison.rows, comparison.settings.proof.tolerance)))
         self.error.setText("")
         self.table.setSortingEnabled(False)
         self.table.setRowCount(len(comparison.rows))
@@ -144,9 +144,9 @@ def cells(row: Any) -> list[Cell]:
     guided = translate("FiveAxis", "yes") if row.tool_centre else translate("FiveAxis", "no")
     named = [Cell(row.machine), Cell(cure_label(row.cure)), Cell(guided)]
     if row.problem:
-        told = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.told(row.problem)))
-        told.setToolTip(wording.told(row.problem))
-        return [*named, *(Cell("–") for _ in range(7)), told]
+        reason = Cell(translate("FiveAxis", "impossible: {why}").format(why=wording.localize(row.problem)))
+        reason.setToolTip(wording.localize(row.problem))
+        return [*named, *(Cell("–") for _ in range(7)), reason]
     linear = max(row.peak_rate[:3])
     within = translate("FiveAxis", "within")
     over = translate("FiveAxis", "over by {length}").format(length=length_text(row.over))

@@ -86,7 +86,7 @@ def show(error: BaseException) -> None:
     from freecad_fiveaxis.app import wording
 
     text = translate("FiveAxis", "This should not have happened: {error}. The details are in the report view.")
-    text = text.format(error=wording.told(error).rstrip(".") or type(error).__name__)
+    text = text.format(error=wording.localize(error).rstrip(".") or type(error).__name__)
     if not _show_in_panel(text):
         later(lambda: _show_box(text))  # no event loop within an observer
 
@@ -111,11 +111,11 @@ def _show_box(text: str) -> None:
     box.setIcon(QtWidgets.QMessageBox.Critical)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
     box.setText(text)
-    box.finished.connect(_told)
+    box.finished.connect(_delete_box)
     _box.append(box)
     box.open()
 
 
-def _told(*_: Any) -> None:
+def _delete_box(*_: Any) -> None:
     while _box:
         _box.pop().deleteLater()

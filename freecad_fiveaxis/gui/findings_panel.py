@@ -203,16 +203,16 @@ class Panel:
 
         row = self.rows[at]
         finding, title = row.finding, words.name_of(row.kind)
-        told = words.told(row.kind, spot(self.figures, finding.block)) if finding.block else None
-        told = told or gouge_words.told(finding)
+        explanation = words.explain(row.kind, spot(self.figures, finding.block)) if finding.block else None
+        explanation = explanation or gouge_words.explain(finding)
         if finding.line is not None:
             title = translate("FiveAxis", "{what}, NC line {line}").format(what=title, line=finding.line)
-        if told is None:
+        if explanation is None:
             from freecad_fiveaxis.app import wording
 
-            return _html([("", wording.told(finding.text))], title)
+            return _html([("", wording.localize(finding.text))], title)
         heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
-        parts = list(zip(heads, told, strict=True))
+        parts = list(zip(heads, explanation, strict=True))
         return _html([("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title)
 
 
@@ -227,6 +227,6 @@ def _scope_page(figures: Any, some: bool) -> str:
     from freecad_fiveaxis.core.report import scope, summary
 
     parts = [] if some else [("", translate("FiveAxis", "Nothing to report: all blocks are as they should be."))]
-    for name, told in scope(figures, summary(figures)).named:
-        parts += [(wording.told(name) + ":", "; ".join(wording.told(one) for one in told) + ".")]
+    for name, texts in scope(figures, summary(figures)).named:
+        parts += [(wording.localize(name) + ":", "; ".join(wording.localize(one) for one in texts) + ".")]
     return _html(parts, translate("FiveAxis", "What the verdict rests on"))

@@ -68,12 +68,12 @@ class LeftPicture:
 
     def _extremes(self, found: left.Heights) -> list[Label]:
         """The labels: where the cut is deepest, and where most is left, if that is more than may be."""
-        height, point, made = found.left.height, found.left.point, []
+        height, point, labels = found.left.height, found.left.point, []
         if (least := float(height.min())) < -found.tolerance:
-            made.append(Label(point[height.argmin()].tolist(), _deep_text(-least), GOUGE_COLOURS[OVERCUT]))
+            labels.append(Label(point[height.argmin()].tolist(), _deep_text(-least), GOUGE_COLOURS[OVERCUT]))
         if (most := float(height.max())) > found.allowed:
-            made.append(Label(point[height.argmax()].tolist(), _left_text(most)))
-        return made
+            labels.append(Label(point[height.argmax()].tolist(), _left_text(most)))
+        return labels
 
     def _legend(self) -> overlay.Legend:
         if self.heights is None or self.scale is None:

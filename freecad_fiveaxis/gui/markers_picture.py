@@ -37,7 +37,7 @@ class MarkersPicture:
         )  # fmt: skip
         texts: list[Any] = []
         if view.ShowLabel and path is not None and tells_of(path):
-            told = labels.Told(deviation, path.WorstLine, tolerance, good, bad)
+            largest = labels.LargestDeviation(deviation, path.WorstLine, tolerance, good, bad)
             values = [depth or area for depth, area in zip_longest(self.obj.Depths, self.obj.Areas, fillvalue=0.0)]
-            texts = labels.of_marks(places.tolist(), kinds, values, told)
+            texts = labels.of_marks(places.tolist(), kinds, values, largest)
         self.labels.show(texts)

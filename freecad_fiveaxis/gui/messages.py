@@ -54,4 +54,4 @@ def telling() -> Iterator[None]:
     except Cancelled:
         status(translate("FiveAxis", "Stopped; the document is as it was."))
     except FiveAxisError as error:
-        warn(wording.told(error))
+        warn(wording.localize(error))

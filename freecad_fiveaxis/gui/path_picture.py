@@ -124,5 +124,7 @@ class Picture:
         if len(self.figures.worst):
             row = self.figures.worst[0]
             deviation, line = float(self.figures.judged.segment[row]), int(self.figures.program.line[row])
-        told = labels.Told(deviation, line, self.figures.tolerance, rgb(self.vobj.ColourGood), rgb(self.vobj.ColourBad))
-        return labels.of_marks([mark.place for mark in marks], [mark.kind for mark in marks], values, told)
+        largest = labels.LargestDeviation(
+            deviation, line, self.figures.tolerance, rgb(self.vobj.ColourGood), rgb(self.vobj.ColourBad)
+        )
+        return labels.of_marks([mark.place for mark in marks], [mark.kind for mark in marks], values, largest)

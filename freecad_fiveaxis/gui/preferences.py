@@ -117,8 +117,8 @@ def _controllers() -> dict[str, str]:
 def _machines() -> dict[str, str]:
     from freecad_fiveaxis.app.machines import choices
 
-    made: dict[str, str] = {}
+    by_label: dict[str, str] = {}
     for choice in choices():
         if not choice.error:
-            made[choice.machine if choice.label in made else choice.label] = choice.machine
-    return made
+            by_label[choice.machine if choice.label in by_label else choice.label] = choice.machine
+    return by_label

@@ -75,9 +75,9 @@ class PreviewPicture:
 
 def lines_of(found: Preview, origin: Sequence[float]) -> Any:
     """The lines of a preview as one node, which the mouse does not see."""
-    made, place = coin.SoLineSet(), coin.SoTranslation()
+    lines, place = coin.SoLineSet(), coin.SoTranslation()
     place.translation.setValue(*origin)
-    made.vertexProperty = nodes.vertices(found.point)
-    made.numVertices.setValues(0, len(found.sizes), np.ascontiguousarray(found.sizes, np.int32))
+    lines.vertexProperty = nodes.vertices(found.point)
+    lines.numVertices.setValues(0, len(found.sizes), np.ascontiguousarray(found.sizes, np.int32))
     look = (nodes.unpickable(), nodes.flat(), nodes.nearer(NEARER), nodes.colour(COLOUR), nodes.style(WIDTH))
-    return nodes.separate(place, *look, made)
+    return nodes.separate(place, *look, lines)

@@ -65,7 +65,7 @@ def create(name: str) -> Any:
     for _ in range(TRIES):
         widget = loader.createWidget(name)
         if widget is not None and _is_new(widget):
-            widget.made_before = True
+            widget.already_created = True
             return widget
     raise RuntimeError(f"this FreeCAD makes no widget {name}")
 
@@ -75,7 +75,7 @@ def _is_new(widget: Any) -> bool:
         widget.objectName()
     except RuntimeError:  # PySide: already deleted
         return False
-    return not hasattr(widget, "made_before")
+    return not hasattr(widget, "already_created")
 
 
 def later(work: Callable[[], Any]) -> None:

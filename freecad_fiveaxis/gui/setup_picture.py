@@ -49,11 +49,11 @@ class SetupPicture:
         return translate("FiveAxis", "recommended: {deviation}").format(deviation=length_text(self.obj.DeviationAfter.Value))
 
     def _legend(self, scale: Any, good: nodes.Colour, bad: nodes.Colour, shown: int) -> overlay.Legend:
-        said = translate("FiveAxis", "instead of {deviation} where it stood")
+        template = translate("FiveAxis", "instead of {deviation} where it stood")
         notes = [
             translate("FiveAxis", "Largest deviation with the work zero there"),
             self._best(),
-            said.format(deviation=length_text(self.obj.DeviationBefore.Value)),
+            template.format(deviation=length_text(self.obj.DeviationBefore.Value)),
         ]
         if shown < len(self.obj.Places):
             part = translate("FiveAxis", "{shown} of {count} places: those at the recommended height")

@@ -44,7 +44,7 @@ class Waiting:
         dialog.setAutoReset(False)
         dialog.reset()  # Qt would show it by itself after a while
         self.dialog, self.text, self._due, self._stage = dialog, text, 0.0, ""
-        self._told, self._moved = ("", 0.0), time.monotonic()
+        self._reported, self._moved = ("", 0.0), time.monotonic()
         self._shown, self._pressed, self._show_at = False, False, time.monotonic() + delay
 
     def start(self) -> None:
@@ -57,8 +57,8 @@ class Waiting:
     def __call__(self, stage: str, fraction: float) -> None:
         """Show the stage (a word of the core) and its fraction, 0 to 1. Raises Cancelled once the user wants to stop."""
         now = time.monotonic()
-        if (stage, fraction) != self._told:
-            self._told, self._moved = (stage, fraction), now
+        if (stage, fraction) != self._reported:
+            self._reported, self._moved = (stage, fraction), now
         if now < self._due and stage == self._stage:
             return
         self._due, self._stage = now + REPAINT, stage
@@ -162,7 +162,7 @@ def find_for_drawing(obj: Any, find: Callable[[Any, Waiting], Any]) -> tuple[Any
     except FiveAxisError as error:
         obj.touch()
         FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
-        return None, wording.told(error)
+        return None, wording.localize(error)
 
 
 @contextmanager
@@ -187,6 +187,6 @@ def recomputing() -> Iterator[Waiting]:
 
 def register() -> None:
     """Long work that nobody else listens to is shown here."""
-    from freecad_fiveaxis.app.shown_in import show_in
+    from freecad_fiveaxis.app.progress_window import show_progress_in
 
-    show_in(recomputing)
+    show_progress_in(recomputing)

@@ -202,7 +202,7 @@ def test_an_older_document_opens_unchanged(doc, step, reopen, anew):
     anew()
     assert again.Mesh.Avoid is None and again.Mesh.MadeOf == made_of and again.Mesh.State == ["Up-to-date"]
     assert not results.out_of_date(again) and results.nc_of(again) == nc
-    assert tessellation.made_of(again.Mesh) == made_of
+    assert tessellation.hash_inputs(again.Mesh) == made_of
 
 
 @pytest.mark.parametrize("faces", [(), ("wall", "low", "high")])

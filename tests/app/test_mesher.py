@@ -74,6 +74,6 @@ def test_a_file_that_holds_no_solid_says_so(tmp_path):
 
 def test_the_words_of_both_sides_are_the_same():
     ours = solids.FOLDER, solids.TASK, solids.MESH, solids.OUTCOME, solids.DOCUMENT
-    assert ours == (mesher.FOLDER, mesher.TASK, mesher.STL, mesher.MADE, mesher.DOCUMENT)
+    assert ours == (mesher.FOLDER, mesher.TASK, mesher.STL, mesher.OUTCOME, mesher.DOCUMENT)
     assert os.path.samefile(mesher.__file__, solids.script()) and solids.NAMES == meshing.NAMES
     assert (solids.LINEAR, solids.ANGULAR) == (tessellation.LINEAR, tessellation.ANGULAR), "as the window meshes"

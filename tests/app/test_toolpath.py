@@ -53,7 +53,9 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     assert path.MaxBound.Value == told["max_bound"] >= path.MaxSegmentDeviation.Value
     assert path.CutLength.Value == told["cut_length"] > 100
     assert getattr(path.Time, "Value", path.Time) == told["time_s"] > 1
-    assert list(path.Findings) == [wording.told(finding.text) for finding in results.figures_of(path).findings] and path.Findings
+    assert (
+        list(path.Findings) == [wording.localize(finding.text) for finding in results.figures_of(path).findings] and path.Findings
+    )
 
 
 @pytest.mark.parametrize(

@@ -118,8 +118,12 @@ def test_the_version_is_the_same_wherever_it_stands():
 PRIVATE = frozenset(["said", "told", "led", "laid", "sat", "stood", "asked", "made", "lent", "foretold"])
 """Past participles that once stood for findings, texts, axes, rows and records; the trade has words for all of these."""
 
-CLEAN = LAYERS
-"""Where no name is made of them: in all of the core."""
+PACKAGE = ROOT / "freecad_fiveaxis"
+
+
+def packages():
+    """The folders of the whole tree, the core's and those of ``app`` and ``gui``, in which Python modules lie."""
+    return sorted({path.parent.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py")})
 
 
 CODES = frozenset(["AXIS_LED_PAST_POLE", "CYCLE_STEP_NOT_SAID", "UNITS_NOT_SAID"])
@@ -134,13 +138,28 @@ def private_names(source):
     ]
 
 
-@pytest.mark.parametrize("package", CLEAN)
+def private_words_in(folder):
+    """The files of a folder, by their names, that carry such a word in their own name or in a name within, with its line."""
+    found = {path.name: private_names(path.stem + "\n" + path.read_text(encoding="utf-8")) for path in folder.glob("*.py")}
+    return {name: [(line - 1, word) for line, word in names] for name, names in found.items() if names}
+
+
+@pytest.mark.parametrize("package", packages())
 def test_names_are_words_of_the_trade(package):
-    files = sorted((CORE / package).rglob("*.py")) or [CORE / f"{package}.py"]
-    found = {path.name: private_names(path.read_text(encoding="utf-8")) for path in files}
-    assert files and {name: names for name, names in found.items() if names} == {}
+    assert private_words_in(PACKAGE / package) == {}
+
+
+def test_all_of_the_tree_is_read_for_private_words():
+    assert {"core/passes", "app", "gui", "gui/panels", "gui/scene", "gui/play", "gui/commands"} <= set(packages())
 
 
 def test_a_private_word_would_be_noticed():
     assert private_names("offset, said = close(path)\nled_axis = said\n") == [(1, "said"), (2, "led_axis"), (2, "said")]
     assert private_names("# said\nsaid_so = 'told'") == [(2, "said_so")] and not private_names("solid = 'told'")
+
+
+def test_a_private_word_in_a_file_would_be_noticed(tmp_path):
+    (tmp_path / "told.py").write_text("")
+    (tmp_path / "panel.py").write_text("import told as wording\n\nMADE_HERE = True\n")
+    (tmp_path / "clean.py").write_text("wording = 'told'\n")
+    assert private_words_in(tmp_path) == {"told.py": [(0, "told")], "panel.py": [(1, "told"), (3, "MADE_HERE")]}

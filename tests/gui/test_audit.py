@@ -36,7 +36,7 @@ def posted(dome, doc, tmp_path):
 
 
 def said(panel):
-    return panel.options.said()
+    return panel.options.read_values()
 
 
 def test_the_newest_posted_program_its_machine_its_tool_and_its_solid_are_proposed(

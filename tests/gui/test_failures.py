@@ -181,7 +181,7 @@ def test_fields_live_while_garbage_is_collected_and_windows_of_ours_open(panel, 
     findings_panel.show(panel.obj)
     gc.collect()
     pump(300)
-    assert panel.options.said()
+    assert panel.options.read_values()
     assert panel.accept()
 
 

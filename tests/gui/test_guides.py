@@ -64,22 +64,22 @@ def test_centre_and_axis_are_picked_named_lit_up_and_kept(doc, disc, panel, clic
     assert lit.Object is disc and lit.SubElementNames == (rim(disc),)
     pick(panel, "pass_axis", disc, wall(disc), click, field, until)
     assert [abs(part) for part in fields["pass_axis"].value()] == [0, 0, 1]
-    assert panel.options.said()["picked"] == {"pass_centre": (disc, rim(disc)), "pass_axis": (disc, wall(disc))}
+    assert panel.options.read_values()["picked"] == {"pass_centre": (disc, rim(disc)), "pass_axis": (disc, wall(disc))}
     pump(300)
     screenshot("guides_picked")
     panel.options.show_options({"work_zero": (1.0, 2.0, 3.0)})
     assert fields["pass_centre"].value() == "19,8,2" and fields["pass_centre"].link, "about the work zero of the form"
     assert panel.preview_passes() and panel.calculate(), panel.options.error.text()
     path = panel.obj
-    assert guides.links_of(path) == panel.options.said()["picked"] and path.Passes > 10
+    assert guides.links_of(path) == panel.options.read_values()["picked"] and path.Passes > 10
     assert panel.accept()
     pump(200)
     again = toolpath.edit(path)
     pump(200)
-    assert again.options.said()["picked"] == guides.links_of(path) and not again.stale
+    assert again.options.read_values()["picked"] == guides.links_of(path) and not again.stale
     again.options.fields["pass_centre"].line.textEdited.emit("0,0,0")
     again.options.show_options({"pass_centre": "18,10,0"})
-    assert again.stale and "pass_centre" not in again.options.said()["picked"]
+    assert again.stale and "pass_centre" not in again.options.read_values()["picked"]
     assert again.calculate() and set(guides.links_of(path)) == {"pass_axis"}
     again.reject()
 
@@ -91,9 +91,9 @@ def test_where_passes_begin_and_end_is_picked_too(disc, panel, click, field, unt
         pick(panel, name, disc, "Vertex1", click, field, until)
         assert panel.options.fields[name].value() == ",".join(f"{at:.12g}" for at in disc.Shape.Vertexes[0].Point)
         assert field(name + "_picked").text() == "Vertex1 of Disc"
-    assert set(panel.options.said()["picked"]) == {"from_", "to"}
+    assert set(panel.options.read_values()["picked"]) == {"from_", "to"}
     panel.options.show_options({"passes": "planes"})
-    assert panel.options.said()["picked"] == {}, "what counts for nothing is not linked"
+    assert panel.options.read_values()["picked"] == {}, "what counts for nothing is not linked"
     panel.reject()
 
 
@@ -144,11 +144,11 @@ def test_a_face_is_picked_as_boundary_and_an_edge_as_guide(doc, disc, panel, cli
     text = panel.options.fields["boundary"].value()
     assert text.count(";") > 20 and field("boundary_picked").text() == f"{top} of Disc" and panel.options.check()
     pick(panel, "from_", disc, rim(disc), click, field, until)
-    assert panel.options.said()["picked"] == {"boundary": (disc, top), "from_": (disc, rim(disc))}
+    assert panel.options.read_values()["picked"] == {"boundary": (disc, top), "from_": (disc, rim(disc))}
     pump(300)
     screenshot("boundary_picked")
     assert panel.preview_passes() and panel.calculate(), panel.options.error.text()
-    assert guides.links_of(panel.obj) == panel.options.said()["picked"] and panel.obj.Passes > 3
+    assert guides.links_of(panel.obj) == panel.options.read_values()["picked"] and panel.obj.Passes > 3
     pick(panel, "boundary", disc, "Vertex1", click, field, until)
     assert "bounds nothing: pick a face, or an edge of a closed wire" in panel.options.fields["boundary"].error.text()
     assert panel.options.fields["boundary"].value() == text

@@ -418,7 +418,7 @@ def test_the_work_zero_is_picked_in_the_view(panel, doc, dome, view_click, pump,
     until(lambda: not field.pick.running, 20000, "the pick of a place")
     x, y, z = field.value()
     assert (x * x + y * y + z * z) ** 0.5 == pytest.approx(20.0, abs=0.05) and z > 18.0
-    assert panel.options.said()["work_zero"] == [x, y, z]
+    assert panel.options.read_values()["work_zero"] == [x, y, z]
 
 
 def test_esc_ends_the_pick_and_not_the_panel(panel, doc, dome, key, pump, until):

@@ -52,7 +52,7 @@ def test_passes_are_drawn_and_told_and_the_document_stays(doc, panel, field, cli
     bare = pixels(screenshot("preview_before"), PINK, 40)
     click(field("preview_passes"))
     until(lambda: panel.preview.line.isVisible(), 20000, "the line")
-    found = app.preview_passes((panel.base, panel.faces), **panel.options.said())
+    found = app.preview_passes((panel.base, panel.faces), **panel.options.read_values())
     said = panel.preview.line.text()
     assert said.startswith(f"{found.passes} passes, ") and f"{found.length:.0f} mm" in said and "links not counted" in said
     assert f"{int(found.length / 10) // 60}:" in said, said

@@ -368,7 +368,7 @@ def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour
     found = [search.getPaths()[i].getTail().diffuseColor[0].getValue() for i in range(search.getPaths().getLength())]
     assert any(np.allclose(one, BAD, atol=1e-6) for one in found) == (colour == BAD)
     assert any(np.allclose(one, GOOD, atol=1e-6) for one in found) == (colour == GOOD)
-    told = labels.Told(deviation, 12, 0.01, GOOD, BAD)
+    told = labels.LargestDeviation(deviation, 12, 0.01, GOOD, BAD)
     said = labels.of_marks([(0, 0, 0)], [marks.LARGEST], [None], told)
     assert [one.colour for one in said] == ([colour] if colour else [])
     assert not said or ("within" in said[0].text) == (colour == GOOD)
@@ -393,7 +393,7 @@ def test_a_kind_of_markers_has_one_label_and_each_side_that_is_not_machined_its_
              "corner-not-reached", "corner-not-reached", "unit-suspected"]  # fmt: skip
     places = np.arange(27.0).reshape(-1, 3).tolist()
     values = [None, None, None, 2100.0, None, 0.4, None, None, None]
-    said = labels.of_marks(places, kinds, values, labels.Told(0.02, 12, 0.01, GOOD, BAD))
+    said = labels.of_marks(places, kinds, values, labels.LargestDeviation(0.02, 12, 0.01, GOOD, BAD))
     assert [one.place for one in said] == [places[5], places[0], places[3], places[4], places[6]]  # first what scraps the part
     assert "0.4" in said[0].text and "over" in said[1].text and area_text(2100.0) in said[2].text
     assert said[3].text == words.name_of("side-not-machined") and said[4].text.endswith(": 2 places")

@@ -39,13 +39,13 @@ def dome(doc):
 def test_a_finding_in_german_and_in_every_schema(german, unit):
     said = say("The cutter goes {depth} too deep into the part at {at}.", depth=Length(5.08, ".4g"), at=Point((25.4, 0.0, -12.7)))
     depth, place = ("0.2 in", "(1, 0, -0.5) in") if unit == "in" else ("5.08 mm", "(25.4, 0, -12.7) mm")
-    assert wording.told(said) == f"Der Fräser dringt bei {place} {depth} zu tief ins Werkstück ein."
+    assert wording.localize(said) == f"Der Fräser dringt bei {place} {depth} zu tief ins Werkstück ein."
 
 
 def test_an_error_names_the_field_as_the_window_does(german):
     with pytest.raises(FiveAxisError) as caught:
         build_settings("mill", "a.stl", {"machine": "trunnion_ac", "max_tilt": 400.0})
-    said = wording.told(caught.value)
+    said = wording.localize(caught.value)
     assert said.startswith(translate("FiveAxis", "Largest axis angle")) and "liegt außerhalb" in said and "°" in said
     assert str(caught.value).startswith("max-tilt 400")
 
@@ -63,12 +63,12 @@ NAMED = [
 
 def test_settings_choices_and_tasks_are_named_as_in_the_window():
     for named, english, _ in NAMED:
-        assert wording.told(say("{named}", named=named)) == english != str(named)
+        assert wording.localize(say("{named}", named=named)) == english != str(named)
 
 
 def test_settings_choices_and_tasks_are_named_as_in_the_german_window(german):
     for named, _, told in NAMED:
-        assert wording.told(say("{named}", named=named)) == told
+        assert wording.localize(say("{named}", named=named)) == told
 
 
 def test_the_document_holds_what_is_shown(german, doc, dome, unit):

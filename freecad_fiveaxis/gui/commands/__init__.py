@@ -49,6 +49,6 @@ def machine_names() -> list[str]:
 def register() -> None:
     """Make the commands known to FreeCAD."""
     for command in COMMANDS:
-        made = command()
-        made.Activated = guarded(made.Activated)
-        FreeCADGui.addCommand(command.NAME, made)
+        instance = command()
+        instance.Activated = guarded(instance.Activated)
+        FreeCADGui.addCommand(command.NAME, instance)

@@ -34,9 +34,9 @@ class Reach:
         with telling(), busy():
             from freecad_fiveaxis.gui.panels import reach
 
-            made = selected.selected_reach_map()
-            if made is not None:
-                reach.edit(made)
+            existing = selected.selected_reach_map()
+            if existing is not None:
+                reach.edit(existing)
                 return
             path, chosen = selected.path_or_part()
             if path is not None:

@@ -10,9 +10,9 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 
 class AdviceOffer(QtWidgets.QWidget):
-    """``asked``: the user wants to know; ``chosen`` tells that the settings in ``changes`` are to be used."""
+    """``requested``: the user wants to know; ``chosen`` tells that the settings in ``changes`` are to be used."""
 
-    asked, chosen = QtCore.Signal(), QtCore.Signal()
+    requested, chosen = QtCore.Signal(), QtCore.Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -29,7 +29,7 @@ class AdviceOffer(QtWidgets.QWidget):
         for widget, name in ((self.ask, "advice_ask"), (self.line, "advice_line"), (self.use, "advice_use")):
             widget.setObjectName(name)
             column.addWidget(widget)
-        self.ask.clicked.connect(lambda *_: self.asked.emit())
+        self.ask.clicked.connect(lambda *_: self.requested.emit())
         self.use.clicked.connect(lambda *_: self.chosen.emit())
         self.show_for(None)
 

@@ -20,7 +20,7 @@ from .post import nc_files
 class AuditPanel(PathPanel):
     """A new Audit in ``doc``, or the Audit ``obj`` to change."""
 
-    MADE_HERE = False
+    CREATES_PROGRAM = False
 
     def __init__(self, doc: Any, obj: Any = None) -> None:
         title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
@@ -38,12 +38,12 @@ class AuditPanel(PathPanel):
         from freecad_fiveaxis.app import changes
 
         empty = not self.doc.Objects
-        settings = self.options.said()
+        settings = self.options.read_values()
         path = settings.pop("nc_file")
-        made = changes.change_audit(self.obj, path, settings) if self.obj else app.audit(self.doc, path, **settings)
+        audited = changes.change_audit(self.obj, path, settings) if self.obj else app.audit(self.doc, path, **settings)
         if empty:  # nobody has chosen a view yet
             QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
-        return made
+        return audited
 
     def finish(self) -> None:
         """The places worth a look get their markers."""
@@ -108,7 +108,7 @@ MORE = ("origin", "method")
 """Options that few need."""
 FIRST = {"comparison": ("part",), "safety": ("fixtures",)}
 """Fields that are no options, before those of a group."""
-TOLD = {
+IN_TITLE = {
     "machine": ("machine", "controller"),
     "comparison": ("part",),
     "tool": ("cutter", "holder"),
@@ -122,7 +122,7 @@ OPEN = ("machine", "comparison", "tool", "safety")
 def _sections() -> list[Section]:
     """The file, and a section for each group of the task's settings."""
     groups = [
-        Section(name, title, [*FIRST.get(name, ()), *names], TOLD.get(name, ()), name in OPEN)
+        Section(name, title, [*FIRST.get(name, ()), *names], IN_TITLE.get(name, ()), name in OPEN)
         for name, title, names in group_sections("audit", MORE)
     ]
     return [Section("file", translate("FiveAxis", "NC file"), ["nc_file"]), *groups]

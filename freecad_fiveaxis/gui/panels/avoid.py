@@ -81,7 +81,7 @@ class AvoidField(Field):
         try:
             found = selection.faces_of(self.base, chosen)
         except (selection.SelectionError, ReferenceError) as error:
-            self.show_error(_gone() if isinstance(error, ReferenceError) else wording.told(error))
+            self.show_error(_gone() if isinstance(error, ReferenceError) else wording.localize(error))
             return
         self._take([*self.value(), *(name for name in found if name not in self.value())])
 

@@ -212,7 +212,7 @@ class CutterField(Field):
         try:
             self._take(tool_bit.cutter_of_file(path))
         except FiveAxisError as error:
-            self.show_error(wording.told(error))
+            self.show_error(wording.localize(error))
 
     def _take(self, cutter: Any) -> None:
         self.show_value(cutter)
@@ -254,6 +254,6 @@ def strategy_field(name: str, hint: str) -> ChoiceField:
     from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 
     known = tuple(PASS_STRATEGIES if name == "passes" else STRATEGIES)
-    made = ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in known], hint)
-    made.explain({strategy: choice_hint(name, strategy) for strategy in known})
-    return made
+    field = ChoiceField(name, [(strategy, choice_label(strategy)) for strategy in known], hint)
+    field.explain({strategy: choice_hint(name, strategy) for strategy in known})
+    return field

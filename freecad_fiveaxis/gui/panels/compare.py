@@ -95,7 +95,7 @@ class ComparePanel:
             return False
         except (FiveAxisError, ReferenceError) as error:
             gone = translate("FiveAxis", "The tool path was deleted meanwhile: close this panel.")
-            self.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
+            self.show_error(gone if isinstance(error, ReferenceError) else wording.localize(error))
             return False
         comparison_table.show(self.path, comparison)
         return True

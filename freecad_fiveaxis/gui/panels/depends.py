@@ -61,11 +61,11 @@ not count then."""
 
 def idle_options(fields: Mapping[str, Field]) -> set[str]:
     """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
-    asked = [(choice, holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
-    idle = _idle(asked)  # a choice that is idle itself asks for nothing
-    return _idle([(choice, true and choice not in idle, only, never) for choice, true, only, never in asked])
+    choices = [(choice, holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
+    idle = _idle(choices)  # a choice that is idle itself asks for nothing
+    return _idle([(choice, true and choice not in idle, only, never) for choice, true, only, never in choices])
 
 
-def _idle(asked: Sequence[tuple[str, bool, Sequence[str], Sequence[str]]]) -> set[str]:
-    wanted = {name for _, true, only, _ in asked if true for name in only}
-    return {name for _, true, only, never in asked for name in (never if true else set(only) - wanted)}
+def _idle(choices: Sequence[tuple[str, bool, Sequence[str], Sequence[str]]]) -> set[str]:
+    wanted = {name for _, true, only, _ in choices if true for name in only}
+    return {name for _, true, only, never in choices for name in (never if true else set(only) - wanted)}

@@ -30,13 +30,13 @@ MORE = "more"
 
 
 class Section(NamedTuple):
-    """``names`` of the fields in their order; ``told``: of those whose words stand in the title; ``opened`` until the user folds
-    it; ``about``: words before them."""
+    """``names`` of the fields in their order; ``in_title``: of those whose words stand in the title; ``opened`` until the user
+    folds it; ``about``: words before them."""
 
     name: str
     title: str
     names: Sequence[str]
-    told: Sequence[str] = ()
+    in_title: Sequence[str] = ()
     opened: bool = True
     about: str = ""
 
@@ -103,13 +103,13 @@ class Form(QtCore.QObject):
             "passes": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
             "cutter": lambda leaf: CutterField(leaf.name, option_hint(leaf), doc),
         }
-        made = {}
+        fields = {}
         for name, leaf in self.leaves.items():
             if name not in SpacingField.KINDS and name not in self.extras:
-                made[name] = special.get(name, _plain)(leaf)
+                fields[name] = special.get(name, _plain)(leaf)
         if SpacingField.KINDS[0] in self.leaves:
-            made[SPACING] = SpacingField({kind: option_hint(self.leaves[kind]) for kind in SpacingField.KINDS})
-        return made
+            fields[SPACING] = SpacingField({kind: option_hint(self.leaves[kind]) for kind in SpacingField.KINDS})
+        return fields
 
     def _no_machine(self) -> str:
         return translate("FiveAxis", "none") if self.task in ANY_MACHINE else ""
@@ -134,7 +134,7 @@ class Form(QtCore.QObject):
     def _tell(self) -> None:
         """What the fields say stands in the titles of their groups."""
         for section in self.sections:
-            shown = [name for name in section.told if not self.rows[name][0].isHidden()]
+            shown = [name for name in section.in_title if not self.rows[name][0].isHidden()]
             words = [section.about, *(self._words(name) for name in shown)]
             self.groups[section.name].show_state(", ".join(filter(None, words)))
 
@@ -176,10 +176,10 @@ class Form(QtCore.QObject):
         dialect = self.dialect()
         if dialect is None:
             return
-        said = reasons(dialect)
+        texts = reasons(dialect)
         for name in ("rtcp", "high_speed", "feed_mode"):
             if name in self.rows:
-                self._lack_of(name, self.fields[name], said.get(name, ""))
+                self._lack_of(name, self.fields[name], texts.get(name, ""))
         for name, unknown in unknown_choices(dialect).items():
             if name in self.rows:
                 self.fields[name].offer(unknown)
@@ -200,18 +200,18 @@ class Form(QtCore.QObject):
 
     def options(self) -> dict[str, Any]:
         """What the form says, without the extras that are no options."""
-        said: dict[str, Any] = {}
+        values: dict[str, Any] = {}
         for name, field in self.fields.items():
             if name in self.leaves or name == SPACING:
-                said.update(field.value() if name == SPACING else {name: field.value()})
+                values.update(field.value() if name == SPACING else {name: field.value()})
         idle = idle_options(self.fields)
-        return {name: value for name, value in said.items() if value is not None and value != "" and name not in idle}
+        return {name: value for name, value in values.items() if value is not None and value != "" and name not in idle}
 
-    def said(self) -> dict[str, Any]:
+    def read_values(self) -> dict[str, Any]:
         """The options and the extras."""
-        said = self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
+        values = self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
         links = {name: field.link for name, field in self.fields.items() if hasattr(field, "link")}
-        return said | ({"picked": {name: link for name, link in links.items() if link and name in said}} if links else {})
+        return values | ({"picked": {name: link for name, link in links.items() if link and name in values}} if links else {})
 
     def show_options(self, options: Mapping[str, Any]) -> None:
         """Fill the fields; one that the options do not name keeps what it shows. ``edited`` tells of it once, at the end."""
@@ -244,7 +244,7 @@ class Form(QtCore.QObject):
             try:
                 self.check_together(options)
             except FiveAxisError as error:
-                self.show_error(wording.told(error))
+                self.show_error(wording.localize(error))
                 return False
         return all(good)
 
@@ -270,7 +270,7 @@ class Form(QtCore.QObject):
             field.check()
             self._try(name, options)
         except FiveAxisError as error:
-            field.show_error(wording.told(error))
+            field.show_error(wording.localize(error))
             return False
         return True
 
@@ -311,7 +311,7 @@ def _plain(leaf: Any) -> Field:
     none_text = translate("FiveAxis", "as the machine file says") if leaf.default is None else ""
     if leaf.metadata["kind"] == "counts":
         none_text = translate("FiveAxis", "as many as take some seconds")
-    made = option_field(leaf, choices, none_text)
+    field = option_field(leaf, choices, none_text)
     if choices:
-        made.explain({name: choice_hint(leaf.name, name) for name, _ in choices})
-    return made
+        field.explain({name: choice_hint(leaf.name, name) for name, _ in choices})
+    return field

@@ -75,7 +75,7 @@ class Picker(QtCore.QObject):
         try:
             self.take(link)
         except FiveAxisError as error:
-            self.field.show_error(wording.told(error))
+            self.field.show_error(wording.localize(error))
             return
         FreeCADGui.Selection.addSelection(link[0].Document.Name, link[0].Name, link[1])  # it lights up
         self.field.edited.emit()
@@ -88,7 +88,7 @@ class Picker(QtCore.QObject):
             self.seen_from = tuple(self.zero())
             self.show(guides.options_of({self.field.name: link}, self.zero())[self.field.name])
         self.link = link
-        self.named.setText(wording.told(guides.name_of(link)) if link else "")
+        self.named.setText(wording.localize(guides.name_of(link)) if link else "")
         self.named.setVisible(link is not None)
 
     def let_go(self) -> None:
@@ -106,7 +106,7 @@ def show_link(picker: Picker, link: Link | None) -> None:
         picker.take(link)
     except FiveAxisError as error:
         picker.link = link
-        picker.named.setText(wording.told(error))
+        picker.named.setText(wording.localize(error))
         picker.named.show()
 
 

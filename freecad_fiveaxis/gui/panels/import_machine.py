@@ -9,7 +9,7 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import translate
 
-from . import told
+from . import result_html
 from .files import FileField, all_files, new_machine
 from .form import Form
 from .work_panel import WorkPanel, open_panel
@@ -54,7 +54,7 @@ class ImportPanel(WorkPanel):
 
     def tell(self, done: Any) -> str:
         """Axes and findings."""
-        return told.imported(done)
+        return result_html.imported(done)
 
     def files(self, done: Any) -> list[str]:
         """The machine file."""

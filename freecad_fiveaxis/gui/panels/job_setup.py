@@ -24,7 +24,7 @@ FAR = ("origin", "work_offset", "work_zero")
 
 class SetupDialog(QtWidgets.QDialog):
     """Edits the values of a Setup; ``said`` are those of the form."""
-
+    """Edits the values of a Setup; ``options`` is the form that holds them."""
     def __init__(self, doc: Any, values: dict[str, Any], obj: Any = None) -> None:
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName("FiveAxisSetup")
@@ -58,15 +58,15 @@ def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
     name = obj.Label if obj is not None else translate("FiveAxis", "Setup")
     begun = shown(obj) if obj is not None else first_values() | (values or {})
     dialog = SetupDialog(doc, {"setup_name": name} | begun, obj)
-    agreed, said = execute(dialog), dialog.options.said()
+    agreed, values = execute(dialog), dialog.options.read_values()
     dialog.deleteLater()
     if not agreed:
         return None
-    name, zero = said.pop("setup_name"), said.pop("work_zero")
+    name, zero = values.pop("setup_name"), values.pop("work_zero")
     if obj is None:
-        obj = job_setup.create(doc, said | {"work_zero": zero})
+        obj = job_setup.create(doc, values | {"work_zero": zero})
     else:
-        job_setup.put(obj, said, zero)
+        job_setup.put(obj, values, zero)
     obj.Label = name or obj.Name
     return obj
 
@@ -74,10 +74,10 @@ def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
 def edit(doc: Any, obj: Any = None) -> Any:
     """Make or change a Setup in one step of undo, and compute its paths; returns it, or None."""
     with transaction(doc, translate("FiveAxis", "Setup")):
-        made = ask(doc, obj)
-        if made is not None:
+        setup = ask(doc, obj)
+        if setup is not None:
             doc.recompute()
-    return made
+    return setup
 
 
 def shown(obj: Any) -> dict[str, Any]:

@@ -70,9 +70,9 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         units = FreeCAD.Units
         kind, unit = (units.Angle, "deg") if self.kind == "angle" else (units.Length, "mm")
         try:
-            made = units.Quantity(given.replace("°", " deg"))
+            quantity = units.Quantity(given.replace("°", " deg"))
         except (ValueError, ArithmeticError, OSError):
             return None
-        if made.Unit == units.Unit() and given:
-            return float(made.Value)
-        return float(made.getValueAs(unit)) / self.factor if made.Unit == kind else None
+        if quantity.Unit == units.Unit() and given:
+            return float(quantity.Value)
+        return float(quantity.getValueAs(unit)) / self.factor if quantity.Unit == kind else None

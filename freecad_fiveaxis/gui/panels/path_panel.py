@@ -38,7 +38,7 @@ class PathPanel:
     """A task panel. A subclass fills ``form``, and says how to ``compute``; it may show another ``summary``."""
 
     SUMMARY: type = Summary
-    MADE_HERE = True
+    CREATES_PROGRAM = True
     """The program is made here: one that is not safe is kept only when the user says so."""
 
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
@@ -60,7 +60,7 @@ class PathPanel:
     def fill(self, values: Mapping[str, Any]) -> None:
         """Show these values; an object that is there shows its last result."""
         self.options.show_options(values)
-        self.calculated = self.options.said() if not self.draft and self.is_current() else None
+        self.calculated = self.options.read_values() if not self.draft and self.is_current() else None
         self._edited()
 
     def is_current(self) -> bool:
@@ -70,7 +70,7 @@ class PathPanel:
     @property
     def stale(self) -> bool:
         """Whether OK has to calculate."""
-        return self.calculated is None or self.calculated != self.options.said()
+        return self.calculated is None or self.calculated != self.options.read_values()
 
     def compute(self) -> Any:
         """Make or change the object in the document and compute it; returns it. Raises FiveAxisError."""
@@ -93,7 +93,7 @@ class PathPanel:
             self._undone()
             self._tell(error)
             return False
-        self.calculated = self.options.said()
+        self.calculated = self.options.read_values()
         self._edited()
         reveal(self.form)
         return True
@@ -112,7 +112,7 @@ class PathPanel:
         if not isinstance(error, (FiveAxisError, ReferenceError)):
             raise error
         gone = translate("FiveAxis", "The part was deleted meanwhile: press Cancel, and select another one.")
-        self.options.show_error(gone if isinstance(error, ReferenceError) else wording.told(error))
+        self.options.show_error(gone if isinstance(error, ReferenceError) else wording.localize(error))
         reveal(self.form)
 
     def _edited(self) -> None:
@@ -141,7 +141,7 @@ class PathPanel:
         return True
 
     def _agreed(self) -> bool:
-        if not self.MADE_HERE or self.obj.Light != "red":
+        if not self.CREATES_PROGRAM or self.obj.Light != "red":
             return True
         text = self.obj.Verdict + "\n\n" + translate("FiveAxis", "Keep this path anyway?")
         return ask(text, translate("FiveAxis", "Keep anyway"), translate("FiveAxis", "Go back"))

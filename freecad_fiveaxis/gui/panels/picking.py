@@ -26,11 +26,11 @@ Point = tuple[float, float, float]
 class Pick:
     """Waits for one point. ``found`` gets it (document coordinates, mm); ``ended`` is called in any case."""
 
-    made: ClassVar[WeakSet[Pick]] = WeakSet()
+    instances: ClassVar[WeakSet[Pick]] = WeakSet()
 
     def __init__(self, found: Callable[[Point], None], ended: Callable[[], None]) -> None:
         self.found, self.ended, self.running = found, ended, False
-        Pick.made.add(self)
+        Pick.instances.add(self)
         self.keys = _Escape(self.stop)
 
     def start(self) -> None:
@@ -64,7 +64,7 @@ class Pick:
 
 def is_picking() -> bool:
     """Whether what is selected now is taken for a point."""
-    return any(one.running for one in Pick.made)
+    return any(one.running for one in Pick.instances)
 
 
 class _Escape(QtCore.QObject):

@@ -27,7 +27,7 @@ from .fields import TextField, error_line
 from .lines import note_line
 from .option_fields import option_field
 from .path_panel import show
-from .told import findings
+from .result_html import findings
 
 REPORTS = ("html", "json")
 NAMED = 5
@@ -115,7 +115,7 @@ class PostPanel:
             status(translate("FiveAxis", "Stopped; the document is as it was."))
             return False
         except FiveAxisError as error:
-            self.show_error(wording.told(error))
+            self.show_error(wording.localize(error))
             return False
         status(translate("FiveAxis", "Written: {}").format(self.file.value()))
         FreeCADGui.Control.closeDialog()
@@ -180,11 +180,11 @@ class PostPanel:
         if whole.light is not Light.RED:
             return []
         poor = _poor(figures)
-        parts = [wording.told(whole.text)]
+        parts = [wording.localize(whole.text)]
         for severity, title in (
             (Severity.ERROR, translate("FiveAxis", "Errors")), (Severity.WARNING, translate("FiveAxis", "Warnings")),
         ):  # fmt: skip
-            texts = [f"• {wording.told(one.text)}" for one in poor if one.severity is severity]
+            texts = [f"• {wording.localize(one.text)}" for one in poor if one.severity is severity]
             more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (len(texts) > NAMED)
             parts += [title + "\n" + "\n".join(texts[:NAMED] + more)] * bool(texts)
         return parts

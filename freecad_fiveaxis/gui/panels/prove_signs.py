@@ -17,7 +17,7 @@ import FreeCADGui
 from freecad_fiveaxis.gui import selected
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets, translate
 
-from . import told
+from . import result_html
 from .files import SaveField, all_files
 from .form import Form, group_sections
 from .picking import Point, PointField
@@ -104,11 +104,11 @@ class ProvePanel(WorkPanel):
         """Names for the files, after the machine."""
         from freecad_fiveaxis.app.controllers import suffix_of
 
-        said = self.options.options()
-        machine = said.get("machine", "")
+        options = self.options.options()
+        machine = options.get("machine", "")
         name = os.path.splitext(os.path.basename(machine))[0] + " " + translate("FiveAxis", "signs")
         document = FreeCAD.ActiveDocument.FileName if FreeCAD.ActiveDocument else ""
-        self.nc_file.propose(proposed_file(name, document, suffix_of(said.get("controller"), machine)))
+        self.nc_file.propose(proposed_file(name, document, suffix_of(options.get("controller"), machine)))
         self._propose_sheet()
 
     def _propose_sheet(self) -> None:
@@ -119,14 +119,14 @@ class ProvePanel(WorkPanel):
         """Program and sheet."""
         from freecad_fiveaxis.app import signs
 
-        said = self.options.said()
-        nc_file, sheet = said.pop("nc_file"), said.pop("sheet")
-        said.pop("work_zero")
-        return signs.prove(nc_file, said, sheet or None)
+        values = self.options.read_values()
+        nc_file, sheet = values.pop("nc_file"), values.pop("sheet")
+        values.pop("work_zero")
+        return signs.prove(nc_file, values, sheet or None)
 
     def tell(self, done: Any) -> str:
         """The sheet."""
-        return told.sheet(done)
+        return result_html.sheet(done)
 
     def files(self, done: Any) -> list[str]:
         """The program and its sheet."""

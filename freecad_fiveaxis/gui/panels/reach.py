@@ -23,7 +23,7 @@ from .setup import table_of
 from .summary import Summary
 from .toolpath import milled, preferred
 
-ASKED = (
+OPTIONS = (
     "machine", "tool_length", "cutter", "shank", "holder", "tolerance", "table_height", "origin", "boundary", "boundary_axis",
 )  # fmt: skip
 """The options of the core's task that the panel asks for."""
@@ -49,9 +49,9 @@ class ReachSummary(Summary):
             f"<td align=right>{_unbroken(share)}</td></tr>"
             for _, words, area, share in area_lines(obj)
         )
-        said = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Advice, *obj.Findings) if text)
+        paragraphs = "".join(f"<p>{html.escape(text)}</p>" for text in (obj.Advice, *obj.Findings) if text)
         self.verdict.show_verdict(SimpleNamespace(Light=ADVICE, Verdict=obj.Verdict))
-        self.tell(f"<table>{cells}</table>{said}")
+        self.tell(f"<table>{cells}</table>{paragraphs}")
 
 
 def _unbroken(text: str) -> str:
@@ -62,7 +62,7 @@ class ReachPanel(PathPanel):
     """A new map of ``base``, a solid, a mesh or a Toolpath, and its ``faces``; or the map ``obj`` to change."""
 
     SUMMARY = ReachSummary
-    MADE_HERE = False  # a map is no program
+    CREATES_PROGRAM = False  # a map is no program
 
     def __init__(self, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces = base, faces
@@ -77,7 +77,7 @@ class ReachPanel(PathPanel):
             Section(name.lower(), group_label(name), names, names, name in OPEN, getattr(part, "Label", "") * (name == "Part"))
             for name, names in SECTIONS.items()
         ]
-        super().__init__(doc, translate("FiveAxis", "Reach map"), Form("reach", doc, sections, extras, only=ASKED), obj)
+        super().__init__(doc, translate("FiveAxis", "Reach map"), Form("reach", doc, sections, extras, only=OPTIONS), obj)
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
@@ -123,14 +123,14 @@ class ReachPanel(PathPanel):
         """A new map, or the one that is there with other settings."""
         from freecad_fiveaxis.app import reach
 
-        settings = self.options.said()
+        settings = self.options.read_values()
         if self.obj is not None:
             return reach.reach_map(self.obj, settings, self.obj)
         if kind_of(self.base) != "toolpath":
             return reach.reach_map((self.base, self.faces) if self.faces else self.base, settings)
-        made = reach.reach_map(self.base.Mesh, settings)  # all that the path says stands in the form, but for what was taken out
+        found = reach.reach_map(self.base.Mesh, settings)  # all that the path says stands in the form, but for what was taken out
         self.base.ViewObject.Visibility = False  # it would cover the map
-        return made
+        return found
 
 
 def _part(of: Any) -> Any:

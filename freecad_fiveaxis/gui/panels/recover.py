@@ -8,7 +8,7 @@ from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
-from . import told
+from . import result_html
 from .files import FileField, cl_files, new_machine
 from .form import Form
 from .post import nc_files
@@ -48,13 +48,13 @@ class RecoverPanel(WorkPanel):
         """The machine that the post had in mind."""
         from freecad_fiveaxis.app import recovering
 
-        said = self.options.said()
-        files = [said.pop(name) for name in ("cl_file", "program", "machine_file")]
-        return recovering.recover(*files, said)
+        values = self.options.read_values()
+        files = [values.pop(name) for name in ("cl_file", "program", "machine_file")]
+        return recovering.recover(*files, values)
 
     def tell(self, done: Any) -> str:
         """Sentence, numbers with their certainty, findings."""
-        return told.recovered(done.found)
+        return result_html.recovered(done.found)
 
     def files(self, done: Any) -> list[str]:
         """The machine file."""

@@ -34,9 +34,9 @@ class SetupSummary(Summary):
             f"<tr><td>{label}&nbsp;</td><td>{html.escape(before)}&nbsp;</td><td><b>{html.escape(after)}</b></td></tr>"
             for label, before, after in rows(obj)
         )
-        said = "".join(f"<p>{html.escape(text)}</p>" for text in obj.Findings)
+        paragraphs = "".join(f"<p>{html.escape(text)}</p>" for text in obj.Findings)
         self.verdict.show_verdict(SimpleNamespace(Light=ADVICE, Verdict=obj.Verdict))
-        self.tell(f"<table>{cells}</table>{said}")
+        self.tell(f"<table>{cells}</table>{paragraphs}")
 
 
 def rows(obj: Any) -> list[tuple[str, str, str]]:
@@ -82,7 +82,7 @@ class SetupPanel(PathPanel):
     """The map of the Toolpath ``path``, of a new one over ``base`` and its ``faces``, or the map ``obj`` to change."""
 
     SUMMARY = SetupSummary
-    MADE_HERE = False  # a map is no program
+    CREATES_PROGRAM = False  # a map is no program
 
     def __init__(self, path: Any = None, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         from freecad_fiveaxis.app import preferences
@@ -127,7 +127,7 @@ class SetupPanel(PathPanel):
 
         if self.path is None:
             self.path = app.create_toolpath(self.doc, self.base, faces=self.faces, **preferred())
-        return app.setup_map(self.path, **self.options.said())
+        return app.setup_map(self.path, **self.options.read_values())
 
     def _undone(self) -> None:
         super()._undone()
@@ -209,7 +209,7 @@ def write_asking(file: str, write: Any, tell: Any) -> bool:
         status(translate("FiveAxis", "Stopped; the document is as it was."))
         return False
     except FiveAxisError as error:
-        tell(wording.told(error))
+        tell(wording.localize(error))
         return False
     status(translate("FiveAxis", "Written: {}").format(file))
     return True
@@ -219,8 +219,8 @@ def create(path: Any) -> SetupPanel:
     """Open the panel for a Toolpath; its map, where there is one, is renewed."""
     from freecad_fiveaxis.app import setups
 
-    made = setups.of(path)
-    return edit(made) if made is not None else _open(SetupPanel(path), {})
+    existing = setups.of(path)
+    return edit(existing) if existing is not None else _open(SetupPanel(path), {})
 
 
 def create_over(base: Any, faces: tuple[str, ...] = ()) -> SetupPanel:

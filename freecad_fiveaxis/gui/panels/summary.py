@@ -52,14 +52,14 @@ CURES = (
 def cured(obj: Any) -> list[str]:
     """What was done against deviation and gouges, in sentences; after opening a document only once it is computed again."""
     last = getattr(obj.Proxy, "last", None)
-    return [] if last is None else [wording.told(one.text) for one in last.figures.findings if one.code in CURES]
+    return [] if last is None else [wording.localize(one.text) for one in last.figures.findings if one.code in CURES]
 
 
 def gravest(obj: Any) -> str:
     """The gravest finding of an object that was computed since its document was opened, else the first one."""
     last = getattr(obj.Proxy, "last", None)
     if last is not None and last.figures.findings:
-        return wording.told(max(last.figures.findings, key=lambda finding: finding.severity).text)
+        return wording.localize(max(last.figures.findings, key=lambda finding: finding.severity).text)
     return obj.Findings[0] if obj.Findings else ""
 
 

@@ -38,7 +38,7 @@ class ToolpathPanel(PathPanel):
 
     def __init__(self, doc: Any, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces, self.shown = base, faces, obj is not None
-        self.asked: dict[str, Any] = {}
+        self.last_choices: dict[str, Any] = {}
         self.usual: str | None = None
         meshed = _tessellation(obj) is None if obj else is_mesh(base)
         self.setup = SetupField(doc)
@@ -51,7 +51,7 @@ class ToolpathPanel(PathPanel):
         self.scale_offer, self.advice_offer = ScaleOffer(), AdviceOffer()
         super().__init__(doc, translate("FiveAxis", "Tool path"), form, obj)
         self.scale_offer.chosen.connect(self.scale_part)
-        self.advice_offer.asked.connect(self.ask_advice)
+        self.advice_offer.requested.connect(self.ask_advice)
         self.advice_offer.chosen.connect(self.use_advice)
         self.setup.edited.connect(self._take_setup)
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
@@ -105,15 +105,15 @@ class ToolpathPanel(PathPanel):
         self.preview.clear()
         if not self.options.check():
             return False
-        said = self.options.said()
+        values = self.options.read_values()
         base = (self.base, self.faces) if self.obj is None else self.obj
         try:
             with waiting(translate("FiveAxis", "Preview passes")):
-                found = app.preview_passes(base, **said)
+                found = app.preview_passes(base, **values)
         except BaseException as error:  # FreeCADAbort (Esc) is no Exception
             self._tell(error)
             return False
-        self.preview.show_passes(found, said["work_zero"])
+        self.preview.show_passes(found, values["work_zero"])
         return True
 
     def _close(self) -> None:
@@ -168,12 +168,12 @@ class ToolpathPanel(PathPanel):
 
     def _edit_setup(self) -> None:
         """Change the setup, or make one of what the form says; Cancel of the panel takes that back."""
-        said = self.options.said()
+        values = self.options.read_values()
         self.step.begin()
         with telling():
-            made = ask(self.doc, self.setup.value(), {name: said.get(name) for name in SHARED})
-            if made is not None:
-                self.setup.show_value(made)
+            setup = ask(self.doc, self.setup.value(), {name: values.get(name) for name in SHARED})
+            if setup is not None:
+                self.setup.show_value(setup)
                 self._take_setup()
 
     def fill(self, values: Mapping[str, Any]) -> None:
@@ -183,13 +183,13 @@ class ToolpathPanel(PathPanel):
 
     def _follow_tool_axis(self) -> None:
         """Show the tool axis that is usual for machine, cutter and passes, as long as nobody has chosen another one."""
-        said = self.options.options()
-        asked = {name: said[name] for name in ("machine", "cutter", "passes") if name in said}
-        if asked == self.asked:
+        options = self.options.options()
+        choices = {name: options[name] for name in ("machine", "cutter", "passes") if name in options}
+        if choices == self.last_choices:
             return
-        self.asked, before, now = asked, self.usual, _usual_tool_axis(asked)
+        self.last_choices, before, now = choices, self.usual, _usual_tool_axis(choices)
         self.usual = now or before
-        if now and now != before and said.get("tool_axis") == before:
+        if now and now != before and options.get("tool_axis") == before:
             self.options.show_options({"tool_axis": now})
 
     @staticmethod
@@ -212,7 +212,7 @@ class ToolpathPanel(PathPanel):
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import changes
 
-        settings = self.options.said()
+        settings = self.options.read_values()
         if self.obj is None:
             return app.create_toolpath(self.doc, self.base, faces=self.faces, **settings)
         return changes.change_toolpath(self.obj, settings)
@@ -240,13 +240,13 @@ def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] |
     return show(panel)
 
 
-def _usual_tool_axis(asked: Mapping[str, Any]) -> str | None:
+def _usual_tool_axis(choices: Mapping[str, Any]) -> str | None:
     """The tool axis that the core chooses for these options; None where it cannot use them, which the form says."""
     from freecad_fiveaxis.app.toolpath import with_strategies
     from freecad_fiveaxis.core.base.errors import FiveAxisError
 
     try:
-        return str(with_strategies(asked)["tool_axis"])
+        return str(with_strategies(choices)["tool_axis"])
     except FiveAxisError:
         return None
 
@@ -302,7 +302,7 @@ SECTIONS = {
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
 }
 """The fields of each group; what is not here stands under More settings."""
-TOLD = {
+IN_TITLE = {
     "Part": ("avoid", "work_zero"),
     "Machine": ("setup", "machine", "controller"),
     "Tool": ("cutter", "spindle", "feed"),
@@ -318,9 +318,9 @@ OPEN = ("Machine", "Tool", "Passes")
 
 def _sections(part: str, extras: Sequence[str]) -> list[Section]:
     """The groups of the panel over the object labelled ``part``; of the extras those that there are."""
-    made = []
+    sections = []
     for name, names in SECTIONS.items():
         there = [one for one in names if one in extras or one not in EXTRAS]
         about = part if name == "Part" else ""
-        made.append(Section(name.lower(), group_label(name), there, TOLD[name], name in OPEN, about))
-    return made
+        sections.append(Section(name.lower(), group_label(name), there, IN_TITLE[name], name in OPEN, about))
+    return sections

@@ -37,7 +37,7 @@ class WorkPanel:
     def __init__(self, title: str, form: Form, buttons: tuple[Any, ...] = ()) -> None:
         self.title, self.options, self.buttons = title, form, buttons
         self.done: Any = None
-        self.lent = ""
+        self.temporary_document = ""
         self.calculated: dict[str, Any] | None = None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
@@ -56,7 +56,7 @@ class WorkPanel:
     @property
     def stale(self) -> bool:
         """Whether OK has to calculate."""
-        return self.calculated is None or self.calculated != self.options.said()
+        return self.calculated is None or self.calculated != self.options.read_values()
 
     def compute(self) -> Any:
         """Do the work; nothing is written. Raises FiveAxisError."""
@@ -87,7 +87,7 @@ class WorkPanel:
             self._edited()
             self.show_error(error)
             return False
-        self.calculated = self.options.said()
+        self.calculated = self.options.read_values()
         self._edited()
         reveal(self.form)
         return True
@@ -101,14 +101,14 @@ class WorkPanel:
             return
         if not isinstance(error, FiveAxisError):
             raise error
-        self.options.show_error(wording.told(error))
+        self.options.show_error(wording.localize(error))
         reveal(self.form)
 
     def _edited(self) -> None:
         self.options.check()
         shown = not self.stale
-        told = self.tell(self.done) if shown else translate("FiveAxis", "Press Calculate to see what is found. OK writes it.")
-        self.result.setHtml(told)
+        page = self.tell(self.done) if shown else translate("FiveAxis", "Press Calculate to see what is found. OK writes it.")
+        self.result.setHtml(page)
         self.result.setFixedHeight(TALL if shown else LOW)
         for button in self.buttons:
             button.setEnabled(shown)
@@ -146,14 +146,14 @@ class WorkPanel:
             if hasattr(field, "pick"):
                 field.pick.stop()
         FreeCADGui.Control.closeDialog()
-        if self.lent:
-            later(lambda: _give_back(self.lent))
+        if self.temporary_document:
+            later(lambda: _give_back(self.temporary_document))
 
 
 def open_panel(panel: WorkPanel) -> WorkPanel:
     """Open the panel in the task view; with a lent document where it would be hidden without one."""
     if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and may_lie_over_a_view():
-        panel.lent = FreeCAD.newDocument().Name
+        panel.temporary_document = FreeCAD.newDocument().Name
     return show(panel)
 
 

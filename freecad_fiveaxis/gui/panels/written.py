@@ -45,8 +45,8 @@ class Written(QtWidgets.QDialog):
     def tell(self, file: str, lines: int, seconds: float) -> None:
         """Show what was written: the file's whole name, its lines, its run time in s."""
         self.file = file
-        said = translate("FiveAxis", "{file}\n{lines} lines, run time {time}")
-        self.text.setText(said.format(file=file, lines=lines, time=clock(seconds)))
+        template = translate("FiveAxis", "{file}\n{lines} lines, run time {time}")
+        self.text.setText(template.format(file=file, lines=lines, time=clock(seconds)))
         self.show()
         self.raise_()
 

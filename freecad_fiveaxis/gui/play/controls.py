@@ -51,7 +51,7 @@ class Controls:
         for name in ("worst", "singular", "collision", "machine", "follow"):
             getattr(self, name).setObjectName(name)
         self.speed = self._speed()
-        self.widget = self._laid_out()
+        self.widget = self._create_widget()
 
     def each_speed(self) -> float:
         """The speed that is chosen, times real time."""
@@ -99,7 +99,7 @@ class Controls:
         leave_wheel(box)
         return box
 
-    def _laid_out(self) -> Any:
+    def _create_widget(self) -> Any:
         widget = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(widget)
         column.setContentsMargins(0, 0, 0, 0)

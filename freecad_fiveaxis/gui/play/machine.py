@@ -114,18 +114,18 @@ def _body_node(body: Body) -> Any:
 
 def _solid() -> Any:
     """Bodies are closed: their back faces are left out, which would be blended with the front ones in any order."""
-    made = coin.SoShapeHints()
-    made.vertexOrdering, made.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID
-    return made
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID
+    return hints
 
 
 def _placed(rows: np.ndarray, centre: np.ndarray) -> Any:
     """Where a shape stands whose own axes are the unit ``rows`` (3, 3)."""
-    made = coin.SoMatrixTransform()
+    transform = coin.SoMatrixTransform()
     placement = np.eye(4)
     placement[:3, :3], placement[3, :3] = rows, centre
-    made.matrix.setValue(coin.SbMatrix(*(float(value) for value in placement.reshape(-1))))
-    return made
+    transform.matrix.setValue(coin.SbMatrix(*(float(value) for value in placement.reshape(-1))))
+    return transform
 
 
 _SIGNS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])

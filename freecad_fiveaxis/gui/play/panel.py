@@ -134,12 +134,12 @@ class PlayPanel:
         reach = max(REACH * float(np.linalg.norm(high - low)), LEAST_REACH)
         zero, words = np.array(self.obj.WorkZero), figures.program.letters
         letters = "".join(words[at] for at in fitted_columns(words)[3:])
-        made = results.result_of(self.obj).draft
-        origin = made.settings.machine.origin or made.machine.origin
-        table = None if made.machine.table is None else made.machine.table - origin[2]
-        box, held = self._part_box(), bool(made.fixtures)
-        machine = machine_of(self.player.playback, *box, tool, table, stand_up(made), held)
-        fixtures = DrawnFixtures(made.fixtures)
+        draft = results.result_of(self.obj).draft
+        origin = draft.settings.machine.origin or draft.machine.origin
+        table = None if draft.machine.table is None else draft.machine.table - origin[2]
+        box, held = self._part_box(), bool(draft.fixtures)
+        machine = machine_of(self.player.playback, *box, tool, table, stand_up(draft), held)
+        fixtures = DrawnFixtures(draft.fixtures)
         return Stage(self.view.getSceneGraph(), tool, machine, fixtures, zero, letters, (low + high) / 2.0, reach)
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
@@ -168,7 +168,7 @@ class PlayPanel:
             self.readout.use(self.player.figures, NCLines(results.nc_of(self.obj)))
             stage = self._new_stage()
         except FiveAxisError as error:
-            status(wording.told(error))
+            status(wording.localize(error))
             self._leave()
             return
         self.player.resume(before)

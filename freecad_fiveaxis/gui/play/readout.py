@@ -76,7 +76,7 @@ class Readout:
         block, program = int(pose.block), self.figures.program
         line = int(program.line[block])
         self.hit.setText("; ".join(met_text(one) for one in met))
-        self.hit.setToolTip("\n".join(wording.told(one.text) for one in met))
+        self.hit.setToolTip("\n".join(wording.localize(one.text) for one in met))
         self.line.setText(str(line))
         self.text.setText(self.lines[line])
         self.text.setCursorPosition(0)
@@ -108,20 +108,20 @@ class Readout:
         self.note.setText(self._note(block, bool(over and feeds)))
 
     def _note(self, block: int, over: bool) -> str:
-        said = []
+        notes = []
         if block == 0:
-            said.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
+            notes.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
         if self._guided(block):
-            said.append(translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes."))
+            notes.append(translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes."))
         if over:
             tip = translate("FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed.")
             ball = translate("FiveAxis", "The ball's centre leaves its segment by more than the {tolerance} that are allowed.")
             allowed = tip if self.figures.surface is None else ball
-            said.append(allowed.format(tolerance=length_text(self.figures.tolerance)))
+            notes.append(allowed.format(tolerance=length_text(self.figures.tolerance)))
         if self.figures.singularity.singular[block]:
             near = translate("FiveAxis", "Near the pole: {letter} turns far while the tool hardly leans.")
-            said.append(near.format(letter=self.figures.program.letters[3]))
-        return " ".join(said)
+            notes.append(near.format(letter=self.figures.program.letters[3]))
+        return " ".join(notes)
 
     def _row(self, name: str, title: str) -> Any:
         label = _label(name)
@@ -135,13 +135,13 @@ def met_text(finding: Finding) -> str:
     if near is None:
         return "" if finding.hit is None else collision_text(finding.hit)
     text, distance = translate("FiveAxis", "Near: {enters} within {distance} of {body}"), length_text(finding.value or 0.0)
-    return text.format(enters=wording.told(near.enters), distance=distance, body=near.entered)
+    return text.format(enters=wording.localize(near.enters), distance=distance, body=near.entered)
 
 
 def collision_text(hit: Hit) -> str:
     """What is in what, in a few words."""
-    entered = hit.entered or wording.told(say("part"))
-    return translate("FiveAxis", "Collision: {enters} in {entered}").format(enters=wording.told(hit.enters), entered=entered)
+    entered = hit.entered or wording.localize(say("part"))
+    return translate("FiveAxis", "Collision: {enters} in {entered}").format(enters=wording.localize(hit.enters), entered=entered)
 
 
 def joint_text(word: float, rotary: bool) -> str:

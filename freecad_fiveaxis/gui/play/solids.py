@@ -79,9 +79,9 @@ def mesh_node(mesh: Mesh, look: Look) -> Any:
 def _facing(mesh: Mesh) -> Any:
     """Of a closed mesh the back faces are left out, which would be blended with the front ones in any order; of an open one all
     are seen."""
-    made = coin.SoShapeHints()
+    hints = coin.SoShapeHints()
     closed = bool((mesh.coedge_face >= 0).all())
-    made.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
-    made.shapeType = coin.SoShapeHints.SOLID if closed else coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
-    made.creaseAngle = CREASE
-    return made
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.SOLID if closed else coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
+    hints.creaseAngle = CREASE
+    return hints

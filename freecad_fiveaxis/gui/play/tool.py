@@ -41,20 +41,20 @@ def tool_of(obj: Any, centre_driven: bool = False) -> DrawnTool:
 
 def size_of(tool: DrawnTool) -> tuple[float, float]:
     """The tool's largest radius and the height of its top above the driven point, mm."""
-    made = outline(tool.body)
-    points = np.concatenate([made.start, made.end])
+    profile = outline(tool.body)
+    points = np.concatenate([profile.start, profile.end])
     return float(points[:, 0].max()), float(points[:, 1].max()) - tool.driven
 
 
 def tool_node(tool: DrawnTool) -> Any:
     """The tool's nodes in the tool frame."""
-    shift, made = coin.SoTranslation(), outline(tool.body)
+    shift, profile = coin.SoTranslation(), outline(tool.body)
     shift.translation.setValue(0.0, 0.0, -tool.driven)
-    parts = [(part, np.flatnonzero(made.part == part)) for part in COLOURS]
+    parts = [(part, np.flatnonzero(profile.part == part)) for part in COLOURS]
     return nodes.separate(
         shift,
         *(
-            nodes.separate(_material(COLOURS[part], TRANSPARENCY[part]), _turned(Outline(*(column[rows] for column in made))))
+            nodes.separate(_material(COLOURS[part], TRANSPARENCY[part]), _turned(Outline(*(column[rows] for column in profile))))
             for part, rows in parts
             if len(rows)
         ),
@@ -79,16 +79,16 @@ def _turned(line: Outline) -> Any:
 
 def _rings(rows: np.ndarray, around: np.ndarray) -> np.ndarray:
     """Pairs (n, 2) of distance from the axis and height, turned: (n * turns, 3), ring by ring."""
-    made = np.empty((len(rows), len(around), 3), np.float32)
-    made[..., 0], made[..., 1] = rows[:, :1] * np.cos(around), rows[:, :1] * np.sin(around)
-    made[..., 2] = rows[:, 1:]
-    return made.reshape(-1, 3)
+    rings = np.empty((len(rows), len(around), 3), np.float32)
+    rings[..., 0], rings[..., 1] = rows[:, :1] * np.cos(around), rows[:, :1] * np.sin(around)
+    rings[..., 2] = rows[:, 1:]
+    return rings.reshape(-1, 3)
 
 
 def _material(rgb: nodes.Colour, transparency: float = 0.0) -> Any:
-    made = coin.SoMaterial()
-    made.diffuseColor.setValue(*rgb)
-    made.ambientColor.setValue(*(0.4 * part for part in rgb))
-    made.specularColor.setValue(0.3, 0.3, 0.3)
-    made.shininess, made.transparency = 0.4, transparency
-    return made
+    material = coin.SoMaterial()
+    material.diffuseColor.setValue(*rgb)
+    material.ambientColor.setValue(*(0.4 * part for part in rgb))
+    material.specularColor.setValue(0.3, 0.3, 0.3)
+    material.shininess, material.transparency = 0.4, transparency
+    return material

@@ -69,7 +69,7 @@ def legend_keys(kinds: Sequence[str]) -> list[tuple[tuple[float, float, float], 
     return [(GOUGE_COLOURS[kind], text.format(count=count[kind])) for kind, text in texts.items() if count[kind]]
 
 
-def told(finding: Finding) -> tuple[str, str, str] | None:
+def explain(finding: Finding) -> tuple[str, str, str] | None:
     """What happens, why, and what helps; None for another code, or where no value is known."""
     sayings = {
         OVERCUT: _overcut, TOO_DEEP: _overcut, HOLDER_COLLISION: _holder, RAPID_COLLISION: _between, UNCUT: _uncut,

@@ -17,7 +17,7 @@ from .on_screen import Label
 from .units import area_text
 
 
-class Told(NamedTuple):
+class LargestDeviation(NamedTuple):
     """What is known of the largest deviation: mm, NC line (None for a program that nowhere feeds), the tolerance in mm; and the
     colours of what is within the tolerance and of what is over it."""
 
@@ -28,20 +28,22 @@ class Told(NamedTuple):
     bad: Colour
 
 
-def of_marks(places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None], told: Told) -> list[Label]:
+def of_marks(
+    places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None], largest: LargestDeviation
+) -> list[Label]:
     """The labels of markers at ``places`` (mm) of these kinds; ``values``: how deep the tool enters the part there, mm, or the
     area of a side that is not machined, mm²; None where that is not known."""
     count = Counter(kinds)
     first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
-    made = gouge_words.labels(places, kinds, values)
-    if LARGEST in first and told.deviation is not None and told.line is not None:
-        colour = largest_colour(told.deviation, told.tolerance, told.good, told.bad)
-        said = words.label_text(told.deviation, told.line, told.tolerance)
-        made += [Label(places[first[LARGEST]], said, colour)] if colour else []
+    labels = gouge_words.labels(places, kinds, values)
+    if LARGEST in first and largest.deviation is not None and largest.line is not None:
+        colour = largest_colour(largest.deviation, largest.tolerance, largest.good, largest.bad)
+        text = words.label_text(largest.deviation, largest.line, largest.tolerance)
+        labels += [Label(places[first[LARGEST]], text, colour)] if colour else []
     sides = [at for at, kind in enumerate(kinds) if kind == words.SIDE]
-    made += [Label(places[at], _side(values[at] if at < len(values) else None), OTHER_COLOUR) for at in sides]
+    labels += [Label(places[at], _side(values[at] if at < len(values) else None), OTHER_COLOUR) for at in sides]
     others = [kind for kind in dict.fromkeys(kinds) if kind in words.short_names() and kind != words.SIDE]
-    return [*made, *(Label(places[first[kind]], _name(kind, count[kind]), OTHER_COLOUR) for kind in others)]
+    return [*labels, *(Label(places[first[kind]], _name(kind, count[kind]), OTHER_COLOUR) for kind in others)]
 
 
 def _side(area: float | None) -> str:

@@ -56,10 +56,10 @@ def shaded_faces(corner: Floats, rgb: Floats) -> Any:
     """
     across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     facing = np.abs(across @ LIGHT) / np.maximum(np.linalg.norm(across, axis=1), 1e-30)
-    made = nodes.vertices(corner.reshape(-1, 3), colours.packed_rows(rgb * (SHADE + (1.0 - SHADE) * facing)[:, None]))
-    made.materialBinding = coin.SoVertexProperty.PER_FACE
+    properties = nodes.vertices(corner.reshape(-1, 3), colours.packed_rows(rgb * (SHADE + (1.0 - SHADE) * facing)[:, None]))
+    properties.materialBinding = coin.SoVertexProperty.PER_FACE
     faces = coin.SoFaceSet()
-    faces.vertexProperty = made
+    faces.vertexProperty = properties
     faces.numVertices.setValues(0, len(corner), np.full(len(corner), 3, np.int32))
     return faces
 

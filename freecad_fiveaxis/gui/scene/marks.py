@@ -163,15 +163,15 @@ class Marks:
 
     def _sized(self, least: float, whole: float) -> Any:
         """A style for points whose size in pixels is between these."""
-        made = nodes.style(point=whole)
-        made.enableNotify(False)  # what a frame changes must not ask for the next frame
-        self.sizes.append((made, least, whole))
-        return made
+        style = nodes.style(point=whole)
+        style.enableNotify(False)  # what a frame changes must not ask for the next frame
+        self.sizes.append((style, least, whole))
+        return style
 
     def _draw(self, *children: Any) -> None:
-        made = nodes.separate(*children)
-        made.renderCaching = coin.SoSeparator.OFF
-        self.drawn.addChild(made)
+        separator = nodes.separate(*children)
+        separator.renderCaching = coin.SoSeparator.OFF
+        self.drawn.addChild(separator)
 
     def picked(self, point: Any) -> int | None:
         """The row of the marker that a picked point (SoPickedPoint) lies on."""

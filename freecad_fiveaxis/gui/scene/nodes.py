@@ -18,82 +18,82 @@ WHITE = (1.0, 1.0, 1.0)
 
 def vertices(points: np.ndarray, colours: np.ndarray | None = None) -> Any:
     """Points (n, 3), each with its colour 0xRRGGBBAA (n,) where given."""
-    made = coin.SoVertexProperty()
-    made.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
+    properties = coin.SoVertexProperty()
+    properties.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
     if colours is not None:
-        made.orderedRGBA.setValues(0, len(colours), np.ascontiguousarray(colours, np.uint32))
-        made.materialBinding = coin.SoVertexProperty.PER_VERTEX
-    return made
+        properties.orderedRGBA.setValues(0, len(colours), np.ascontiguousarray(colours, np.uint32))
+        properties.materialBinding = coin.SoVertexProperty.PER_VERTEX
+    return properties
 
 
 def lines(points: np.ndarray, each: int = 2, colours: np.ndarray | None = None) -> Any:
     """Lines of ``each`` points; an empty group where there are none."""
     if not len(points):
         return coin.SoGroup()
-    made = coin.SoLineSet()
-    made.vertexProperty = vertices(points, colours)
-    made.numVertices.setValues(0, len(points) // each, np.full(len(points) // each, each, np.int32))
-    return made
+    line_set = coin.SoLineSet()
+    line_set.vertexProperty = vertices(points, colours)
+    line_set.numVertices.setValues(0, len(points) // each, np.full(len(points) // each, each, np.int32))
+    return line_set
 
 
 def points(places: np.ndarray, colours: np.ndarray | None = None) -> Any:
     """Points; their size is that of the draw style before them."""
-    made = coin.SoPointSet()
-    made.vertexProperty = vertices(places, colours)
-    return made
+    point_set = coin.SoPointSet()
+    point_set.vertexProperty = vertices(places, colours)
+    return point_set
 
 
 def style(line: float = 1.0, point: float = 1.0, pattern: int = 0xFFFF) -> Any:
     """Width of lines and size of points in pixels; the pattern makes dashes."""
-    made = coin.SoDrawStyle()
-    made.lineWidth, made.pointSize, made.linePattern = line, point, pattern
-    return made
+    draw_style = coin.SoDrawStyle()
+    draw_style.lineWidth, draw_style.pointSize, draw_style.linePattern = line, point, pattern
+    return draw_style
 
 
 def colour(rgb: Colour, transparency: float = 0.0) -> Any:
     """The colour of what follows."""
-    made = coin.SoMaterial()
-    made.diffuseColor.setValue(*rgb)
-    made.emissiveColor.setValue(*rgb)
-    made.transparency = transparency
-    return made
+    material = coin.SoMaterial()
+    material.diffuseColor.setValue(*rgb)
+    material.emissiveColor.setValue(*rgb)
+    material.transparency = transparency
+    return material
 
 
 def flat() -> Any:
     """What follows is drawn in its own colour, without light."""
-    made = coin.SoLightModel()
-    made.model = coin.SoLightModel.BASE_COLOR
-    return made
+    light_model = coin.SoLightModel()
+    light_model.model = coin.SoLightModel.BASE_COLOR
+    return light_model
 
 
 def unpickable() -> Any:
     """The mouse does not see what follows: searching a million lines would hold the view up."""
-    made = coin.SoPickStyle()
-    made.style = coin.SoPickStyle.UNPICKABLE
-    return made
+    pick_style = coin.SoPickStyle()
+    pick_style.style = coin.SoPickStyle.UNPICKABLE
+    return pick_style
 
 
 def on_top_for_picking() -> Any:
     """The mouse takes what follows before what lies nearer: a marker stands in the part's surface."""
-    made = coin.SoPickStyle()
-    made.style = coin.SoPickStyle.SHAPE_ON_TOP
-    return made
+    pick_style = coin.SoPickStyle()
+    pick_style.style = coin.SoPickStyle.SHAPE_ON_TOP
+    return pick_style
 
 
 def separate(*children: Any) -> Any:
     """A group whose properties stay within."""
-    made = coin.SoSeparator()
+    separator = coin.SoSeparator()
     for child in children:
-        made.addChild(child)
-    return made
+        separator.addChild(child)
+    return separator
 
 
 def switch(child: Any, on: bool = True) -> Any:
     """A group that can be switched off."""
-    made = coin.SoSwitch()
-    made.addChild(child)
-    turn(made, on)
-    return made
+    node = coin.SoSwitch()
+    node.addChild(child)
+    turn(node, on)
+    return node
 
 
 def turn(node: Any, on: bool) -> None:
@@ -103,10 +103,10 @@ def turn(node: Any, on: bool) -> None:
 
 def without_box(child: Any) -> Any:
     """A group that "fit all" does not look at."""
-    made = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-    made.set("mode EXCLUDE_BBOX")
-    made.addChild(child)
-    return made
+    group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    group.set("mode EXCLUDE_BBOX")
+    group.addChild(child)
+    return group
 
 
 def nearer(depth: float, covers: bool = True) -> Any:
@@ -115,7 +115,7 @@ def nearer(depth: float, covers: bool = True) -> Any:
     A path lies in the part's surface, and the picture of that surface is coarser than the path; a tip that leaves its line may
     lie below the surface. ``covers``: whether it hides what is drawn later.
     """
-    made = coin.SoDepthBuffer()
-    made.write = covers
-    made.range.setValue(0.0, 1.0 - depth)
-    return made
+    depth_buffer = coin.SoDepthBuffer()
+    depth_buffer.write = covers
+    depth_buffer.range.setValue(0.0, 1.0 - depth)
+    return depth_buffer

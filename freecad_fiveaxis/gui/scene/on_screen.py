@@ -52,7 +52,7 @@ _numbers = itertools.count()
 
 class _View:
     """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``legends``: the
-    ranks of the legends that are drawn in it, of which the highest leads; ``led``: which one led in the frame before.
+    ranks of the legends that are drawn in it, of which the highest leads; ``leader``: which one led in the frame before.
     ``middles``: of the parts, by who knows of them.
     ``ended``: what is drawn over everything else is being drawn, so all have their places."""
 
@@ -60,14 +60,14 @@ class _View:
         self.boxes: dict[int, np.ndarray] = {}
         self.before: dict[int, np.ndarray] = {}
         self.legends: dict[int, Rank] = {}
-        self.led: int | None = None
+        self.leader: int | None = None
         self.middles: dict[int, np.ndarray] = {}
         self.ended = False
 
     def begin(self) -> None:
         """Somebody asks for a place: after the end of a frame that is the beginning of the next one."""
         if self.ended:
-            self.led = max(self.legends, key=self.legends.__getitem__, default=None)
+            self.leader = max(self.legends, key=self.legends.__getitem__, default=None)
             self.before, self.boxes, self.legends, self.ended = self.boxes, {}, {}, False
             self.middles = {item: middle for item, middle in self.middles.items() if item in self.before}
 
@@ -133,9 +133,9 @@ class _Overlay:
 
 def _moved(*children: Any) -> Any:
     """A group whose nodes move within a frame, unheard: nothing of it is kept for the next one."""
-    made = nodes.separate(*children)
-    made.renderCaching = made.renderCulling = coin.SoSeparator.OFF
-    return made
+    separator = nodes.separate(*children)
+    separator.renderCaching = separator.renderCulling = coin.SoSeparator.OFF
+    return separator
 
 
 def _place(overlay: Any, action: Any) -> None:
@@ -168,7 +168,7 @@ class LegendBox(_Overlay):
         self.size, self.corner = (0, 0), coin.SoTranslation()
         self.switch = nodes.switch(_moved())
         self.corner.enableNotify(False)
-        self.chosen, self.number, self.asked, self.box = False, next(_numbers), layout.NONE, layout.NONE
+        self.chosen, self.number, self.claimed, self.box = False, next(_numbers), layout.NONE, layout.NONE
 
     def show(self, legend: Legend | None) -> None:
         """Show a legend; None for none."""
@@ -193,19 +193,19 @@ class LegendBox(_Overlay):
 
     def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
         """The legend's box, where it led in the frame before: only when all have asked it is known which one leads in this."""
-        self.asked = layout.NONE
+        self.claimed = layout.NONE
         if self.size[0]:
             view.legends[id(self)] = self.chosen, self.number
             corner = layout.legend_place(self.size, size)
             self.corner.translation.setValue(*corner, 0.0)
-            self.asked = np.array([[*corner, corner[0] + self.size[0], corner[1] + self.size[1]]])
-        return self.asked if view.led == id(self) else layout.NONE
+            self.claimed = np.array([[*corner, corner[0] + self.size[0], corner[1] + self.size[1]]])
+        return self.claimed if view.leader == id(self) else layout.NONE
 
     def settle(self, view: _View) -> None:
         """Be seen if this legend leads."""
         leads = view.leads(id(self))
         nodes.turn(self.switch, leads)
-        self.box = view.boxes[id(self)] = self.asked if leads else layout.NONE
+        self.box = view.boxes[id(self)] = self.claimed if leads else layout.NONE
         if not np.array_equal(self.box, view.before.get(id(self), layout.NONE)):
             qt.later(self.root.touch)  # labels know of it in the next frame, which nobody else may ask for
 
@@ -289,9 +289,9 @@ class Labels(_Overlay):
 
 def _depth(tested: bool) -> Any:
     """Whether what follows is hidden by what is drawn nearer; it hides nothing itself."""
-    made = coin.SoDepthBuffer()
-    made.test, made.write = tested, False
-    return made
+    depth_buffer = coin.SoDepthBuffer()
+    depth_buffer.test, depth_buffer.write = tested, False
+    return depth_buffer
 
 
 def clip_from_place(state: Any) -> np.ndarray:

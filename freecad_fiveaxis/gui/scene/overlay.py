@@ -47,10 +47,10 @@ class Legend:
 
     def folded(self) -> Legend:
         """The same in one line, in the warning colour where there is a warning."""
-        said = f"{self.title}: {self.warning or self.gist}" if self.warning or self.gist else self.title
-        if len(said) > FOLDED_WIDTH:
-            said = said[:FOLDED_WIDTH].rstrip() + "…"
-        return Legend(said, np.zeros((0, 3)), (), ("", ""), (), (), ink=WARN if self.warning else INK)
+        line = f"{self.title}: {self.warning or self.gist}" if self.warning or self.gist else self.title
+        if len(line) > FOLDED_WIDTH:
+            line = line[:FOLDED_WIDTH].rstrip() + "…"
+        return Legend(line, np.zeros((0, 3)), (), ("", ""), (), (), ink=WARN if self.warning else INK)
 
 
 def image(picture: QtGui.QImage) -> Any:
@@ -58,10 +58,10 @@ def image(picture: QtGui.QImage) -> Any:
     upright = picture.convertToFormat(QtGui.QImage.Format_RGBA8888)
     rows = np.frombuffer(upright.constBits(), np.uint8, upright.bytesPerLine() * upright.height())
     rows = rows.reshape(upright.height(), upright.bytesPerLine())[::-1, : 4 * upright.width()]
-    made = coin.SoImage()
-    made.image.setValue(coin.SbVec2s(upright.width(), upright.height()), 4, rows.tobytes())
-    made.horAlignment, made.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
-    return made
+    image_node = coin.SoImage()
+    image_node.image.setValue(coin.SbVec2s(upright.width(), upright.height()), 4, rows.tobytes())
+    image_node.horAlignment, image_node.vertAlignment = coin.SoImage.LEFT, coin.SoImage.BOTTOM
+    return image_node
 
 
 def _font(pixels: int, bold: bool = False) -> QtGui.QFont:

@@ -62,7 +62,7 @@ def setup_points(
 
 def _depth(depth: float, covers: bool = True) -> Any:
     """As ``nodes.nearer``; at 1 drawn over what stands at the view's near end as well, as the foremost corner of a map does."""
-    made = nodes.nearer(depth, covers)
+    depth_buffer = nodes.nearer(depth, covers)
     if depth == 1.0:
-        made.function = coin.SoDepthBuffer.ALWAYS
-    return made
+        depth_buffer.function = coin.SoDepthBuffer.ALWAYS
+    return depth_buffer

@@ -26,7 +26,7 @@ SIDE = "side-not-machined"
 MOVES = ("cuts", "links", "rapids")
 """The kinds of moves of a path, as they are drawn (path_nodes.PARTS)."""
 
-Told = tuple[str, str, str]
+Explanation = tuple[str, str, str]
 
 
 def name_of(code: str) -> str:
@@ -71,23 +71,23 @@ def value_text(finding: Finding) -> str:
     return angle_text(finding.value) if finding.unit == "deg" else f"{finding.value:.5g} {finding.unit.replace('1', '')}".strip()
 
 
-def told(code: str, spot: Spot) -> Told | None:
+def explain(code: str, spot: Spot) -> Explanation | None:
     """What happens at a block, why, and what helps; None for a code without words of its own."""
     sayings = {LARGEST: _deviates, OVER: _deviates, SINGULAR: _near_pole, UNPROVEN: _unproven}
     return sayings[code](spot) if code in sayings else None
 
 
-def count_text(code: str, said: Mapping[str, Any]) -> str:
-    """How many blocks a finding of several tells of; ``said``: the core's summary."""
+def count_text(code: str, numbers: Mapping[str, Any]) -> str:
+    """How many blocks a finding of several tells of; ``numbers``: the core's summary."""
     texts = {
         OVER: translate("FiveAxis", "{over_tolerance} blocks are over the tolerance; this is the worst."),
         SINGULAR: translate("FiveAxis", "{singular_blocks} blocks lie near the pole; this is the worst."),
         UNPROVEN: translate("FiveAxis", "{unproven} blocks are not proven; this is the worst."),
     }
-    return texts[code].format(**said)
+    return texts[code].format(**numbers)
 
 
-def _deviates(spot: Spot) -> Told:
+def _deviates(spot: Spot) -> Explanation:
     given = {"deviation": length_text(spot.deviation), "tolerance": length_text(spot.tolerance)} | _turning(spot)
     what, why = _OFF()[spot.ball, spot.deviation > spot.tolerance], _CARRIED(spot.ball)
     texts = [why, *([_POLE()] if spot.singular else [])]
@@ -95,7 +95,7 @@ def _deviates(spot: Spot) -> Told:
     return what.format(**given), " ".join(texts).format(**given), " ".join(helps)
 
 
-def _near_pole(spot: Spot) -> Told:
+def _near_pole(spot: Spot) -> Explanation:
     given = _turning(spot)
     what = translate(
         "FiveAxis",
@@ -105,7 +105,7 @@ def _near_pole(spot: Spot) -> Told:
     return what.format(**given), _POLE().format(**given), _AWAY()
 
 
-def _unproven(spot: Spot) -> Told:
+def _unproven(spot: Spot) -> Explanation:
     tip = translate(
         "FiveAxis", "The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}."
     )
@@ -210,26 +210,26 @@ def legend_of(
 
     from .overlay import Legend
 
-    said = summary(figures)
+    numbers = summary(figures)
     beside = translate("FiveAxis", "commanded line beside the real curve")
     centre_beside = translate("FiveAxis", "commanded and real way of the ball's centre")
     keys = [
         *_moves(look, shown),
-        (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=said["over_tolerance"])),
-        (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=said["singular_blocks"])),
+        (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=numbers["over_tolerance"])),
+        (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=numbers["singular_blocks"])),
         ((1.0, 1.0, 1.0), beside if figures.surface is None else centre_beside),
         *gouge_words.legend_keys(kinds),
     ]
     tip = translate("FiveAxis", "Distance of the tip from the commanded line")
     ball = translate("FiveAxis", "Distance of the ball's centre from the commanded line")
     notes, largest = [tip if figures.surface is None else ball], ""
-    if said["worst_line"] is not None:
-        largest = label_text(judged_largest(said)[0], said["worst_line"], figures.tolerance)
+    if numbers["worst_line"] is not None:
+        largest = label_text(judged_largest(numbers)[0], numbers["worst_line"], figures.tolerance)
         notes.append(translate("FiveAxis", "Largest: {largest}").format(largest=largest))
     if figures.gouge is not None and not figures.gouge.findings:
         notes.append(translate("FiveAxis", "Nothing enters the part"))
-    if said["guided_blocks"]:
-        notes.append(translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=said["guided_blocks"]))
+    if numbers["guided_blocks"]:
+        notes.append(translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=numbers["guided_blocks"]))
         notes.append(translate("FiveAxis", "not proven between their ends"))
     return Legend(label, *_scale(figures, look), keys, notes, warning, largest)
 

@@ -11,6 +11,6 @@ windows: list[Callable[[], AbstractContextManager[Any]]] = []
 """None, or the one that was named last."""
 
 
-def show_in(window: Callable[[], AbstractContextManager[Any]]) -> None:
+def show_progress_in(window: Callable[[], AbstractContextManager[Any]]) -> None:
     """From now on long work that nobody else listens to, as that of a recompute, is shown by ``window()``."""
     windows[:] = [window]

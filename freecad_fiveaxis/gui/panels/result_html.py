@@ -21,14 +21,14 @@ def recovered(found: Any) -> str:
     """The sentence, the numbers with their certainty, and the findings; ``found`` is the core's Recovery."""
     from freecad_fiveaxis.core.calibration.recover import parameters, verdict
 
-    told = parameters(found)
-    compared = any(one.given is not None for one in told)
+    estimates = parameters(found)
+    compared = any(one.given is not None for one in estimates)
     head = ["", translate("FiveAxis", "found"), translate("FiveAxis", "certain within")]
     head += [found.start.name] if compared else []
     worst = length_text(float(found.fit.miss[found.fit.good].max(initial=0.0)), 3)
     residual = translate("FiveAxis", "Largest residual of the rows used: {length}").format(length=worst)
-    rows = table([head, *(_cells(one, compared) for one in told)])
-    return paragraph(wording.told(verdict(found)), bold=True) + paragraph(residual) + rows + findings(found.findings)
+    rows = table([head, *(_cells(one, compared) for one in estimates)])
+    return paragraph(wording.localize(verdict(found)), bold=True) + paragraph(residual) + rows + findings(found.findings)
 
 
 def _cells(one: Any, compared: bool) -> list[str]:
@@ -60,8 +60,12 @@ def sheet(proof: Any) -> str:
     from freecad_fiveaxis.core.calibration.prove_signs import READY, STAND, notices, rows, verdict
 
     plan = proof.plan
-    parts = [paragraph(wording.told(one), bold=True) for one in (*notices(plan), verdict(plan))]
-    parts += [heading(translate("FiveAxis", "Before you start")), items(map(wording.told, READY)), paragraph(wording.told(STAND))]
+    parts = [paragraph(wording.localize(one), bold=True) for one in (*notices(plan), verdict(plan))]
+    parts += [
+        heading(translate("FiveAxis", "Before you start")),
+        items(map(wording.localize, READY)),
+        paragraph(wording.localize(STAND)),
+    ]
     parts += [findings(plan.findings), heading(translate("FiveAxis", "Stops"))]
     parts += [_stop(row) for row in rows(plan, proof.program)]
     parts.append(heading(translate("FiveAxis", "If the tool does not point at the cross, it is off by")))
@@ -69,7 +73,7 @@ def sheet(proof: Any) -> str:
         table(
             [
                 ["", "X", "Y", "Z"],
-                *([wording.told(text), *(length_text(part) for part in off.tolist())] for text, off in plan.predicted_errors),
+                *([wording.localize(text), *(length_text(part) for part in off.tolist())] for text, off in plan.predicted_errors),
             ]
         )
     )
@@ -79,12 +83,12 @@ def sheet(proof: Any) -> str:
 def _stop(row: Any) -> str:
     place = " ".join(f"{letter}{value + 0.0:.10g}" for letter, value in row["words"].items())
     title = translate("FiveAxis", "Stop {number}, NC line {line}: {title}").format(
-        number=row["number"], line=row["line"], title=wording.told(row["title"])
+        number=row["number"], line=row["line"], title=wording.localize(row["title"])
     )
     seen, wrong = translate("FiveAxis", "You see: {text}"), translate("FiveAxis", "Wrong: {text}")
-    told = [f"<b>{html.escape(title)}</b>", html.escape(place)]
-    told += [html.escape(text.format(text=wording.told(row[key]))) for text, key in ((seen, "see"), (wrong, "bad"))]
-    return f"<p>{'<br/>'.join(told)}</p>"
+    texts = [f"<b>{html.escape(title)}</b>", html.escape(place)]
+    texts += [html.escape(text.format(text=wording.localize(row[key]))) for text, key in ((seen, "see"), (wrong, "bad"))]
+    return f"<p>{'<br/>'.join(texts)}</p>"
 
 
 def imported(found: Any) -> str:
@@ -142,6 +146,6 @@ def findings(found: Iterable[Any]) -> str:
     ordered = sorted(found, key=lambda one: -one.severity)
     return "".join(
         f"<p><span style='color: {COLOURS[one.severity]}'><b>{html.escape(severity_name(one.severity))}:</b> "
-        f"{html.escape(wording.told(one.text))}</span></p>"
+        f"{html.escape(wording.localize(one.text))}</span></p>"
         for one in ordered
     )
