@@ -23,8 +23,8 @@ FAR = ("origin", "work_offset", "work_zero")
 
 
 class SetupDialog(QtWidgets.QDialog):
-    """Edits the values of a Setup; ``said`` are those of the form."""
     """Edits the values of a Setup; ``options`` is the form that holds them."""
+
     def __init__(self, doc: Any, values: dict[str, Any], obj: Any = None) -> None:
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName("FiveAxisSetup")
