@@ -11,7 +11,9 @@ dug       how deep a point of the cutter's skin is in the part: what is taken of
 How deep a point lies below the cutter's skin is measured against the outline of tests/core/cutter_body.py.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import pytest
@@ -19,6 +21,8 @@ from cutter_body import meridian
 from scipy.spatial import cKDTree
 
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+
+CELL = 0.5
 
 
 def libigl():
@@ -83,36 +87,75 @@ def placed(points, tip, axis):
     return tip[:, None] + points @ frame
 
 
+_TREES = WeakKeyDictionary()
+"""libigl's tree of each mesh that distances were asked of."""
+
+
 def distances(mesh, points, signed=False):
     """Distances (n,) mm of points (n, 3) from the mesh; inside negative where ``signed`` (by winding numbers: gaps do not matter)."""
-    igl = libigl()
-    kind = "FAST_WINDING_NUMBER" if signed else "UNSIGNED"
-    face = np.asarray(mesh.face, np.int64)
-    return igl.signed_distance(
-        np.ascontiguousarray(points), mesh.vertex, face, getattr(igl.SignedDistanceType, f"SIGNED_DISTANCE_TYPE_{kind}")
-    )[0]
+    igl, face = libigl(), np.asarray(mesh.face, np.int64)
+    if signed:
+        kind = igl.SignedDistanceType.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
+        return igl.signed_distance(np.ascontiguousarray(points), mesh.vertex, face, kind)[0]
+    if mesh not in _TREES:
+        _TREES[mesh] = igl.AABB()
+        _TREES[mesh].init(mesh.vertex, face)
+    return np.sqrt(_TREES[mesh].squared_distance(mesh.vertex, face, np.ascontiguousarray(points))[0])
 
 
 def entries(mesh, tip, axis, inner):
-    """The entry (n,) mm at each of these poses (n, 3), negative where the cutter stays off by more."""
-    points = placed(inner.point, tip, axis)
-    return (inner.below - distances(mesh, points.reshape(-1, 3)).reshape(points.shape[:2])).max(axis=1)
+    """The entry (n,) mm at each of these poses (n, 3), negative where the cutter stays off by more.
+
+    Of each cell of points one is asked first. No other tells of more than what it lies below the skin and away from that one, less
+    that one's distance: cells that cannot exceed what is found at their pose are left out. The result is that of all points, to
+    the last digits.
+    """
+    first, cell, apart = _cells(inner)
+    most = np.full(len(first), -np.inf)
+    np.maximum.at(most, cell, inner.below + apart)
+    off = _distances_at(mesh, inner.point[first], tip, axis)
+    best = (inner.below[first] - off).max(axis=1)
+    pose, point = np.nonzero(((most - off) > best[:, None])[:, cell] & (apart > 0.0))
+    np.maximum.at(best, pose, inner.below[point] - distances(mesh, _each(inner.point[point], tip[pose], axis[pose])))
+    return best
 
 
 def dug(mesh, tip, axis, outer):
     """How deep (n,) mm the skin of the cutter is in the part at each of these poses (n, 3)."""
-    points = placed(outer.point, tip, axis)
-    return -distances(mesh, points.reshape(-1, 3), signed=True).reshape(points.shape[:2]).min(axis=1)
+    return -_distances_at(mesh, outer.point, tip, axis, signed=True).min(axis=1)
+
+
+def _cells(points):
+    """A point (c,) of each cell, and the cell (k,) of each point and how far (k,) mm it is from that one. Cells are cubes, CELL of
+    the most that a point lies below the skin wide."""
+    cube = np.floor(points.point / (CELL * points.below.max())).astype(int)
+    _, first, cell = np.unique(cube, axis=0, return_index=True, return_inverse=True)
+    cell = cell.reshape(-1)
+    return first, cell, np.linalg.norm(points.point - points.point[first[cell]], axis=1)
+
+
+def _distances_at(mesh, points, tip, axis, signed=False):
+    """Distances (n, k) mm of points (k, 3) of a body at tips and axes (n, 3)."""
+    return distances(mesh, placed(points, tip, axis).reshape(-1, 3), signed).reshape(len(tip), -1)
+
+
+def _each(points, tip, axis):
+    """Points (n, 3) of a body, each at its own tip and axis (n, 3)."""
+    return np.einsum("nj,nji->ni", points, placed(np.eye(3), 0.0 * tip, axis)) + tip
 
 
 @dataclass(frozen=True)
 class Verdict:
     """``entry`` (b,) mm of each block, found at a few places in it; ``worst`` mm, of the worst blocks found at many; ``dug`` mm,
-    what the skin digs into the part in those."""
+    what the skin digs into the part in those, which is worked out for who asks."""
 
     entry: np.ndarray
     worst: float
-    dug: float
+    _dug: Callable[[], np.ndarray]
+
+    @property
+    def dug(self):
+        return float(self._dug().max())
 
 
 def judged(mesh, cutter, kinematics, words, blocks, back=0.0, finest=33, deepest=12):
@@ -127,4 +170,4 @@ def judged(mesh, cutter, kinematics, words, blocks, back=0.0, finest=33, deepest
     top = np.argsort(-entries(mesh, tip, axis, cloud(cutter, rings=8)))[:8]
     fine = entries(mesh, tip[top], axis[top], cloud(cutter, rings=32))
     most = np.maximum.reduceat(entry, np.cumsum(count) - count)
-    return Verdict(most, float(max(fine.max(), entry.max())), float(dug(mesh, tip[top], axis[top], skin(cutter)).max()))
+    return Verdict(most, float(max(fine.max(), entry.max())), lambda: dug(mesh, tip[top], axis[top], skin(cutter)))

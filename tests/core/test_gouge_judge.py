@@ -116,6 +116,38 @@ def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
     assert gouge_judge.dug(step(), tip, axis, gouge_judge.skin(flat))[0] == pytest.approx(0.5, rel=0.02)
 
 
+def asked_everywhere(mesh, tip, axis, inner):
+    """What :func:`gouge_judge.entries` says, of all points of the cutter at all poses."""
+    points = gouge_judge.placed(inner.point, tip, axis)
+    return (inner.below - gouge_judge.distances(mesh, points.reshape(-1, 3)).reshape(points.shape[:2])).max(axis=1)
+
+
+@pytest.fixture(scope="module")
+def about_a_step():
+    """A step, and tips and axes of tools in it, on it and off it."""
+    rng = np.random.default_rng(3)
+    axis = np.column_stack([rng.uniform(-0.6, 0.6, (60, 2)), np.ones(60)])
+    return step(), rng.uniform((-8.0, -8.0, -3.0), (8.0, 8.0, 8.0), (60, 3)), axis / np.linalg.norm(axis, axis=1)[:, None]
+
+
+@pytest.mark.parametrize("cutter", [Cutter(6.0, 30.0), Cutter(6.0, 30.0, 1.0), Cutter(6.0, 30.0, 0.0)])
+def test_the_judge_says_the_same_where_it_leaves_cells_of_the_cutter_out(cutter, about_a_step):
+    inner = gouge_judge.cloud(cutter, 12)
+    np.testing.assert_allclose(gouge_judge.entries(*about_a_step, inner), asked_everywhere(*about_a_step, inner), atol=1e-9)
+
+
+def test_cells_that_are_left_out_too_soon_would_be_noticed(about_a_step, monkeypatch):
+    """As if no point were farther than a tenth as far from the one that its cell is asked by."""
+    inner, cells = gouge_judge.cloud(Cutter(6.0, 30.0, 0.0), 12), gouge_judge._cells
+
+    def narrow(points):
+        first, cell, apart = cells(points)
+        return first, cell, 0.1 * apart
+
+    monkeypatch.setattr(gouge_judge, "_cells", narrow)
+    assert np.abs(gouge_judge.entries(*about_a_step, inner) - asked_everywhere(*about_a_step, inner)).max() > 0.01
+
+
 # ------------------------------------------------------------------------------------------------ real meshes
 
 
