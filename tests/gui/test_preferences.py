@@ -21,7 +21,8 @@ translate = FreeCAD.Qt.translate
 
 @pytest.fixture
 def ours(parameters):
-    """Our parameter group, empty at first, put back afterwards."""
+    """Our parameter group, empty at first, put back afterwards; OK writes the boxes of FreeCAD's other pages too."""
+    parameters("User parameter:BaseApp/Preferences/Document")
     found = parameters(preferences.GROUP)
     found.Clear()
     return found
