@@ -2,6 +2,7 @@
 """Overcuts by another library's distances along the real ways: of concave parts and of real meshes, before and after the cure."""
 
 import os
+from functools import lru_cache
 from pathlib import Path
 
 import gouge_judge
@@ -176,7 +177,13 @@ def milled_real(name, kind, **options):
     stepover, diameter = REAL[name]
     cutter = KINDS[kind].format(diameter, 3 * diameter, 0.2 * diameter)
     given = {"cutter": cutter, "stepover": stepover, "tool_axis": "facet_mean", "lead": "3deg", **options}
-    return milled(read_stl(str(path)), **given)
+    return milled(real(path), **given)
+
+
+@lru_cache(maxsize=2)
+def real(path):
+    """The mesh of a file, read once for the tests of it, with the trees that are made over it."""
+    return read_stl(str(path))
 
 
 @pytest.mark.parametrize(("name", "kind"), samples(EVERY))
