@@ -40,8 +40,8 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
 
 
 def _inserted(others: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """Put the ``new`` one about the spindle, among the ``others`` of the whole job, behind what the making of the program has found:
-    those ``kept``, of which the proof may have dropped some."""
+    """Put the ``new`` one about the spindle among the ``others`` of the whole job, behind those ``kept`` of the making of the
+    program, of which the proof may have dropped some."""
     draft = {id(one) for one in kept}
     first = next((at for at, one in enumerate(others) if id(one) not in draft), len(others))
     return (*others[:first], *new, *others[first:])
