@@ -48,6 +48,7 @@ lint:
 	@bash scripts/prepare test
 	.venv/bin/ruff check .
 	.venv/bin/ruff format --check .
+	.venv/bin/codespell
 	.venv/bin/mypy
 
 core:
