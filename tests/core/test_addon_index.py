@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.texts
+
 ROOT = Path(__file__).parents[2]
 SPACE = "{https://wiki.freecad.org/Package_Metadata}"
 PACKAGE = ET.parse(ROOT / "package.xml").getroot()

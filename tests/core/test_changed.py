@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from import_graph import build_graph, distances, imports_of
 
+pytestmark = pytest.mark.texts
+
 ROOT = Path(__file__).parents[2]
 FILES = {
     "house/__init__.py": "from .roof import tiles\nfrom .wall import bricks\n",

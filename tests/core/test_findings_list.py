@@ -2,6 +2,7 @@
 """Every kind of finding is in one list, the list is what is used, and its page is written from it."""
 
 import ast
+import functools
 import re
 import subprocess
 import sys
@@ -13,6 +14,8 @@ from freecad_fiveaxis.core.base import codes
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 
+pytestmark = pytest.mark.texts
+
 ROOT = Path(__file__).parents[2]
 CORE = ROOT / "freecad_fiveaxis" / "core"
 ELSEWHERE = {CORE / "base" / "codes.py", CORE / "base" / "findings.py"}
@@ -20,6 +23,7 @@ MARKERS = CORE / "report" / "drawing.py"
 """Markers without a finding get one for the list of the window, with the marker's own kind."""
 
 
+@functools.cache
 def trees():
     return {path: ast.parse(path.read_text(encoding="utf-8")) for path in CORE.rglob("*.py") if path not in ELSEWHERE}
 

@@ -6,6 +6,8 @@ import re
 import pytest
 from translation_script import ROOT, translations
 
+pytestmark = pytest.mark.texts
+
 PAGES = sorted((ROOT / "docs" / "commands").glob("*.md"))
 SHOWN = {"Fields", "Properties", "Properties of the NC output", "Properties of the view"}
 

@@ -13,6 +13,8 @@ from pathlib import Path
 import import_graph
 import pytest
 
+pytestmark = pytest.mark.texts
+
 ROOT = Path(__file__).parents[2]
 CORE = ROOT / "freecad_fiveaxis" / "core"
 FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")

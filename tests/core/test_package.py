@@ -17,6 +17,8 @@ import scipy
 
 from freecad_fiveaxis import __version__
 
+pytestmark = pytest.mark.texts
+
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "freecad_fiveaxis"
 DATA = {".fcm", ".svg", ".ui", ".qm"}

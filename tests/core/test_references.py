@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from references import Package
 
+pytestmark = pytest.mark.texts
+
 ROOT = Path(__file__).parents[2]
 PAGES = [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "commands").glob("*.md")]
 """Without the decisions: these say what was."""

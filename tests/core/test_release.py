@@ -21,7 +21,10 @@ FILES = (
     "Makefile",
 )
 
-pytestmark = pytest.mark.skipif(os.name != "posix" or shutil.which("git") is None, reason="a shell script over git")
+pytestmark = [
+    pytest.mark.texts,
+    pytest.mark.skipif(os.name != "posix" or shutil.which("git") is None, reason="a shell script over git"),
+]
 
 
 def git(folder, *words):

@@ -14,9 +14,10 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-pytestmark = pytest.mark.skipif(
-    os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"
-)
+pytestmark = [
+    pytest.mark.texts,
+    pytest.mark.skipif(os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"),
+]
 
 HEARS = """
 import os, signal, sys

@@ -12,6 +12,8 @@ from freecad_fiveaxis.app.option_texts import TEXTS, text_of
 from freecad_fiveaxis.core.base.sentences import CONTEXT
 from freecad_fiveaxis.core.pipeline.settings import OutputSettings, option_fields
 
+pytestmark = pytest.mark.texts
+
 LANGUAGES = sorted(translations.FOLDER.glob("FiveAxis_*.ts"))
 
 

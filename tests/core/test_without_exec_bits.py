@@ -27,9 +27,10 @@ TARGETS = (
     "bench-window",
 )
 
-pytestmark = pytest.mark.skipif(
-    os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"
-)
+pytestmark = [
+    pytest.mark.texts,
+    pytest.mark.skipif(os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"),
+]
 
 
 @pytest.fixture
