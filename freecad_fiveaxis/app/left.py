@@ -154,7 +154,7 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
 
 def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
     draft = known.result.draft
-    left = figures.left or job.rest_material_of(draft, progress)
+    left = figures.rest or job.rest_material_of(draft, progress)
     return Heights(known.fingerprint, draft.mesh, left, figures.tolerance, allowed(draft.settings, draft.mesh, draft.keep))
 
 
@@ -170,7 +170,7 @@ def out_of_date(obj: Any) -> str:
 def _show(obj: Any, found: Heights) -> None:
     """Show the heights in the object's properties."""
     left, height = found.left, found.left.height
-    uncut, volume = left.left(found.allowed)
+    uncut, volume = left.uncut(found.allowed)
     values = {
         "LargestUndercut": max(float(height.max(initial=0.0)), 0.0), "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
         "UncutArea": uncut, "OvercutArea": left.taken(found.tolerance)[0], "MachinedArea": float(left.area.sum()),
@@ -185,7 +185,7 @@ def _show(obj: Any, found: Heights) -> None:
 def verdict(found: Heights) -> str:
     """What is left, in a plain sentence."""
     left = found.left
-    whole, (uncut, _), (deep, _) = float(left.area.sum()), left.left(found.allowed), left.taken(found.tolerance)
+    whole, (uncut, _), (deep, _) = float(left.area.sum()), left.uncut(found.allowed), left.taken(found.tolerance)
     if not uncut and not deep:
         return say(
             "Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.",

@@ -54,13 +54,13 @@ def test_a_ball_that_is_not_lifted_cuts_the_other_wall(doc, groove):
 def test_the_map_is_that_of_the_core(anew, doc, groove, tmp_path):
     file = str(tmp_path / "groove.stl")
     mesh = app.tessellate(groove, file)
-    wanted = job.run(build_settings("mill", file, {**GROOVE, "left": "on"})).left
+    wanted = job.run(build_settings("mill", file, {**GROOVE, "left": "on"})).rest
     for settings in (GROOVE, {**GROOVE, "left": "on"}):
         made = app.left_map(app.create_toolpath(doc, mesh, **settings))
         found = left.heights_of(made).left
         np.testing.assert_array_equal(found.height, wanted.height)
         np.testing.assert_array_equal(found.point, wanted.point)
-    assert results.result_of(made.Path).left is found, "the path's own map is found a second time"
+    assert results.result_of(made.Path).rest is found, "the path's own map is found a second time"
     assert made.MachinedArea.Value == pytest.approx(wanted.area.sum())
 
 
@@ -158,7 +158,7 @@ def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is
     assert first.place[0] >= 20.0 - 1e-6 and first.value > 1.0, "the wall beyond x = 20 stops the holder"
     made = app.left_map(path)
     assert made.MachinedArea.Value == pytest.approx(2 * 20.0 * 30.0, rel=1e-6)
-    assert set(result.left.facet) == set(np.flatnonzero(keep))
+    assert set(result.rest.facet) == set(np.flatnonzero(keep))
     slim = app.create_toolpath(doc, (step, chosen), **{**FACES, "cutter": "ball:6:60"})
     assert not [one for one in results.result_of(slim).findings if one.code == "holder-collision"]
 

@@ -101,7 +101,7 @@ def test_what_is_cut_and_what_is_left_stay_as_they_were():
     numbers = [summary(one) for one in figures]
     assert numbers[1]["cut_length"] == pytest.approx(numbers[0]["cut_length"], rel=1e-9)
     assert numbers[1]["link_length"] > numbers[0]["link_length"]
-    assert np.allclose(figures[0].left.height, figures[1].left.height, atol=1e-9)
+    assert np.allclose(figures[0].rest.height, figures[1].rest.height, atol=1e-9)
 
 
 def test_none_is_the_default_and_changes_no_byte():

@@ -411,8 +411,8 @@ def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
         )
         for more in ({"passes": "scallop", "steep_shallow": 40}, {"passes": "scallop"}, {"passes": "zlevel"})
     ]
-    both, scallop, level = (one.left for one in left)
-    assert both.left(8 * SCALLOP)[0] <= max(scallop.left(8 * SCALLOP)[0], level.left(8 * SCALLOP)[0])
+    both, scallop, level = (one.rest for one in left)
+    assert both.uncut(8 * SCALLOP)[0] <= max(scallop.uncut(8 * SCALLOP)[0], level.uncut(8 * SCALLOP)[0])
 
 
 # ------------------------------------------------------------------------------------------------ what is refused

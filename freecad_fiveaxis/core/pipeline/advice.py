@@ -56,7 +56,7 @@ def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
     """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and proves a program of the
     same part, faces and fixtures. Raises Cancelled."""
     settings = result.draft.settings
-    before = measure_finished(result if result.left is not None else run(_measured(settings, {})))
+    before = measure_finished(result if result.rest is not None else run(_measured(settings, {})))
     found = [_try(_measured(settings, changes), changes, before, run) for changes in find_changes(settings)]
     return tuple(sorted(found, key=lambda one: -one.gain))
 
