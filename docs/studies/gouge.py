@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.report.rest_material_map import (
 HERE = Path(__file__).resolve().parents[1]
 PICTURE = HERE / "images" / "gouge-left.png"
 PARTS = HERE.parent / "resources" / "examples" / "make_parts.py"
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:20", "passes": "planes", "stepover": 3, "linearize": "on", "left": "on"}
+OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:20", "passes": "planes", "stepover": 3, "linearize": "on", "rest": "on"}
 FINE = 12.0
 """Pixels a mm."""
 LIGHT = np.array([-0.35, 0.45, 0.82])

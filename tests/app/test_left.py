@@ -54,8 +54,8 @@ def test_a_ball_that_is_not_lifted_cuts_the_other_wall(doc, groove):
 def test_the_map_is_that_of_the_core(anew, doc, groove, tmp_path):
     file = str(tmp_path / "groove.stl")
     mesh = app.tessellate(groove, file)
-    wanted = job.run(build_settings("mill", file, {**GROOVE, "left": "on"})).rest
-    for settings in (GROOVE, {**GROOVE, "left": "on"}):
+    wanted = job.run(build_settings("mill", file, {**GROOVE, "rest": "on"})).rest
+    for settings in (GROOVE, {**GROOVE, "rest": "on"}):
         made = app.left_map(app.create_toolpath(doc, mesh, **settings))
         found = left.heights_of(made).left
         np.testing.assert_array_equal(found.height, wanted.height)
@@ -150,7 +150,7 @@ FACES = {"machine": "trunnion_ac", "cutter": "ball:6:12", "passes": "planes", "s
 
 def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is_selected(doc, step):
     chosen = (face_at(step, z=10.0), face_at(step, z=40.0))
-    path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", left="on")
+    path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", rest="on")
     result = results.result_of(path)
     mesh, keep = result.draft.mesh, result.draft.keep
     assert 0 < keep.sum() < len(keep) and set(np.round(mesh.vertex[mesh.face[keep]][..., 2].ravel(), 6)) == {10.0, 40.0}

@@ -287,13 +287,13 @@ def test_turns_beyond_the_limits_are_wound_back_and_told(tmp_path, stl):
 
 
 def test_nothing_of_the_sides_is_left_and_none_is_cut_too_deep(stl):
-    result = job.run(settings_of(stl("flat"), left="on", spiral="on"))
+    result = job.run(settings_of(stl("flat"), rest="on", spiral="on"))
     assert [one.code for one in result.findings if one.severity.name != "NOTE"] == []
 
 
 @pytest.mark.parametrize("cutter", ["bull:6:1", pytest.param("flat:6", marks=pytest.mark.thorough)])
 def test_a_cutter_without_a_ball_end_leaves_no_more_than_the_scallop_on_a_cone(stl, cutter):
-    result = job.run(settings_of(stl("cone"), cutter=cutter, scallop=0.3, left="on"))
+    result = job.run(settings_of(stl("cone"), cutter=cutter, scallop=0.3, rest="on"))
     assert not [one for one in result.findings if one.severity.name != "NOTE"]
 
 

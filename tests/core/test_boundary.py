@@ -395,7 +395,7 @@ def test_links_over_an_island_that_is_narrower_than_the_cutter_are_lifted(tmp_pa
 
 
 def replace_left(settings):
-    return replace(settings, gouge=replace(settings.gouge, left="on"))
+    return replace(settings, gouge=replace(settings.gouge, rest="on"))
 
 
 # ------------------------------------------------------------------------------------------------ what is refused

@@ -83,7 +83,7 @@ def files(tmp_path):
 
 
 def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clear_of(files):
-    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "gouge": "leave-out", "left": "on"}
+    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "gouge": "leave-out", "rest": "on"}
     options |= {"tool_axis": "fixed", "linearize": "on"}
     settings = build_settings("mill", str(files / "part.stl"), {**options, "faces": str(files / "floor.stl")})
     result = job.run(settings)

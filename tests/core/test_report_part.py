@@ -17,7 +17,7 @@ from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, 
 from freecad_fiveaxis.core.report.rest_material_picture import rest_svg
 from freecad_fiveaxis.core.tool.body import body_of, depth_of
 
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "tool_axis": "fixed", "linearize": "on", "left": "on"}
+OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "tool_axis": "fixed", "linearize": "on", "rest": "on"}
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,7 @@ def clear():
 
 
 def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
-    options = {**OPTIONS, "gouge": "off", "left": "off"}
+    options = {**OPTIONS, "gouge": "off", "rest": "off"}
     result = job.prove(job.make(build_settings("mill", "step.stl", options), mesh=step()))
     assert result.gouge is None and result.rest is None
     told = json.loads(as_json(job.figures(result)))

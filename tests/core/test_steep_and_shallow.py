@@ -406,7 +406,7 @@ def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
     left = [
         job.run(
             build_settings(
-                "mill", str(files / "box.stl"), {**JOB, "tool_axis": axis, "left": "on", "scallop": 4 * SCALLOP, **more}
+                "mill", str(files / "box.stl"), {**JOB, "tool_axis": axis, "rest": "on", "scallop": 4 * SCALLOP, **more}
             )
         )
         for more in ({"passes": "scallop", "steep_shallow": 40}, {"passes": "scallop"}, {"passes": "zlevel"})

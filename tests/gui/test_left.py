@@ -98,7 +98,7 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
 
 
 def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, screenshot, pixels, view_box):
-    make_path(gouge="lift", left="on")
+    make_path(gouge="lift", rest="on")
     press("FiveAxis_Left", wait=1000)
     made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
     until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
@@ -188,7 +188,7 @@ def test_gouges_have_their_own_marks_labels_and_words(
 
 @pytest.mark.parametrize("cure", ["report", "lift", "leave-out"])
 def test_every_gouge_has_one_row_in_the_list_of_findings(cure, make_path):
-    figures = results.figures_of(make_path(gouge=cure, left="on"))
+    figures = results.figures_of(make_path(gouge=cure, rest="on"))
     rows, of_marker = report.listed(figures)
     assert {row.finding for row in rows} >= set(figures.findings)
     assert len({(row.kind, row.finding.block, row.finding.place) for row in rows}) == len(rows), "a finding is listed twice"

@@ -76,7 +76,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
 
 def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """The settings with these changes, and what is left measured."""
-    options = {**flat_options(settings), "left": "on", **changes}
+    options = {**flat_options(settings), "rest": "on", **changes}
     given = {name: value for name, value in options.items() if value is not None and name not in ("task", "source", "advise")}
     return build_settings(MILL, settings.source, given)
 

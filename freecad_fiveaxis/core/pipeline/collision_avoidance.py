@@ -78,7 +78,7 @@ def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
     """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where the map of rest
     material tells it."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
-    if settings.gouge.left == "on":
+    if settings.gouge.rest == "on":
         return ()
     cutter = settings.cutter.cutter
     swept = commanded_motion(settings, path)

@@ -267,7 +267,7 @@ def _against_part(draft: ProgramDraft, progress: Progress) -> tuple[GougeCheck |
         return None, None, ()
     context, program = draft.context(progress), draft.program
     gouge, low = entered(context, program), enters_table(context, program)
-    rest = find_rest_of_program(context, program) if draft.settings.gouge.left == "on" and len(cutting(program.motion)) else None
+    rest = find_rest_of_program(context, program) if draft.settings.gouge.rest == "on" and len(cutting(program.motion)) else None
     return gouge, rest, (gouge.findings if gouge else ()) + low + rest_material_findings(rest, context)
 
 
