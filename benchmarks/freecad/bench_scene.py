@@ -2,7 +2,7 @@
 """``make bench-window``: what a frame of FreeCAD's 3D view takes, as ratios to peers in the same view; run inside FreeCAD.
 
 path    the whole picture of a path, to the bare lines of its strokes
-map     a map of what is left, to its bare facets
+map     a map of rest material, to its bare facets
 labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
 
 A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no graphics card.
@@ -92,12 +92,12 @@ def test_map(view, capsys, monkeypatch):
     for side, most in ((316, None), (223, 1000)):
         if most:
             monkeypatch.setattr(rest_nodes, "MOST_PATCHES", most)
-        mesh, left = surface(side)
-        node = rest_nodes.rest_surface(mesh, left, height_scale(left, 0.01, 0.03))
+        mesh, rest = surface(side)
+        node = rest_nodes.rest_surface(mesh, rest, height_scale(rest, 0.01, 0.03))
         name = f"{len(mesh.face)} facets{', each with its worst sample' if most else ''}"
         rows.append(row(view, name, (node,), bare(mesh.vertex[mesh.face].reshape(-1, 3), 3)))
     with capsys.disabled():
-        print_table("A map of what is left, to its bare facets", HEADS, rows)
+        print_table("A map of rest material, to its bare facets", HEADS, rows)
 
 
 def test_labels(view, capsys, monkeypatch):

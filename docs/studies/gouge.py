@@ -45,7 +45,7 @@ def milled(gouge: str) -> Figures:
 
 
 def seen(axes: Any, figures: Figures, scale: HeightScale, title: str) -> None:
-    """The patch from above, coloured by what is left."""
+    """The patch from above, coloured by the rest material."""
     assert figures.mesh is not None and figures.rest is not None
     corner, view = rest_material_patches(figures.mesh, figures.rest), view_from(-0.5 * np.pi, 0.5 * np.pi)
     low, high = corner.reshape(-1, 3).min(axis=0)[:2], corner.reshape(-1, 3).max(axis=0)[:2]
@@ -81,8 +81,8 @@ def main() -> None:
     for name, one in (("before", before), ("after", after)):
         told = summary(one)
         overcut = f"overcut up to {told['max_overcut']:.3f} mm" if told["overcut_blocks"] else "no overcut"
-        left = f"at most {told['max_left']:.3f} mm left"
-        seen(panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {left}")
+        rest = f"at most {told['max_left']:.3f} mm left"
+        seen(panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {rest}")
         print(
             name,
             {

@@ -403,7 +403,7 @@ def test_with_a_boundary(files, tmp_path):
 @pytest.mark.parametrize("axis", ["auto", "facet_mean"])
 def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
     """Dense samples of the part under the whole program, as the job's own rest material has them."""
-    left = [
+    jobs = [
         job.run(
             build_settings(
                 "mill", str(files / "box.stl"), {**JOB, "tool_axis": axis, "rest": "on", "scallop": 4 * SCALLOP, **more}
@@ -411,7 +411,7 @@ def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
         )
         for more in ({"passes": "scallop", "steep_shallow": 40}, {"passes": "scallop"}, {"passes": "zlevel"})
     ]
-    both, scallop, level = (one.rest for one in left)
+    both, scallop, level = (one.rest for one in jobs)
     assert both.uncut(8 * SCALLOP)[0] <= max(scallop.uncut(8 * SCALLOP)[0], level.uncut(8 * SCALLOP)[0])
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is left, and where the tool enters the part: seen, clicked, undone, stopped, and drawn again after opening."""
+"""Rest material, and where the tool enters the part: seen, clicked, undone, stopped, and drawn again after opening."""
 
 import FreeCAD
 import FreeCADGui
