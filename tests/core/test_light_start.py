@@ -36,6 +36,18 @@ def test_settings_are_checked_without_the_engine():
     assert not set(HEAVY) & set(modules)
 
 
+PARTS_OF_SCIPY = ("scipy.spatial", "scipy.sparse", "scipy.optimize", "scipy.special")
+
+
+def test_scipys_parts_are_loaded_where_they_are_used():
+    """Half of what it takes to begin a post or an audit, which use none of them."""
+    assert not set(PARTS_OF_SCIPY) & set(loaded("from freecad_fiveaxis.core.pipeline import job\nprint(job)"))
+
+
+def test_a_part_of_scipy_would_be_noticed():
+    assert "scipy.spatial" in loaded("from scipy.spatial import cKDTree\nprint(cKDTree)")
+
+
 def test_what_computes_would_be_noticed():
     assert set(loaded("from freecad_fiveaxis.core.toolpath import cl_offset\nprint(cl_offset)")) >= {
         "numpy",

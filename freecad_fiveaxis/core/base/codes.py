@@ -56,11 +56,16 @@ class Code(str, Enum):
     # ---------------------------------------------------------------------------------------- what is milled
     FACES_AVOIDED = "faces-avoided", NOTE, "mm2", "the faces that are to be avoided, and their area"
     FACES_CHOSEN = "faces-chosen", NOTE, "mm2", "the faces that are to be milled, and their area"
-    FACES_MISSED = "faces-missed", WARNING, "mm2", "facets do not cover the faces that were chosen"
+    FACES_MISSED = "faces-missed", WARNING, "mm2", "only a part of the chosen faces lies on the mesh"
     FACETS_ACROSS_AXIS = "facets-across-axis", NOTE, "mm2", "facets at the ends of a rotary axis get no rotary passes"
     FACETS_BEYOND_AXIS_ANGLE = "facets-beyond-axis-angle", WARNING, "mm2", "facets lean more than the largest axis angle"
     FACETS_BEYOND_MACHINE = "facets-beyond-machine", WARNING, "mm2", "facets need rotary positions beyond the limits"
-    FACETS_LOOKING_DOWN = "facets-looking-down", NOTE, "mm2", "facets face away from the spindle"
+    FACETS_LOOKING_DOWN = (
+        "facets-looking-down",
+        NOTE,
+        "mm2",
+        "facets that no allowed tool axis reaches from above, or that the part stands on",
+    )
     FACETS_NEAR_AVOIDED = "facets-near-avoided", WARNING, "mm2", "facets lie nearer to faces to avoid than the allowance"
     FACETS_WITHOUT_FREE_AXIS = "facets-without-free-axis", WARNING, "mm2", "no tool axis is free at these facets"
     NEAR_AVOIDED_FACES = "near-avoided-faces", WARNING, "mm2", "a strip beside the faces to avoid stays uncut"
@@ -71,7 +76,7 @@ class Code(str, Enum):
     # ---------------------------------------------------------------------------------------- passes and the cutter on them
     CORNER_NOT_REACHED = "corner-not-reached", WARNING, "", "an inside corner is tighter than the cutter"
     CUT_AT_BOUNDARY = "cut-at-boundary", NOTE, "mm", "passes end at the boundary"
-    HEEL_IN_HOLLOW = "heel-in-hollow", WARNING, "", "the back of a leaning flat or bull cutter enters a hollow"
+    HEEL_IN_HOLLOW = "heel-in-hollow", WARNING, "", "the cutter's bottom stands in the part before or behind its contact"
     LEAST_INTERVAL = "least-interval", WARNING, "mm", "the scallop asks for passes nearer than the least interval"
     SURFACE_TIGHTER_THAN_CUTTER = "surface-tighter-than-cutter", WARNING, "", "the surface curls tighter than the cutter"
 
@@ -100,9 +105,9 @@ class Code(str, Enum):
     # ---------------------------------------------------------------------------------------- joints and the program
     LEAD_IN_SMALLER = "lead-in-smaller", NOTE, "1", "lead-in or lead-out arcs are smaller than asked, or none"
     RAPIDS_DIVIDED = "rapids-divided", NOTE, "1", "rapids were divided, so that every way of the axes is free"
-    RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "the retract height lies below the top of the part"
-    REWIND = "rewind", WARNING, "deg", "a rotary axis turns back by whole turns between two strokes"
-    REWINDS = "rewinds", WARNING, "1", "a rotary axis turns back between strokes, several times"
+    RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
+    REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut: the tool retracts, turns and re-engages"
+    REWINDS = "rewinds", WARNING, "1", "how many times a rotary axis turns back inside a cut"
     LIMIT = "limit", ERROR, "mm", "an axis leaves its limits"
     FEED_ABOVE_LARGEST = "feed-above-largest", NOTE, "mm/min", "F exceeds the controller's largest"
     FEED_BELOW_STEP = "feed-below-step", WARNING, "mm/min", "F lies below the controller's smallest step"
@@ -159,7 +164,6 @@ class Code(str, Enum):
     RAPID_COLLISION = "rapid-collision", ERROR, "mm", "the cutter enters the part between passes"
     RAPID_UNPROVEN = "rapid-unproven", WARNING, "mm", "a rapid may enter the part on some way of the axes"
     TABLE_COLLISION = "table-collision", ERROR, "mm", "the tool goes below the machine's table"
-    UNCERTAIN = "uncertain", WARNING, "mm", "whether the tool enters the part is not decided within the tolerance"
     UNCUT = "uncut", WARNING, "mm2", "more than the scallop stays"
     ADVICE = "advice", NOTE, "mm2", "what another setting would finish"
 
@@ -194,7 +198,7 @@ class Code(str, Enum):
     ORIENTATION_NOT_INTERPRETED = "orientation-not-interpreted", ERROR, "", "tool axes given by angles"
     OTHER_LANGUAGE = "other-language", NOTE, "", "the text is in another controller's language"
     PECK_CLEARANCE = "peck-clearance", NOTE, "", "how far a peck goes back is a setting of the control"
-    PLANE_NOT_TAKEN = "plane-not-taken", ERROR, "", "a tilted plane that the reader cannot take"
+    PLANE_NOT_TAKEN = "plane-not-taken", ERROR, "", "the tool stands off the normal of its tilted plane"
     PLANE_SOLUTION = "plane-solution", NOTE, "", "the way to stand in a tilted plane that the control takes"
     POLAR_NOT_INTERPRETED = "polar-not-interpreted", ERROR, "", "polar coordinates, whose moves are missing"
     POSITION_UNKNOWN = "position-unknown", NOTE, "", "where an axis stands at the first motion is not said"
@@ -218,18 +222,18 @@ class Code(str, Enum):
     WAY_NOT_IN_CL_PATH = "way-not-in-cl-path", NOTE, "mm", "blocks leave the path and come back to it: ways of the post's own"
 
     # ---------------------------------------------------------------------------------------- CL files
-    ARC_DOES_NOT_FIT = "arc-does-not-fit", ERROR, "", "rows of an arc lie off its circle"
+    ARC_DOES_NOT_FIT = "arc-does-not-fit", ERROR, "", "an arc does not pass through the points beside it"
     ARC_RUNS_BACK = "arc-runs-back", WARNING, "", "rows of an arc run against its sense"
-    AXIS_CARRIED_ON = "axis-carried-on", WARNING, "", "rows without a tool axis keep the one before"
+    AXIS_CARRIED_ON = "axis-carried-on", WARNING, "", "moves without an axis keep the last one, which leans"
     AXIS_NOT_UNIT = "axis-not-unit", WARNING, "1", "tool axes were not of unit length"
     CUTTER_COMPENSATION = "cutter-compensation", ERROR, "", "the path counts on compensation in the control"
     CUTTER_DIFFERS = "cutter-differs", NOTE, "mm", "another cutter is used than the file names"
     CUTTER_FROM_CL_FILE = "cutter-from-cl-file", NOTE, "mm", "the cutter is that which the file names"
     CYCLE_DWELL_LEFT_OUT = "cycle-dwell-left-out", WARNING, "", "dwells of drilling cycles are left out"
     CYCLE_STEP_NOT_SAID = "cycle-step-not-said", WARNING, "", "a pecking cycle without its step"
-    NO_HOLE_IN_CYCLE = "no-hole-in-cycle", ERROR, "", "a drilling cycle without a hole"
+    NO_HOLE_IN_CYCLE = "no-hole-in-cycle", ERROR, "", "a statement within a drilling cycle drills no hole"
     SEVERAL_COORDINATE_SYSTEMS = "several-coordinate-systems", ERROR, "", "the file has several coordinate systems"
-    SEVERAL_TOOLS = "several-tools", ERROR, "", "the file has several tools; one is taken at a time"
+    SEVERAL_TOOLS = "several-tools", ERROR, "", "the file changes tools; the program cuts all of it with one"
     STATEMENT_NOT_INTERPRETED = "statement-not-interpreted", WARNING, "", "statements that the reader does not interpret"
     TOOL_CHOSEN = "tool-chosen", NOTE, "", "the tool that was taken of several"
 
@@ -258,12 +262,13 @@ class Code(str, Enum):
     ROWS_LEFT_OUT = "rows-left-out", WARNING, "1", "rows that do not fit the machine are left out"
     TOOL_LENGTH_INCLUDED = "tool-length-included", NOTE, "", "a pivot was found with the tool length in it"
     TURNS_AGAINST_ISO = "turns-against-iso", NOTE, "", "a rotary axis turns against ISO 841"
+    UNCERTAIN = "uncertain", WARNING, "mm", "a dimension of the machine is certain within a range only"
     WRONG_SIGN_HARDLY_SEEN = "wrong-sign-hardly-seen", WARNING, "mm", "a wrong sign would hardly be seen"
     ZERO_ELSEWHERE = "zero-elsewhere", WARNING, "", "the program's zero is not that of the path or machine"
     ZEROS_ASSUMED = "zeros-assumed", NOTE, "", "zeros of rotary axes are taken as right"
 
     # ---------------------------------------------------------------------------------------- where to clamp, and comparisons
-    CANNOT_BE_COMPARED = "cannot-be-compared", ERROR, "", "a machine that cannot make the program"
+    CANNOT_BE_COMPARED = "cannot-be-compared", ERROR, "", "a machine on which the path cannot be driven"
     NO_SETUP_ON_THE_TABLE = "no-setup-on-the-table", ERROR, "", "no position on the table is free"
     NO_SETUP_WITHIN_LIMITS = "no-setup-within-limits", ERROR, "mm", "no position keeps the axes within their limits"
     SETUP_AT_EDGE = "setup-at-edge", NOTE, "1", "the best position lies at the edge of the region"

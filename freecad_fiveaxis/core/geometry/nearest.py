@@ -15,7 +15,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
@@ -43,7 +43,7 @@ class Pieces:
 
     def __post_init__(self) -> None:
         freeze(self, None, middle="f3", element="i")
-        object.__setattr__(self, "tree", cKDTree(self.middle))
+        object.__setattr__(self, "tree", scipy.spatial.cKDTree(self.middle))
 
     def clear_by(self, points: Floats) -> Floats:
         """A distance (n,) mm that no element is nearer to the points (n, 3) than."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import dot
@@ -98,8 +98,8 @@ def part_heights(tree: FacetTree, normal: Floats) -> Floats:
     the largest allowance; infinite of a part that is flat, which has none."""
     corner = _each_once(tree.corner.reshape(3, 3, -1).transpose(1, 0, 2).reshape(3, -1))
     try:
-        corner = corner[ConvexHull(corner).vertices]
-    except QhullError:
+        corner = corner[scipy.spatial.ConvexHull(corner).vertices]
+    except scipy.spatial.QhullError:
         return np.full(len(normal), np.inf)
     parts = [normal[first : first + ROWS] @ corner.T for first in range(0, len(normal), ROWS)]
     return np.concatenate([part.max(axis=1) for part in parts]) + tree.most_allowance if parts else np.empty(0)

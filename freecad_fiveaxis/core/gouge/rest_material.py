@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.chunks import in_threads
 from freecad_fiveaxis.core.base.codes import Code
@@ -172,7 +172,7 @@ class _Way:
     high: Floats
     at: Floats
     pose: Poses
-    tree: cKDTree
+    tree: scipy.spatial.cKDTree
     spacing: float
 
     def place(self, at: Floats) -> tuple[Ints, Floats]:
@@ -205,7 +205,7 @@ def _sampled(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) ->
     at = length[first][of] + (part + 0.5) * (size / count)[of]
     row, u = _place(length, at)
     pose = swept.pose(blocks[row], u)
-    tree = cKDTree(_middle(lowest, pose).T)
+    tree = scipy.spatial.cKDTree(_middle(lowest, pose).T)
     return _Way(swept, blocks, length, length[first][run], length[ends][run], at, pose, tree, spacing)
 
 

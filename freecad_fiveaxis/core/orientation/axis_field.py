@@ -20,7 +20,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -267,7 +267,7 @@ def _tried(
 
 def find_field(nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree, progress: Progress = silent) -> Floats:
     """Find the unit axis (n, 3) of every node: free wherever any direction is, else the mean of its neighbours."""
-    _, near = cKDTree(nodes.places()).query(nodes.places(), k=min(NEIGHBOURS + 1, len(nodes.point)))
+    _, near = scipy.spatial.cKDTree(nodes.places()).query(nodes.places(), k=min(NEIGHBOURS + 1, len(nodes.point)))
     near = near.reshape(len(nodes.point), -1)[:, 1:]
     weight = agreeing(nodes.normal[:, None], nodes.normal[near])
     axis, some, strict = _first_guess(nodes.normal, freedom), freedom.some, np.zeros(len(nodes.point), np.bool_)

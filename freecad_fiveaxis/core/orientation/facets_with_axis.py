@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.chunks import batches, in_threads
 from freecad_fiveaxis.core.base.codes import Code
@@ -63,12 +63,12 @@ class AxisField:
         rows, tree = self._tree()
         return self._near(tree, rows, point, normal)
 
-    def _tree(self) -> tuple[Ints, cKDTree]:
+    def _tree(self) -> tuple[Ints, scipy.spatial.cKDTree]:
         """The nodes where any axis is free, and where they are."""
         rows = np.flatnonzero(self.freedom.some)
-        return rows, cKDTree(self.nodes.places()[rows])
+        return rows, scipy.spatial.cKDTree(self.nodes.places()[rows])
 
-    def _near(self, tree: cKDTree, rows: Ints, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
+    def _near(self, tree: scipy.spatial.cKDTree, rows: Ints, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
         count = min(NEAREST + 1, len(rows))
         away, found = tree.query(near_places(point, normal, self.nodes.spacing), k=np.arange(1, count + 1))
         away = np.maximum(away, 1e-6 * self.nodes.spacing)
@@ -112,7 +112,7 @@ def select_facets(field: AxisField, mesh: Mesh, facets: Bools, most: float) -> t
     rows = np.flatnonzero(facets)
     middle = mesh.vertex[mesh.face[rows]].mean(axis=1)
     about = near_places(middle, mesh.normal[rows], field.nodes.spacing)
-    _, near = cKDTree(field.nodes.places()).query(about, k=np.arange(1, min(ABOUT, len(some)) + 1))
+    _, near = scipy.spatial.cKDTree(field.nodes.places()).query(about, k=np.arange(1, min(ABOUT, len(some)) + 1))
     out[rows] = ~some[near].any(axis=1)
     out[field.nodes.facet[some]] = False
     reason = np.full(len(out), int(Obstacle.NONE))

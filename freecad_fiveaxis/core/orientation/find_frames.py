@@ -14,7 +14,7 @@ import itertools
 import math
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
@@ -163,7 +163,11 @@ def assign(free: Bools, places: Nodes, axis: Floats) -> Ints:
         return np.full(len(free), -1)
     flat = np.where(free, places.normal @ axis.T - SOONER * np.arange(len(axis)), -np.inf)
     frame, none = flat.argmax(axis=1), np.asarray(~free.any(axis=1))
-    near = cKDTree(places.places()).query(places.places(), k=min(NEIGHBOURS + 1, len(free)))[1].reshape(len(free), -1)[:, 1:]
+    near = (
+        scipy.spatial.cKDTree(places.places())
+        .query(places.places(), k=min(NEIGHBOURS + 1, len(free)))[1]
+        .reshape(len(free), -1)[:, 1:]
+    )
     for _ in range(ROUNDS if near.shape[1] else 0):
         alike = (frame[near][:, :, None] == np.arange(len(axis))) & ~none[near][:, :, None]
         frame = (flat + TOGETHER * alike.mean(axis=1)).argmax(axis=1)

@@ -13,8 +13,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -65,8 +64,8 @@ def find_loops(mesh: Mesh, slab: Ints) -> Loops:
 
 
 def _components(one: Ints, two: Ints, count: int) -> Ints:
-    graph = coo_matrix((np.ones(len(one)), (one, two)), shape=(count, count))
-    return np.asarray(connected_components(graph, directed=False)[1], np.int64)
+    graph = scipy.sparse.coo_matrix((np.ones(len(one)), (one, two)), shape=(count, count))
+    return np.asarray(scipy.sparse.csgraph.connected_components(graph, directed=False)[1], np.int64)
 
 
 def _grouped(mesh: Mesh, slab: Ints) -> Ints:

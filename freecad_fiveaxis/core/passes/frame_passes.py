@@ -13,7 +13,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -118,7 +118,7 @@ def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
     turn = reach / ALIKE * np.asarray(mesh.normal)
     corner, middle = mesh.vertex[mesh.face[inside]].reshape(-1, 3), mesh.vertex[mesh.face[rows]].mean(axis=1)
     place, sought = np.hstack([corner, np.repeat(turn[inside], 3, axis=0)]), np.hstack([middle, turn[rows]])
-    out[rows] = np.isfinite(cKDTree(place).query(sought, distance_upper_bound=reach)[0])
+    out[rows] = np.isfinite(scipy.spatial.cKDTree(place).query(sought, distance_upper_bound=reach)[0])
     return out
 
 

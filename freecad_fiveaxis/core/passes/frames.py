@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Floats, Ints
 
@@ -28,7 +28,7 @@ class Frames:
     def at(self, point: Floats, normal: Floats) -> Ints:
         """The frame (m,) of points (m, 3) mm with unit normals (m, 3): of the nearest place that has one among NEAREST, else
         -1."""
-        tree = cKDTree(np.concatenate([self.point, self.spacing * self.normal], axis=1))
+        tree = scipy.spatial.cKDTree(np.concatenate([self.point, self.spacing * self.normal], axis=1))
         place = np.concatenate([point, self.spacing * normal], axis=1)
         near = tree.query(place, k=np.arange(1, min(NEAREST, len(self.frame)) + 1))[1]
         frame = self.frame[near]

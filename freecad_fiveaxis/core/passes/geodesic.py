@@ -18,9 +18,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_matrix, csc_matrix
-from scipy.sparse.csgraph import connected_components, dijkstra
-from scipy.sparse.linalg import splu
+import scipy
 
 from freecad_fiveaxis.core.base.chunks import meanwhile
 from freecad_fiveaxis.core.base.records import Floats, Ints
@@ -159,7 +157,7 @@ def _warmth(
 ) -> Floats:
     """How warm (v,) each vertex is a ``step`` of time after heat was let in at the source, less where its distance is larger."""
     mass = np.bincount(face.T.reshape(-1), np.tile(weight / 3.0, 3), count)
-    heat = csc_matrix(_stiffness(face, frame, metric, count, clipped=True) * (step * step))
+    heat = scipy.sparse.csc_matrix(_stiffness(face, frame, metric, count, clipped=True) * (step * step))
     heat.setdiag(heat.diagonal() + mass)
     warmth = np.zeros(count)
     warmth[source] = np.exp(-known / step)
@@ -174,7 +172,7 @@ def spread_between(face: Ints, frame: Frames, metric: Floats, low: Ints, high: I
     count = int(face.max(initial=-1)) + 1
     stiff, value, free = _stiffness(face, frame, metric, count, clipped=True), np.zeros(count), np.ones(count, np.bool_)
     value[high], free[low], free[high] = 1.0, False, False
-    component = connected_components(stiff, directed=False)[1]
+    component = scipy.sparse.csgraph.connected_components(stiff, directed=False)[1]
     free &= np.isin(component, np.intersect1d(component[low], component[high]))
     value[~np.isin(component, component[low])] = 0.0
     inner = np.flatnonzero(free)
@@ -194,18 +192,18 @@ def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count:
     rows, columns = rows[order], columns[order]
     first = np.flatnonzero(np.append(True, (np.diff(rows) != 0) | (np.diff(columns) != 0)))
     shortest = np.minimum.reduceat(weight[order], first)  # of two facets on one side the shorter counts
-    graph = coo_matrix((np.maximum(shortest, 1e-12), (rows[first], columns[first])), (count + 1, count + 1)).tocsr()
-    return np.asarray(dijkstra(graph, indices=count)[:count])
+    graph = scipy.sparse.coo_matrix((np.maximum(shortest, 1e-12), (rows[first], columns[first])), (count + 1, count + 1)).tocsr()
+    return np.asarray(scipy.sparse.csgraph.dijkstra(graph, indices=count)[:count])
 
 
 def _counted(key: Ints, count: int) -> Ints:
     """The order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come: rows of a sparse matrix are
     filled so, in far less time than sorting takes."""
     place = np.arange(len(key))
-    return np.asarray(coo_matrix((np.ones(len(key), np.int8), (key, place)), (count, len(key))).tocsr().indices)
+    return np.asarray(scipy.sparse.coo_matrix((np.ones(len(key), np.int8), (key, place)), (count, len(key))).tocsr().indices)
 
 
-def _stiffness(face: Ints, frame: Frames, metric: Floats, count: int, clipped: bool) -> csc_matrix:
+def _stiffness(face: Ints, frame: Frames, metric: Floats, count: int, clipped: bool) -> scipy.sparse.csc_matrix:
     """The Laplacian of the metric, positive (cotangent weights for a flat one). ``clipped``: without what flows uphill over
     obtuse corners, so that no heat ever is negative."""
     (a, b, d), root = metric, np.sqrt(metric[0] * metric[2] - metric[1] ** 2)
@@ -219,7 +217,7 @@ def _stiffness(face: Ints, frame: Frames, metric: Floats, count: int, clipped: b
         columns += [j, i, i, j]
         values += [-flow, -flow, flow, flow]
     whole: Any = (np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))
-    return coo_matrix(whole, (count, count)).tocsc()
+    return scipy.sparse.coo_matrix(whole, (count, count)).tocsc()
 
 
 def _outflow(face: Ints, frame: Frames, metric: Floats, weight: Floats, way: Floats, count: int) -> Floats:
@@ -240,10 +238,10 @@ SYMMETRIC: Any = {
 class Factored:
     """A symmetric system in some of its unknowns, factored once and solved often."""
 
-    def __init__(self, matrix: csc_matrix, inner: Ints) -> None:
+    def __init__(self, matrix: scipy.sparse.csc_matrix, inner: Ints) -> None:
         self._inner = inner
         own = matrix[inner][:, inner].tocsc()
-        self._factors = splu(own, **SYMMETRIC) if len(inner) else None
+        self._factors = scipy.sparse.linalg.splu(own, **SYMMETRIC) if len(inner) else None
 
     def solve(self, right: Floats) -> Floats:
         """The inner unknowns (m,) for a right side (v,)."""

@@ -12,9 +12,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
@@ -96,7 +94,7 @@ def _along_curve(mesh: Mesh, curve: Floats) -> Ints:
     """The vertices (m,) nearest to samples of the curve."""
     edge = mesh.vertex[mesh.coedge_vertex]
     step = 0.25 * float(np.median(np.linalg.norm(edge[:, 1] - edge[:, 0], axis=1)))
-    return np.unique(cKDTree(mesh.vertex).query(sample_curve(curve, step))[1]).astype(np.int64)
+    return np.unique(scipy.spatial.cKDTree(mesh.vertex).query(sample_curve(curve, step))[1]).astype(np.int64)
 
 
 def _beside(mesh: Mesh, guide: Ints | None) -> Ints:
@@ -113,8 +111,8 @@ def _sides_of_border(surface: Surface, travel: float) -> tuple[Ints, Ints]:
     mesh, component = surface.copy.mesh, surface.copy.component
     edge = np.flatnonzero(mesh.coedge_face[:, 1] < 0)
     ends = mesh.coedge_vertex[edge]
-    graph = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(component), len(component)))
-    loop = connected_components(graph, directed=False)[1][ends[:, 0]]
+    graph = scipy.sparse.coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(component), len(component)))
+    loop = scipy.sparse.csgraph.connected_components(graph, directed=False)[1][ends[:, 0]]
     way = mesh.vertex[ends[:, 1]] - mesh.vertex[ends[:, 0]]
     number = np.unique(loop, return_inverse=True)[1]
     owner = np.zeros(int(number.max(initial=-1)) + 1, np.int64)

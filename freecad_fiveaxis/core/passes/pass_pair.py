@@ -17,7 +17,7 @@ import math
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import row_dot
@@ -53,18 +53,18 @@ class FacetPass:
         return len(self.point)
 
     @cached_property
-    def tree(self) -> cKDTree:
+    def tree(self) -> scipy.spatial.cKDTree:
         """Of the samples."""
-        return cKDTree(self.point)
+        return scipy.spatial.cKDTree(self.point)
 
-    def centre_tree(self, radius: float) -> cKDTree:
+    def centre_tree(self, radius: float) -> scipy.spatial.cKDTree:
         """Of the ball's centres over the pass; ``radius`` mm, always the same."""
         if self._centre_tree is None:
             point, segment = self._samples(DENSE * self._step)
-            self._centre_tree = cKDTree(np.concatenate([point + radius * self.normal[segment], self._arcs(radius)]))
+            self._centre_tree = scipy.spatial.cKDTree(np.concatenate([point + radius * self.normal[segment], self._arcs(radius)]))
         return self._centre_tree
 
-    _centre_tree: cKDTree | None = None
+    _centre_tree: scipy.spatial.cKDTree | None = None
 
     def _samples(self, step: float) -> tuple[Floats, Ints]:
         segment, share = _split(np.linalg.norm(self.way, axis=1), step)

@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, run_ids
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
@@ -81,7 +81,7 @@ def _doors(ends: Floats, tour: Tour) -> tuple[Floats, Floats]:
 def _nearest(ends: Floats) -> Tour:
     """The nearest neighbours' tour."""
     count, places = len(ends), ends.reshape(2 * len(ends), -1)
-    near = cKDTree(places).query(places, k=min(NEAR, len(places)))[1].reshape(len(places), -1).tolist()
+    near = scipy.spatial.cKDTree(places).query(places, k=min(NEAR, len(places)))[1].reshape(len(places), -1).tolist()
     open_, order = np.ones(count, bool), [0]
     open_[0], at = False, 1  # place 2i is the start of piece i, 2i + 1 its end
     for _ in range(count - 1):

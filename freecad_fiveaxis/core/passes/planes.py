@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -110,7 +110,7 @@ def _without_pass(region: Region, touched: Ints) -> Ints:
     if not len(rows) or not len(there):
         return rows
     beside[mesh.face[there]] = True
-    off = cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(mesh.vertex[mesh.face[rows]].mean(axis=1))[0]
+    off = scipy.spatial.cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(mesh.vertex[mesh.face[rows]].mean(axis=1))[0]
     small = mesh.area[rows] < region.interval**2
     close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * region.interval)
     return np.asarray(rows[~(small & close)])

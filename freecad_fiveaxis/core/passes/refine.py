@@ -11,8 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -263,8 +262,8 @@ def assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints)
 def _apart(vertex: Floats, face: Ints, coedge_face: Ints) -> tuple[Ints, Floats, Ints]:
     """Facets and vertices, those that two components share doubled, and the component of each vertex."""
     one, two = coedge_face[coedge_face[:, 1] >= 0].T
-    graph = coo_matrix((np.ones(len(one)), (one, two)), shape=(len(face), len(face)))
-    number = connected_components(graph, directed=False)[1].astype(np.int64)
+    graph = scipy.sparse.coo_matrix((np.ones(len(one)), (one, two)), shape=(len(face), len(face)))
+    number = scipy.sparse.csgraph.connected_components(graph, directed=False)[1].astype(np.int64)
     key = number[:, None] * len(vertex) + face
     used, place = np.unique(key, return_inverse=True)
     return place.reshape(face.shape).astype(np.int64), vertex[used % len(vertex)], used // len(vertex)

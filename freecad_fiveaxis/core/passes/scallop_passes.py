@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.chunks import batches, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -261,7 +261,7 @@ def _gaps(surface: Surface, steps: Floats, main: PassField, tell: Callable[[floa
 def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell: Callable[[float], None] | None = None) -> Bools:
     """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is, and where
     its facet is ``looking`` (f, 3)."""
-    tree, most = cKDTree(samples), AMPLE * float(enough.max())
+    tree, most = scipy.spatial.cKDTree(samples), AMPLE * float(enough.max())
 
     def ask(some: slice) -> Bools:
         return _left_of(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
@@ -269,7 +269,7 @@ def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell
     return np.concatenate(in_threads(ask, batches(len(mesh.face), BATCH), tell))
 
 
-def _left_of(tree: cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:
+def _left_of(tree: scipy.spatial.cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:
     """The same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked beyond ``most``."""
     samples = tree.data
     far, nearest = tree.query(np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most)

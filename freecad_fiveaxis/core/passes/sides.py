@@ -15,8 +15,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from freecad_fiveaxis.core.base.clauses import beginning
 from freecad_fiveaxis.core.base.codes import Code
@@ -121,8 +120,8 @@ def _hanging_together(mesh: Mesh, out: Bools, rows: Ints) -> Ints:
     at = np.full(len(out), -1)
     at[rows] = np.arange(len(rows))
     one, other = at[pair].T
-    graph = coo_matrix((np.ones(len(pair)), (one, other)), shape=(len(rows), len(rows)))
-    number: Ints = connected_components(graph, directed=False)[1].astype(np.int64)
+    graph = scipy.sparse.coo_matrix((np.ones(len(pair)), (one, other)), shape=(len(rows), len(rows)))
+    number: Ints = scipy.sparse.csgraph.connected_components(graph, directed=False)[1].astype(np.int64)
     return number
 
 

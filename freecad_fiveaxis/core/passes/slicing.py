@@ -19,8 +19,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csr_matrix
-from scipy.sparse.csgraph import depth_first_order
+import scipy
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -291,6 +290,6 @@ def _depth_first(next_node: Ints, head: Ints) -> Ints:
     child[n::2] = head
     child[n + 1 :: 2] = n + np.minimum(np.arange(1, roots + 1), roots - 1)
     begin = np.concatenate([np.arange(n, dtype=np.int32), np.arange(n, n + 2 * roots + 1, 2, dtype=np.int32)])
-    graph = csr_matrix((np.ones(len(child)), child, begin), shape=(n + roots, n + roots))
-    order: Ints = depth_first_order(graph, n, return_predecessors=False).astype(np.int64)
+    graph = scipy.sparse.csr_matrix((np.ones(len(child)), child, begin), shape=(n + roots, n + roots))
+    order: Ints = scipy.sparse.csgraph.depth_first_order(graph, n, return_predecessors=False).astype(np.int64)
     return order

@@ -15,9 +15,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import row_dot
@@ -106,8 +104,8 @@ def _fans(mesh: Mesh) -> Ints:
         for end in (0, 1)
     ]
     rows, columns = np.concatenate(pairs, axis=1)
-    graph = coo_matrix((np.ones(len(rows)), (rows, columns)), shape=(mesh.face.size, mesh.face.size))
-    return np.asarray(connected_components(graph, directed=False)[1].reshape(-1, 3), np.int64)
+    graph = scipy.sparse.coo_matrix((np.ones(len(rows)), (rows, columns)), shape=(mesh.face.size, mesh.face.size))
+    return np.asarray(scipy.sparse.csgraph.connected_components(graph, directed=False)[1].reshape(-1, 3), np.int64)
 
 
 def _angles(mesh: Mesh) -> Floats:
@@ -174,7 +172,7 @@ def _line(mesh: Mesh, pieces: _Pieces, gap: float) -> tuple[Floats, Floats]:
 
 def _with_strip(mesh: Mesh, pieces: _Pieces, bound: float, overlap: float, line: Floats, normal: Floats) -> tuple[_Pieces, Bools]:
     """The pieces, fine beside the line and divided at the rims of the strip, and which (f,) lie in it."""
-    tree = cKDTree(line)
+    tree = scipy.spatial.cKDTree(line)
     pieces = _finer(pieces, tree, overlap)
     inside = _inside(pieces, tree, bound, overlap)
     pieces = _split_at(pieces, inside)
@@ -184,7 +182,7 @@ def _with_strip(mesh: Mesh, pieces: _Pieces, bound: float, overlap: float, line:
     return pieces, (_inside(pieces, tree, bound, overlap).mean(axis=1) > 0.0) & facing
 
 
-def _finer(pieces: _Pieces, tree: cKDTree, overlap: float) -> _Pieces:
+def _finer(pieces: _Pieces, tree: scipy.spatial.cKDTree, overlap: float) -> _Pieces:
     """The pieces with short sides beside the line."""
     for _ in range(ROUNDS):
         corner = pieces.vertex[pieces.face]
@@ -200,7 +198,7 @@ def _finer(pieces: _Pieces, tree: cKDTree, overlap: float) -> _Pieces:
     return pieces
 
 
-def _inside(pieces: _Pieces, tree: cKDTree, bound: float, overlap: float) -> Floats:
+def _inside(pieces: _Pieces, tree: scipy.spatial.cKDTree, bound: float, overlap: float) -> Floats:
     """A value (f, 3) at the corners that is positive within the strip and negative outside."""
     off = tree.query(pieces.vertex)[0][pieces.face]
     room = np.where(pieces.steep, 0.5 * (0.5 * np.pi - bound), 0.5 * bound)[:, None]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.curve_text import is_inline, name_source, read_runs
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -74,7 +74,7 @@ def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | Non
     np.maximum.at(reach, at, size.reshape(-1))
     np.maximum.at(scale, at, (length / size).reshape(-1))
     samples = sample_curve(curve, 0.25 * float(np.median(size)))
-    off = cKDTree(samples).query(copy.mesh.vertex)[0]
+    off = scipy.spatial.cKDTree(samples).query(copy.mesh.vertex)[0]
     chosen = off <= (NEAR * reach if len(curve) > 1 else 0.0)
     lonely = np.setdiff1d(copy.component, copy.component[chosen])
     order = np.lexsort((off, copy.component))

@@ -8,7 +8,7 @@ expects a tool there unless he asks for it; a part without one is held otherwise
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import Delaunay, QhullError
+import scipy
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
@@ -53,6 +53,6 @@ def _middle(mesh: Mesh) -> Floats:
 def _surround(corner: Floats, middle: Floats) -> bool:
     """Whether the place ``middle`` (2,) lies within the hull of the corners (k, 2)."""
     try:
-        return bool(Delaunay(corner).find_simplex(middle) >= 0)
-    except (QhullError, ValueError):  # too few corners, or all on one line
+        return bool(scipy.spatial.Delaunay(corner).find_simplex(middle) >= 0)
+    except (scipy.spatial.QhullError, ValueError):  # too few corners, or all on one line
         return False

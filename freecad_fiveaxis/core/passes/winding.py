@@ -12,8 +12,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import dijkstra
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -67,9 +66,9 @@ def _seam(mesh: Mesh, lower: Ints, upper: Ints, piece: Ints) -> tuple[Bools, Int
     count, middle = len(mesh.face), mesh.vertex[mesh.face].mean(axis=1)
     one, two = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0].T
     way = np.maximum(np.linalg.norm(middle[one] - middle[two], axis=1), 1e-9)
-    graph = coo_matrix((np.tile(way, 2), (np.append(one, two), np.append(two, one))), (count, count)).tocsr()
+    graph = scipy.sparse.coo_matrix((np.tile(way, 2), (np.append(one, two), np.append(two, one))), (count, count)).tocsr()
     begins = mesh.coedge_face[lower, 0]
-    off, before, _ = dijkstra(graph, indices=np.unique(begins), return_predecessors=True, min_only=True)
+    off, before, _ = scipy.sparse.csgraph.dijkstra(graph, indices=np.unique(begins), return_predecessors=True, min_only=True)
     order = np.lexsort((off[mesh.coedge_face[upper, 0]], piece))
     exit_ = upper[order[np.flatnonzero(np.diff(piece[order], prepend=-1))]]
     on = _with_all_before(before, mesh.coedge_face[exit_, 0])
@@ -97,7 +96,7 @@ def _balanced(mesh: Mesh, component: Ints, jump: Floats) -> Floats:
     weight = 1.0 / np.maximum(length, SHORT * float(length.mean()))
     rows, columns = np.concatenate([one, two, one, two]), np.concatenate([two, one, one, two])
     whole: Any = (np.concatenate([-weight, -weight, weight, weight]), (rows, columns))
-    stiff = coo_matrix(whole, (count, count)).tocsc()
+    stiff = scipy.sparse.coo_matrix(whole, (count, count)).tocsc()
     right = (np.bincount(two, weight * jump, count) - np.bincount(one, weight * jump, count)).astype(np.float64)
     pinned = np.unique(component, return_index=True)[1]
     inner, share = np.setdiff1d(np.arange(count), pinned), np.zeros(count)

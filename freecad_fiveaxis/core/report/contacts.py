@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.geometry.mesh import Mesh
@@ -43,8 +43,8 @@ class Contacts:
         freeze(self, len(self.face), centre="f3", face="i")
 
     @cached_property
-    def _tree(self) -> cKDTree:
-        return cKDTree(self.centre)
+    def _tree(self) -> scipy.spatial.cKDTree:
+        return scipy.spatial.cKDTree(self.centre)
 
     def touched(self, driven: Floats, axis: Floats) -> Floats:
         """Find the points (n, 3) mm of the ball that are nearest to the part, where it stands with ``driven`` (n, 3) mm and unit

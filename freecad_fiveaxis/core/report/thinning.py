@@ -9,7 +9,7 @@ run       strokes that follow one another; one that is longer than the part is c
 from __future__ import annotations
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
@@ -73,7 +73,7 @@ def _spread(start: Floats, end: Floats, run: Ints, step: float) -> tuple[Floats,
 
 def _chosen(places: Floats, owner: Ints, apart: float, runs: int) -> Bools:
     """Which of ``runs`` are drawn: one after the other, those that the drawn ones before do not cover."""
-    pairs = cKDTree(places).query_pairs(apart, output_type="ndarray")
+    pairs = scipy.spatial.cKDTree(places).query_pairs(apart, output_type="ndarray")
     pairs = pairs[owner[pairs[:, 0]] != owner[pairs[:, 1]]]
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     pairs = pairs[np.argsort(owner[pairs[:, 0]], kind="stable")]

@@ -14,7 +14,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import stdtrit
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
@@ -190,5 +190,5 @@ def _certain(fit: Fit, pairs: Pairs, base: Floats) -> Fit:
     covariance[np.ix_(columns, columns)] = _solved(rows, columns, chosen)[1]
     free = _solved(rows, ALL_FREE.columns, chosen)[1]
     spare = max(FREEDOMS * len(chosen) - len(columns), 1.0)
-    factor = 1.96 if fit.scale <= 1.0 else fit.scale * float(stdtrit(spare, 0.975))
+    factor = 1.96 if fit.scale <= 1.0 else fit.scale * float(scipy.special.stdtrit(spare, 0.975))
     return Fit(**{**vars(fit), "covariance": covariance, "free": free, "factor": factor})

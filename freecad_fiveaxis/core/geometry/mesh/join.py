@@ -15,9 +15,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
+import scipy
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
@@ -142,14 +140,14 @@ def _clusters(vertex: Floats, side: _Sides, was_open: Bools) -> Ints:
     near = NEAR * _shortest(vertex, side)[corner]
     if len(corner) < 2:
         return place
-    away, other = cKDTree(vertex[corner]).query(
+    away, other = scipy.spatial.cKDTree(vertex[corner]).query(
         vertex[corner], k=min(NEIGHBOURS, len(corner)), distance_upper_bound=1.001 * float(near.max())
     )
     one, rank = np.nonzero(away <= near[:, None])
     two = other[one, rank]
     close = away[one, rank] <= near[two]
-    graph = coo_matrix((np.ones(int(close.sum())), (one[close], two[close])), (len(corner), len(corner)))
-    number = connected_components(graph, directed=False)[1]
+    graph = scipy.sparse.coo_matrix((np.ones(int(close.sum())), (one[close], two[close])), (len(corner), len(corner)))
+    number = scipy.sparse.csgraph.connected_components(graph, directed=False)[1]
     place[corner] = corner[np.unique(number, return_index=True)[1]][number]
     return place
 
@@ -227,7 +225,7 @@ def _junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints, Floa
 def _candidates(point: Floats, start: Floats, end: Floats, near: Floats) -> tuple[Ints, Ints]:
     """Pairs of segments (s,) and of points (p, 3) that may be nearer to them than ``near``: segments are halved until few
     points are about each."""
-    tree, row, low, size = cKDTree(point), np.arange(len(start)), np.zeros(len(start)), 1.0
+    tree, row, low, size = scipy.spatial.cKDTree(point), np.arange(len(start)), np.zeros(len(start)), 1.0
     length, segments, points = np.linalg.norm(end - start, axis=1), [], []
     most = min(NEIGHBOURS, len(point))
     for _ in range(HALVINGS):

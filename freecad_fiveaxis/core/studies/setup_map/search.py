@@ -23,7 +23,7 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.optimize import linprog
+import scipy
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Floats, Ints
@@ -76,7 +76,7 @@ class _Planes:
         low = np.concatenate(self.low)
         rows = np.concatenate([np.column_stack([low, -np.ones(len(low))]), *(_wide(slope, 0.0) for slope in self.bar)])
         right = np.concatenate([-np.concatenate(self.low_rest), *(LINEAR_SLACK - rest for rest in self.bar_rest)])
-        solved = linprog((0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs")
+        solved = scipy.optimize.linprog((0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs")
         return (np.array(solved.x[:3]), float(solved.x[3])) if solved.status == 0 else None
 
     def nearest(self, region: Region, to: Floats, level: float) -> Floats | None:
@@ -86,14 +86,16 @@ class _Planes:
         rows = np.concatenate([*slopes, np.hstack([eye, -eye]), np.hstack([-eye, -eye])])
         right = [*(level - rest for rest in self.low_rest), *(LINEAR_SLACK - rest for rest in self.bar_rest), to, -to]
         bounds = [*_box(region), *[(0.0, None)] * 3]
-        solved = linprog((0.0, 0.0, 0.0, 1.0, 1.0, 1.0), rows, np.concatenate(right), bounds=bounds, method="highs")
+        solved = scipy.optimize.linprog(
+            (0.0, 0.0, 0.0, 1.0, 1.0, 1.0), rows, np.concatenate(right), bounds=bounds, method="highs"
+        )
         return np.array(solved.x[:3]) if solved.status == 0 else None
 
     def least_over(self, region: Region) -> float:
         """The least excess over the limits (mm) that any work zero of the region has, as far as the planes tell."""
         rows = np.concatenate([_wide(slope, -1.0) for slope in self.bar])
         right = -np.concatenate(self.bar_rest)
-        solved = linprog((0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs")
+        solved = scipy.optimize.linprog((0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs")
         return float(solved.x[3]) if solved.status == 0 else math.nan
 
 
