@@ -3,6 +3,7 @@
 # make test   what shows in eight minutes that all is well: lint, core, LinuxCNC's interpreter, the FreeCAD that is installed
 # make test-all   every test: also what takes long to prove, every window, FreeCAD 1.0 and 1.1
 # make changed   the tests that reach what has changed since the last commit, nearest first, for a minute
+# make docs   the reference of the programming interface, in out/docs
 # make install   link this folder into the Mod folder of the FreeCAD that is here
 # make release   the branch (BRANCH=release) that FreeCAD's Addon Manager installs from: HEAD without tests, benchmarks and examples
 # make bench   speeds as ratios to peers; make bench-window   those of the 3D view, inside FreeCAD's window
@@ -22,11 +23,11 @@ export OPENBLAS_NUM_THREADS ?= 1
 TWO := -n 2 --dist worksteal
 # half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
 
-.PHONY: help demo test test-all changed lint core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
+.PHONY: help demo test test-all changed lint docs core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
     sitting test-matrix trixie forky chroots install release bench bench-window mutants clean
 
 help:
-	@sed -n '2,8s/^# //p' Makefile
+	@sed -n '2,9s/^# //p' Makefile
 
 demo:
 	@bash scripts/prepare demo
@@ -38,7 +39,7 @@ test:
 
 test-all: # what must pass before anything lands
 	@bash scripts/prepare test
-	@bash scripts/rings lint core slow headless large oldest demo -- chroots window forky trixie linuxcnc sitting runner
+	@bash scripts/rings lint core slow headless large oldest docs demo -- chroots window forky trixie linuxcnc sitting runner
 
 changed:
 	@bash scripts/prepare test
@@ -48,7 +49,12 @@ lint:
 	@bash scripts/prepare test
 	.venv/bin/ruff check .
 	.venv/bin/ruff format --check .
+	.venv/bin/codespell
 	.venv/bin/mypy
+
+docs: # the reference of the programming interface, in out/docs; what it warns of is an error
+	@bash scripts/prepare docs
+	$(PYTHON) -W error scripts/reference out/docs
 
 core:
 	@bash scripts/prepare test

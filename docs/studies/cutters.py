@@ -16,15 +16,15 @@ from freecad_fiveaxis.core.orientation.strategies import leaned
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, parse_cutter
 
 PICTURE = Path(__file__).resolve().parents[1] / "images" / "cutters.png"
-SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16")
+SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16", "lollipop:10:5:16")
 BODY, PART, MARK = "#c9d4e3", "#e9dfcf", "#c8442a"
 X, Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
 
 
 def outline(cutter: Cutter) -> np.ndarray:
     """The section (n, 2) through the axis, tip at zero."""
-    (ring, corner, height), low = cutter.profile().rounds[0], -cutter.taper
-    angle = np.linspace(-np.pi / 2, low, 60)
+    (ring, corner, height), last = cutter.profile().rounds[0], cutter.undercut - cutter.taper
+    angle = np.linspace(-np.pi / 2, last, 90)
     half = np.stack([ring + corner * np.cos(angle), height + corner * np.sin(angle)], axis=1)
     half = np.concatenate([half, [(cutter.top_radius, cutter.length)]])
     return np.concatenate([half, half[::-1] * (-1.0, 1.0)])
@@ -44,13 +44,14 @@ def shape(axes: Any, text: str) -> None:
 
 
 def stand(axes: Any, text: str, lead: float, title: str) -> None:
-    """A cutter that leans forward over its facet; the feed goes to the right."""
+    """A cutter that leans forward over its facet; the feed goes to the right. Where the cutter leans below it the facet ends."""
     cutter = parse_cutter(text)
     axis = leaned(Z, X, np.radians(lead), 0.0)
     tip = cutter.tip_from_contact(0.0 * Z, Z, axis, X)[0]
     hub, side = tip + cutter.corner * axis[0], np.array([axis[0, 2], 0.0, -axis[0, 0]])
     points = tip + outline(cutter) @ np.stack([side, axis[0]])
-    axes.fill([-14, 14, 14, -14], [0, 0, -3, -3], color=PART, ec="black", lw=0.8)
+    end = 14.0 if axis[0, 2] > 0.0 else 1.0
+    axes.fill([-14, end, end, -14], [0, 0, -3, -3], color=PART, ec="black", lw=0.8)
     axes.fill(points[:, 0], points[:, 2], color=BODY, ec="black", lw=1)
     axes.plot([0, 0, hub[0], tip[0]], [0, cutter.corner, hub[2], tip[2]], "-", color=MARK, lw=1.5)
     axes.plot([0], [0], "o", color=MARK, ms=5)
@@ -63,8 +64,8 @@ def stand(axes: Any, text: str, lead: float, title: str) -> None:
 
 
 def main() -> None:
-    """Five shapes above, five stands below."""
-    figure, axes = plt.subplots(2, 5, figsize=(12, 6.2), constrained_layout=True)
+    """Six shapes above, six stands below."""
+    figure, axes = plt.subplots(2, 6, figsize=(14, 6.2), constrained_layout=True)
     for place, text in zip(axes[0], SHAPES, strict=True):
         shape(place, text)
     stand(axes[1, 0], "bull:10:2:16", 15.0, "lead 15 deg: contact, corner centre,\nhub (x), tip (dot)")
@@ -72,6 +73,7 @@ def main() -> None:
     stand(axes[1, 2], "flat:10:16", 15.0, "flat, lead 15 deg")
     stand(axes[1, 3], "flat:10:16", -15.0, "flat, lead -15 deg: touches behind")
     stand(axes[1, 4], "taperball:6:8deg:16", 30.0, "taper ball, lead 30 deg")
+    stand(axes[1, 5], "lollipop:10:5:16", 105.0, "lollipop, below the surface: the ball\ntouches, the neck clears the edge")
     figure.savefig(PICTURE, dpi=85, metadata={"Software": None})
 
 

@@ -155,8 +155,13 @@ def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
 def _extra(settings: Mapping[str, Any], names: Collection[str]) -> dict[str, Any]:
     """The properties that are no settings of the core's task, mm."""
     given = {name: settings[name] for name in names if settings.get(name) is not None}
-    readers = {"work_zero": _place, "part": lambda part, _: part}
-    return {property_name(name): readers.get(name, _stack)(value, name) for name, value in given.items()}
+    return {property_name(name): _read(value, name) for name, value in given.items()}
+
+
+def _read(given: Any, name: str) -> Any:
+    if name == "part":
+        return given
+    return _place(given, name) if name == "work_zero" else _stack(given, name)
 
 
 def _stack(given: Any, name: str) -> str:

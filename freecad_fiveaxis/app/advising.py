@@ -9,6 +9,7 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.advice import SHARE, Trial, report_advice, try_others
+from freecad_fiveaxis.core.pipeline.programs import Result
 from freecad_fiveaxis.core.report.figures import Figures
 
 from . import results, wording
@@ -28,7 +29,7 @@ def advise(path: Any) -> tuple[Trial, ...]:
         def work(progress: Progress) -> tuple[Trial, ...]:
             mesh, faces = task.mesh_and_mask(progress)
 
-            def make(settings: Any) -> job.Result:
+            def make(settings: Any) -> Result:
                 draft = job.make(settings, progress, mesh=mesh, faces=faces, fixtures=result.draft.fixtures)
                 return job.prove(draft, progress)
 

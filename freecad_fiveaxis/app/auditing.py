@@ -14,6 +14,7 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.pipeline.programs import ProgramDraft
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, build_settings, is_part
 
 from . import compared, convert, results
@@ -65,7 +66,7 @@ class Audit(Proxy):
         solids = compared.held_parts(fixtures, zero, self.held)
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part, fixtures=solids)
 
-    def make_draft(self, task: results.Task, progress: Progress) -> job.ProgramDraft:
+    def make_draft(self, task: results.Task, progress: Progress) -> ProgramDraft:
         """The file's program."""
         return job.make(task.settings, progress, fixtures=task.held(progress))
 

@@ -158,7 +158,7 @@ def _tool(job: Any, number: int | None) -> JobTool:
     tools = [tool for tool in cutters_of_job(job) if number in (None, tool.number)]
     able = [tool for tool in tools if tool.cutter is not None]
     if able:  # a Job begins with an end mill that nobody has chosen
-        return next((tool for tool in able if kind_of(tool.cutter) == "ball"), able[0])
+        return next((tool for tool in able if tool.cutter and kind_of(tool.cutter) == "ball"), able[0])
     if not tools:
         named = say("no tool") if number is None else say("no tool {number}", number=number)
         raise SelectionError(

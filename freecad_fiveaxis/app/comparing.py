@@ -34,7 +34,7 @@ def settings_of(toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (
     """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises FiveAxisError."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
         raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
-    path = toolpath.Proxy.task(toolpath).settings
+    path: Settings = toolpath.Proxy.task(toolpath).settings
     given = {"machines": list(machines), "cures": list(cures), "tool_length": tool_length or path.machine.tool_length}
     own = build_settings(COMPARE, path.source, given)
     machine = replace(path.machine, origin=None, controller=None, tool_length=own.machine.tool_length)

@@ -21,7 +21,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.quantity import parse_stack
-from freecad_fiveaxis.core.base.records import Bools
+from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.pipeline.option_values import read_option
@@ -64,7 +64,7 @@ def settings_of(obj: Any, task: str, source: str) -> Settings:
 def options_of(obj: Any, task: str) -> dict[str, Any]:
     """The options of the task that differ from their defaults, as a job file would hold them (mm, deg, mm/min). Those whose
     default hangs on others are always given: the property says what is cut."""
-    options = {}
+    options: dict[str, Any] = {}
     for _, leaf in shown_options(task):
         kind = leaf.metadata["kind"]
         if kind == "cutter":
@@ -178,7 +178,7 @@ def facets_of(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> Facets:
     place, holder = obj.getLinkedObject().Placement, holder_of(obj)
     place = moved_to_zero(place if holder.isIdentity() else holder.multiply(place), work_zero)
     facets = Facets(kernel_of(obj), tuple(place.Matrix.A))
-    if not facets.count:
+    if not facets.facet_count:
         raise empty(obj.Label)
     return facets
 
@@ -226,7 +226,7 @@ def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
     return chosen[_kept(_signature(corner.astype(float) + 0.0), _signature(mesh.vertex[mesh.face]))]
 
 
-def _kept(before: Any, after: Any) -> Any:
+def _kept(before: Any, after: Any) -> Ints:
     return np.flatnonzero(np.isin(before, after))
 
 

@@ -40,7 +40,7 @@ class Facets(NamedTuple):
     matrix: tuple[float, ...]
 
     @property
-    def count(self) -> int:
+    def facet_count(self) -> int:
         """How many facets there are."""
         return int(self._counts()[1])
 
@@ -83,4 +83,5 @@ def _normals(corner: Floats) -> Floats:
     (ax, ay, az), (bx, by, bz) = (corner[:, 1] - corner[:, 0]).T, (corner[:, 2] - corner[:, 0]).T
     normal = np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=1)
     length = np.sqrt(normal[:, 0] * normal[:, 0] + normal[:, 1] * normal[:, 1] + normal[:, 2] * normal[:, 2])
-    return np.divide(normal, length[:, None], out=normal, where=length[:, None] > 0)
+    np.divide(normal, length[:, None], out=normal, where=length[:, None] > 0)
+    return normal

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -143,7 +143,7 @@ def _holds(wire: Any, edge: Any) -> bool:
 
 
 def _area_from_above(curve: list[Any]) -> float:
-    return abs(sum(one.x * other.y - one.y * other.x for one, other in itertools.pairwise(curve)))
+    return abs(float(sum(one.x * other.y - one.y * other.x for one, other in itertools.pairwise(curve))))
 
 
 def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
@@ -152,7 +152,8 @@ def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
     for at_end in (True, False):
         while (found := _next(shape, chain, at_end)) is not None:
             chain = [*chain, found] if at_end else [found, *chain]
-    return Part.__sortEdges__(chain)
+    in_order: list[Any] = Part.__sortEdges__(chain)
+    return in_order
 
 
 def _next(shape: Any, chain: list[Any], at_end: bool) -> Any:
@@ -181,7 +182,7 @@ def _points(edges: Sequence[Any]) -> list[Any]:
     runs = [edge.discretize(Deflection=CHORD) for edge in edges]
     if len(runs) > 1 and _gap(runs[0][-1], runs[1]) > _gap(runs[0][0], runs[1]):
         runs[0].reverse()
-    found = runs[0]
+    found: list[Any] = runs[0]
     for run in runs[1:]:
         found += run[1:] if found[-1].distanceToPoint(run[0]) <= found[-1].distanceToPoint(run[-1]) else run[-2::-1]
     return found
@@ -189,7 +190,7 @@ def _points(edges: Sequence[Any]) -> list[Any]:
 
 def _gap(point: Any, run: list[Any]) -> float:
     """How far a point is from the nearer end of a run."""
-    return min(point.distanceToPoint(run[0]), point.distanceToPoint(run[-1]))
+    return float(min(point.distanceToPoint(run[0]), point.distanceToPoint(run[-1])))
 
 
 def _centre(obj: Any, name: str) -> list[list[Any]]:
@@ -237,7 +238,7 @@ def _kind(element: Any) -> str:
     return getattr(_geometry(element), "TypeId", "")
 
 
-_READERS = {
+_READERS: dict[str, Callable[[Any, str], Any]] = {
     "from_": partial(_guide, option="from_"), "to": partial(_guide, option="to"), "boundary": _boundary, "pass_centre": _centre,
     "pass_axis": _axis,
 }  # fmt: skip

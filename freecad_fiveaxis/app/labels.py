@@ -21,7 +21,8 @@ def option_label(name: str) -> str:
 
 def option_hint(leaf: Any) -> str:
     """What an option is for, as the property editor says it too."""
-    return translate("App::Property", text_of(leaf))
+    text: str = translate("App::Property", text_of(leaf))
+    return text
 
 
 def choice_label(name: str) -> str:

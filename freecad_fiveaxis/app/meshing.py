@@ -65,7 +65,7 @@ def _expected(face: Any, linear: float, angular: float) -> float:
     radius = getattr(face.Surface, "Radius", None) or 0.0
     around = radius or math.sqrt(face.Area) / math.pi
     chord = min(math.sqrt(8.0 * linear * around), around * angular)
-    return corners + PER_CHORD * (1.0 if radius else CURVED) * face.Area / max(chord, 1e-9) ** 2
+    return corners + PER_CHORD * (1.0 if radius else CURVED) * float(face.Area) / float(max(chord, 1e-9)) ** 2
 
 
 def command() -> str:
@@ -103,7 +103,9 @@ def _read(folder: str) -> Any:
 def _waited(program: str, folder: str, progress: Progress) -> None:
     """Run the process to its end; whatever is raised meanwhile ends it. It is a new user's: no other add-on is loaded."""
     environment = {**os.environ, mesher.FOLDER: folder, "FREECAD_USER_HOME": folder, "QT_QPA_PLATFORM": "offscreen"}
-    hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
+    hidden: dict[str, int] = {}
+    if sys.platform == "win32":
+        hidden["creationflags"] = subprocess.CREATE_NO_WINDOW
     quiet = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
     process = subprocess.Popen([program, mesher.__file__], env=environment, cwd=folder, **quiet, **hidden)  # type: ignore[call-overload]
     try:

@@ -145,7 +145,7 @@ def _is_up_to_date(obj: Any) -> bool:
 
 
 def _holds_written(obj: Any) -> bool:
-    return _digest(read_bytes(obj.File, "NC file")) == obj.Written
+    return bool(_digest(read_bytes(obj.File, "NC file")) == obj.Written)
 
 
 def _same_file(one: str | os.PathLike[str], other: str | os.PathLike[str]) -> bool:

@@ -55,6 +55,11 @@ def read(key: str) -> Any:
     return _group().GetUnsigned(key, default) if isinstance(default, int) else _group().GetFloat(key, default)
 
 
+def _text(key: str) -> str:
+    """A parameter that is a text, without blanks about it."""
+    return str(read(key)).strip()
+
+
 def write(key: str, value: str | float | int) -> None:
     """Keep a parameter, in the units of ``read``. KeyError for a key that is not ours."""
     default = DEFAULTS[key]
@@ -89,12 +94,12 @@ def keep_open(key: str, opened: bool) -> None:
 
 def machine() -> str:
     """A shipped machine's name, or the path of a ``.fcm`` file."""
-    return read("Machine").strip() or DEFAULTS["Machine"]
+    return _text("Machine") or str(DEFAULTS["Machine"])
 
 
 def controller() -> str | None:
     """A controller's name; None: the machine's own."""
-    return read("Controller").strip() or None
+    return _text("Controller") or None
 
 
 def machine_folder() -> Path | None:
@@ -111,7 +116,7 @@ def cutter() -> str:
     """A new path's cutter as an option; whether there can be such a one is the core's to say."""
     from freecad_fiveaxis.core.tool import KINDS, sizes_text  # numpy has no business when the window starts
 
-    kind = read("CutterKind").strip()
+    kind = _text("CutterKind")
     kind = kind if kind in KINDS else str(DEFAULTS["CutterKind"])
     sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper", "neck")}
     return sizes_text(kind, sizes | {"length": LENGTH})
@@ -119,27 +124,27 @@ def cutter() -> str:
 
 def shank() -> str:
     """A new path's shank: cylinders, as ``8x20,12x30``, mm; empty where there is none."""
-    return read("Shank").strip()
+    return _text("Shank")
 
 
 def holder() -> str:
     """A new path's holder, likewise."""
-    return read("Holder").strip()
+    return _text("Holder")
 
 
 def scallop() -> float:
     """Largest scallop of a new path, mm."""
-    return read("Scallop")
+    return float(read("Scallop"))
 
 
 def tolerance() -> float:
     """Largest deviation of the tip that passes for good, mm."""
-    return read("Tolerance")
+    return float(read("Tolerance"))
 
 
 def feed() -> float:
     """Feed of a new path's tip over the part, mm/min."""
-    return round(60 * read("Feed"), 9)  # 1000 mm/min is no whole number of mm/s: what was typed comes back
+    return round(60 * float(read("Feed")), 9)  # 1000 mm/min is no whole number of mm/s: what was typed comes back
 
 
 def processes() -> int:

@@ -170,7 +170,8 @@ def setting_properties(task: str) -> tuple[Property, ...]:
 def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     kind, text = leaf.metadata["kind"], editor_text(leaf)
     if kind == "cutter":
-        values = cutter_values(leaf.default)
+        cutter: Any = leaf.default
+        values = cutter_values(cutter)
         return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]
     choices = _ENUMERATED.get(leaf.name, leaf.metadata["choices"])
     name, type_ = property_name(leaf.name), KINDS["choice" if choices else kind]

@@ -212,7 +212,8 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
             whole = replace(task, fixtures=tuple(one.meshed(listener) for one in task.fixtures))
             with processes(WORTH) as executor:
                 obj.Proxy.last = run(lambda progress: _found(whole, fingerprint, progress, executor), listener, obj.Document)
-    return obj.Proxy.last
+    last: Last = obj.Proxy.last
+    return last
 
 
 def _found(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
@@ -275,7 +276,7 @@ def advice(found: Last) -> list[Sentence]:
 def _show(obj: Any, found: Last) -> None:
     """Show the map in the object's properties."""
     chart = found.chart
-    values = {name: chart.area_of(obstacle) for obstacle, name in AREAS.items()}
+    values: dict[str, Any] = {name: chart.area_of(obstacle) for obstacle, name in AREAS.items()}
     step, area = stick_out(chart)
     values |= {
         "WholeArea": float(chart.area.sum()), "ReachableShare": 100.0 * share_reached(chart), "StickOut": step,

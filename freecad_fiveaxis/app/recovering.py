@@ -42,7 +42,8 @@ def recover(
 
 def write(done: workshop.Recovered) -> str:
     """Write the machine file, never over another one; returns its name. Raises FileError."""
-    machines.make_folder(done.settings.recover.machine_file)
+    if file := done.settings.recover.machine_file:
+        machines.make_folder(file)
     return workshop.write_outputs(done)[0]
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Area, Length, joined, say
@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge import RestMaterial
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.collision_avoidance import allowed
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram
 from freecad_fiveaxis.core.report import Figures
 
 from . import results, wording
@@ -156,11 +157,12 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
         figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
             obj.Proxy.last = run(lambda progress: _found(figures, known, progress), listener, obj.Document)
-    return obj.Proxy.last
+    last: Heights = obj.Proxy.last
+    return last
 
 
 def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
-    draft = known.result.draft
+    draft = cast(MilledProgram, known.result.draft)  # of a toolpath
     rest = figures.rest or job.rest_material_of(draft, progress)
     return Heights(known.fingerprint, draft.mesh, rest, figures.tolerance, allowed(draft.settings, draft.mesh, draft.keep))
 

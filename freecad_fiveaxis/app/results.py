@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.machine import Machine, load_machine
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.new_speed import change_speed, without_speed
 from freecad_fiveaxis.core.pipeline.outputs import curve_files
-from freecad_fiveaxis.core.pipeline.programs import MilledProgram
+from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram, Result
 from freecad_fiveaxis.core.pipeline.settings import Settings
 from freecad_fiveaxis.core.report import Figures
 
@@ -114,11 +114,11 @@ class Last:
 
     fingerprint: str
     blocks_fingerprint: str
-    result: job.Result
+    result: Result
     figures: Figures
 
 
-def result_of(obj: Any, progress: Progress | None = None) -> job.Result:
+def result_of(obj: Any, progress: Progress | None = None) -> Result:
     """The result of a Toolpath or an Audit, computed anew only where something has changed.
 
     Raises FiveAxisError for what cannot be used, Cancelled where the listener stops the work.
@@ -134,11 +134,14 @@ def figures_of(obj: Any, progress: Progress | None = None) -> Figures:
 def nc_of(obj: Any, progress: Progress | None = None) -> bytes:
     """The NC file of a Toolpath; of an Audit the file that is audited. Raises as :func:`result_of`."""
     draft = _last(obj, progress).result.draft
-    return draft.nc if isinstance(draft, job.PostedProgram) else obj.Proxy.task(obj).data
+    if isinstance(draft, PostedProgram):
+        return draft.nc
+    audited: bytes = obj.Proxy.task(obj).data
+    return audited
 
 
 def _last(obj: Any, progress: Progress | None) -> Last:
-    proxy = getattr(obj, "Proxy", None)
+    proxy: Any = getattr(obj, "Proxy", None)
     if not hasattr(proxy, "make_draft"):
         label = "Nothing" if obj is None else getattr(obj, "Label", None) or repr(obj)
         raise SelectionError(say("{label} is no toolpath and no audit: select one of these.", label=label), label)
@@ -149,7 +152,8 @@ def _last(obj: Any, progress: Progress | None) -> Last:
             whole = replace(task, part=task.part.meshed(listener)) if task.part else task
             whole = replace(whole, fixtures=tuple(one.meshed(listener) for one in task.fixtures))
             proxy.last = run(lambda progress: _computed(proxy, whole, fingerprint, progress), doc=obj.Document)
-    return proxy.last
+    last: Last = proxy.last
+    return last
 
 
 def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:

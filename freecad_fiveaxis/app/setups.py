@@ -246,7 +246,8 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
         with processes() as executor:
             obj.Proxy.last = run(lambda progress: _tried(task, fingerprint, progress, executor), progress, obj.Document)
-    return obj.Proxy.last.trial
+    last: Last = obj.Proxy.last
+    return last.trial
 
 
 def _tried(task: Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:

@@ -139,15 +139,16 @@ def hash_inputs(obj: Any) -> str:
     base, faces = chosen(obj)
     if base is None:
         return ""
+    shape: tuple[Any, ...]
     if selection.is_mesh(base):
         mesh = selection.copy_of_mesh(base)
         box, shape = mesh.BoundBox, (mesh.CountFacets, mesh.CountPoints)
     else:
         whole = selection.solids(base)[0]
         box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
-    inputs = (shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value)
-    inputs += (avoided(obj),) if avoided(obj) else ()  # documents that know of none keep their checksums
-    return hashlib.sha256(repr(inputs).encode()).hexdigest()
+    inputs = [shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value]
+    inputs += [avoided(obj)] if avoided(obj) else []  # documents that know of none keep their checksums
+    return hashlib.sha256(repr(tuple(inputs)).encode()).hexdigest()
 
 
 def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:

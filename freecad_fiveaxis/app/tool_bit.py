@@ -110,7 +110,7 @@ def _cutter(name: str, shape: str, size: Sizes) -> Cutter:
         )
     if (diameter := size("Diameter")) is None:
         raise SettingsError(say("{name} has no diameter; give it one in FreeCAD's tool editor", name=name), name)
-    given = {"length": edge} if (edge := size("CuttingEdgeHeight")) is not None else {}
+    given: dict[str, Any] = {"length": edge} if (edge := size("CuttingEdgeHeight")) is not None else {}
     if kind in FLATS:
         given["corner"] = 0.0
     elif kind in BULLS:
@@ -128,9 +128,10 @@ def _kind(shape: str) -> str:
 
 def _corner(name: str, diameter: float, size: Sizes) -> float:
     corner, flat = size("CornerRadius"), size("FlatRadius")
-    if corner is None and flat is None:
-        raise SettingsError(say("{name} has no corner radius; give it one in FreeCAD's tool editor", name=name), name)
-    corner = diameter / 2 - flat if corner is None and flat is not None else corner
+    if corner is None:
+        if flat is None:
+            raise SettingsError(say("{name} has no corner radius; give it one in FreeCAD's tool editor", name=name), name)
+        corner = diameter / 2 - flat
     return diameter / 2 if abs(corner - diameter / 2) <= EQUAL_RADIUS_MM else corner
 
 

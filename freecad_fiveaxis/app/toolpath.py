@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis
+from freecad_fiveaxis.core.pipeline.programs import ProgramDraft
 from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 
 from . import compared, convert, guides, job_setup, results
@@ -62,7 +63,7 @@ class Toolpath(Proxy):
         solids = compared.held_parts(fixtures, zero, self.seen)
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
-    def make_draft(self, task: results.Task, progress: Progress) -> job.ProgramDraft:
+    def make_draft(self, task: results.Task, progress: Progress) -> ProgramDraft:
         """The program, not yet proven."""
         mesh, faces = task.mesh_and_mask(progress)
         return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=task.held(progress))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line, its options made from :mod:`settings`.
+"""The command line, its options made from :mod:`.pipeline.settings`.
 
 exit 0    done.
 exit 1    done, with findings of severity error.

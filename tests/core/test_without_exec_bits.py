@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 SCRIPTS = ("scripts", ".ci", "tests/freecad", "tests/sitting")
 BOTH = ("lint", "core", "headless", "sitting")
 SHORT = (*BOTH, "interpreter", "window-short")
-ALL = (*BOTH, "slow", "window", "linuxcnc", "runner", "large", "oldest", "demo", "chroots", "trixie", "forky")
+ALL = (*BOTH, "slow", "window", "linuxcnc", "runner", "large", "oldest", "docs", "demo", "chroots", "trixie", "forky")
 TARGETS = (
     "demo",
     "test",

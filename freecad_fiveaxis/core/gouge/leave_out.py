@@ -34,9 +34,9 @@ def leave_out(
     """The rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends the body can rise, and their
     axes (n, 3); findings say what is left out.
 
-    ``path``: with the cutter's hubs for its centres (:func:`~.seating.seated`), ``back`` mm above the tip; ``above`` mm: how
-    far over it the point lies that goes straight. Shank and holder count as the cutter does. Raises SettingsError where nothing
-    is left.
+    ``path``: with the cutter's hubs for its centres (:func:`~.cl_offset.cl_offset_path`), ``back`` mm above the tip; ``above``
+    mm: how far over it the point lies that goes straight. Shank and holder count as the cutter does. Raises SettingsError where
+    nothing is left.
     """
     without = _Without(tree, body, tolerance, back, progress, above)
     return without.trapped(*without.entering(path, axis))

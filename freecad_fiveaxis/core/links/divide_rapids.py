@@ -180,7 +180,7 @@ def _insert_words(joints: JointPath, kinematics: Chain, at: Ints, words: Floats)
     put, pair = Insertion(len(path.tip), at), RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     sine = put.interleave(joints.sine, pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
     findings = tuple(_moved(finding, at) for finding in joints.findings)
-    return JointPath(drive.path, drive.row, put.interleave(joints.q, q), drive.branch, sine, findings)
+    return JointPath(drive.path, drive.row, put.interleave(joints.q, q), drive.branch, sine, findings, joints.rewinds)
 
 
 def _moved(finding: Finding, at: Ints) -> Finding:

@@ -6,7 +6,7 @@ near link  straight from the one to the other, at feed: on the surface itself wh
            else lifted by one of a few heights along the tool axes at either end. The axis turns on the way.
 
 The lowest near link on which cutter, shank and holder keep out of the part as commanded, and that is worth it, takes the place
-of the rapids; ``pipeline.collision_avoidance.drive_free`` and the last check look at what the machine makes of it.
+of the rapids; ``pipeline.solve_joints.drive_free`` and the last check look at what the machine makes of it.
 """
 
 from __future__ import annotations

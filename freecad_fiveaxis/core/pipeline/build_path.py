@@ -7,7 +7,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.gouge.leave_out import leave_out
@@ -50,7 +49,9 @@ def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLP
     options = LinkOptions(
         clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
         control_point=settings.machine.control_point,
+        turning=settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics),
     )  # fmt: skip
+    offset = replace(offset, findings=())  # what was to say of it has been said
     seated, axis = cl_offset_path(offset, axis, cutter, settings.cutter.coedge_tolerance)
     seated, axis = bounded_by_hub(context, seated, axis)
     free, axis = left_out_rows(context, seated, axis)
@@ -59,11 +60,7 @@ def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLP
     path = link_rows(
         seated, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, seated, axis)
     )
-    if settings.tool_axis.tool_axis == FROM_AXIS and turns_the_part(context.kinematics):
-        path = replace(path, findings=tuple(one for one in path.findings if one.code != Code.RETRACT_BELOW_PART))
-    if seated is not offset:
-        path = replace(path, findings=seated.findings[len(offset.findings) :] + path.findings)
-    return path, left_out
+    return replace(path, findings=seated.findings + path.findings), left_out
 
 
 def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats | None:

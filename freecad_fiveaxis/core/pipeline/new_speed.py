@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.nc.writer import write_nc
@@ -33,15 +32,16 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
     draft = replace(draft, settings=settings)
     height, _ = start_plane(draft.context(progress), draft.program)
     nc = write_nc(draft.program, draft.dialect, nc_title(settings, draft.machine), post_options(settings), progress, height)
-    kept = tuple(one for one in draft.findings if one.code != Code.SPINDLE_OFF)
-    draft = replace(draft, nc=nc, findings=kept + find_spindle_off(settings))
-    return replace(result, draft=draft, findings=_exchanged(result.findings, kept, find_spindle_off(settings)))
+    old, new = find_spindle_off(result.draft.settings), find_spindle_off(settings)
+    kept = tuple(one for one in draft.findings if one not in old)
+    others = tuple(one for one in result.findings if one not in old)
+    draft = replace(draft, nc=nc, findings=kept + new)
+    return replace(result, draft=draft, findings=_inserted(others, kept, new))
 
 
-def _exchanged(findings: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """Those of the whole job with the ``new`` one about the spindle, which comes last of what the making of the program has found
-    (``kept``, of which the proof may have dropped some)."""
-    others = [one for one in findings if one.code != Code.SPINDLE_OFF]
+def _inserted(others: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]) -> tuple[Finding, ...]:
+    """Put the ``new`` one about the spindle among the ``others`` of the whole job, behind those ``kept`` of the making of the
+    program, of which the proof may have dropped some."""
     draft = {id(one) for one in kept}
     first = next((at for at, one in enumerate(others) if id(one) not in draft), len(others))
     return (*others[:first], *new, *others[first:])

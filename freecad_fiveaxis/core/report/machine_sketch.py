@@ -13,7 +13,7 @@ spindle   carries the tool. fork: what the spindle swings in; a knuckle where th
           the spindle.
 
 frame     machine frame as in :mod:`.playback`: parallel to the machine's, its zero where the work zero stands while all words
-          are 0, and so does the tip. Bodies are given as they stand then; :func:`.playback.carried` says where they go.
+          are 0, and so does the tip. Bodies are given as they stand then; :func:`.playback.placements` says where they go.
 carrier   the column of the words (0 to 4) whose axis carries a body; None for what stands still.
 """
 

@@ -168,7 +168,7 @@ class Cutter:
         """Radius (n,) mm of the ball that is as wide as what the cutter sweeps, ``height`` mm above the contact.
 
         Up to there that ball lies within the sweep, so the ball's scallop is never below the cutter's. Other arguments as for the
-        effective radius; a ``height`` above 0; ``bend`` 1/mm as in :func:`~.shadow.width_at`.
+        effective radius; a ``height`` above 0; ``bend`` 1/mm as in :func:`~.silhouette.width_at`.
         """
         import numpy as np
 

@@ -50,7 +50,8 @@ class JointPath:
     ``path`` the CL path that is really driven: the one given plus inserted retract, rewind and re-engage rows; ``row`` (n,)
     the row of the given CL path that each row came from (an inserted row has that of the row which it leads to);
     ``q`` (n, 5) words before rounding in the order X Y Z, first rotary, second rotary (rotary: nearer to the work first),
-    mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,) singularity measure, 0 at the pole.
+    mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,) singularity measure, 0 at the pole; ``rewinds``: how
+    often the rotary axes turn back inside a cut.
     """
 
     path: CLPath
@@ -59,6 +60,7 @@ class JointPath:
     branch: Bytes
     sine: Floats
     findings: tuple[Finding, ...] = ()
+    rewinds: int = 0
 
     def __post_init__(self) -> None:
         freeze(self, len(self.path.tip), row="i", q="f5", branch="m", sine="f")
@@ -101,7 +103,8 @@ def solve(
     drive, gaps = insert_rewinds(start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius, tool or POINT)
     drive = subdivide_rapids(drive, kinematics, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
-    return _finish(drive, kinematics, rewind_findings(start, drive, kinematics, breaks, gaps))
+    findings = rewind_findings(start, drive, kinematics, breaks, gaps)
+    return replace(_finish(drive, kinematics, findings), rewinds=len(breaks))
 
 
 def _above(path: CLPath, height: float) -> Bools:

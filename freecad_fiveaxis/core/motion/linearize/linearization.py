@@ -94,7 +94,7 @@ def linearize(
     branch = joints.branch[way.row].copy()
     branch[way.new] = branch_of(kinematics, q[way.new, 4])
     findings = (*_moved(joints.findings, way), *found(kinematics, way.outcome, way.words, way.new, steps, tolerance))
-    return JointPath(_longer(joints.path, way, above), joints.row[way.row], q, branch, sine, findings)
+    return JointPath(_longer(joints.path, way, above), joints.row[way.row], q, branch, sine, findings, joints.rewinds)
 
 
 def _divided_above(

@@ -78,8 +78,8 @@ def near_polylines(offset: OffsetPath, axis: Floats, globe: Globe, angle: float)
 def rerouted_axes(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, progress: Progress = silent
 ) -> ReroutedAxes | None:
-    """The axes (n, 3) led within ``change`` rad as in :func:`~.deform.deform_axes`, with the figures; None where no polyline
-    comes near the pole."""
+    """The axes (n, 3) led within ``change`` rad as in :func:`~.past_pole.apply.deform_axes`, with the figures; None where no
+    polyline comes near the pole."""
     globe = Globe.of(kinematics)
     if not len(axis) or not (near := near_polylines(offset, axis, globe, NEAR * change)).any():
         return None

@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.controllers.dialect import Dialect
@@ -144,9 +143,7 @@ def drive_turned(
     low, high = part_box(path, posting.part, turn)
     kinematics = chain(machine, base)
     joints = solve(turned_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress)
-    turnings = [one for one in joints.findings if one.code in (Code.REWIND, Code.REWINDS)]
-    many = [one.value for one in turnings if one.code == Code.REWINDS and one.value]
-    return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), int(many[0]) if many else len(turnings))
+    return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), joints.rewinds)
 
 
 def _whole_rapids(joints: JointPath) -> Drive:

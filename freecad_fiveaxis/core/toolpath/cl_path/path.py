@@ -70,12 +70,14 @@ class CLPath:
 @dataclass(frozen=True)
 class LinkOptions:
     """``clearance`` mm of rapids from the part's box; ``feed`` and ``plunge_feed`` mm/min; ``control_point``: what the words
-    drive, the cutter's tip or the ball's centre."""
+    drive, the cutter's tip or the ball's centre; ``turning``: the part turns under the tool, so that a way below it where it lies
+    now is none below it then."""
 
     clearance: float = 5.0
     feed: float = 1000.0
     plunge_feed: float = 300.0
     control_point: Literal["tip", "centre"] = "tip"
+    turning: bool = False
 
     def __post_init__(self) -> None:
         for name, least in (("clearance", 0.0), ("feed", np.nextafter(0.0, 1.0)), ("plunge_feed", np.nextafter(0.0, 1.0))):
@@ -128,7 +130,7 @@ def link_passes(
     leave, enter = way(last, np.append(first[1:], last[-1])), way(first, np.append(first[0], last[:-1]))
     links = _links(leave, enter, axis[last], axis[first], _goes_on(path.centre, first, last), _highest(axis))
     progress("linking passes", 0.5)
-    return replace(_merged(path, axis, first, links, cutter, options), findings=_below(leave, enter))
+    return replace(_merged(path, axis, first, links, cutter, options), findings=() if options.turning else _below(leave, enter))
 
 
 @dataclass(frozen=True, eq=False)
