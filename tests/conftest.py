@@ -43,17 +43,17 @@ def _content(task):
 
 @pytest.fixture
 def kept(monkeypatch):
-    """For tests inside FreeCAD that are not about the computing: results, maps of setups and of what is reached, and heights that are
-    left are those of an earlier test of this process, where all that they are made of is the same, the part's name too. Mark what is
+    """For tests inside FreeCAD that are not about the computing: results, maps of setups and of what is reached, and of rest
+    material are those of an earlier test of this process, where all that they are made of is the same, the part's name too. Mark what is
     to be computed ``anew``."""
-    from freecad_fiveaxis.app import left, reach, results, setups
+    from freecad_fiveaxis.app import reach, rest, results, setups
     from freecad_fiveaxis.core.studies import reach_map
 
     for module, name, of in (
         (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, *_content(task))),
         (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, *_content(task))),
         (reach, "_found", lambda task, fingerprint, progress, executor: (fingerprint, reach_map.PLACES, *_content(task))),
-        (left, "_found", lambda figures, known, progress: (known.fingerprint, known.result.draft.settings.source)),
+        (rest, "_found", lambda figures, known, progress: (known.fingerprint, known.result.draft.settings.source)),
     ):
         monkeypatch.setattr(module, name, _keeping(getattr(module, name), of))
 

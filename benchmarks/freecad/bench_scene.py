@@ -2,7 +2,7 @@
 """``make bench-window``: what a frame of FreeCAD's 3D view takes, as ratios to peers in the same view; run inside FreeCAD.
 
 path    the whole picture of a path, to the bare lines of its strokes
-map     a map of what is left, to its bare facets
+map     a map of rest material, to its bare facets
 labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
 
 A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no graphics card.
@@ -27,7 +27,7 @@ from report_examples import dome  # noqa: E402
 from timing import print_table  # noqa: E402
 
 from freecad_fiveaxis.core.report.rest_material_map import height_scale  # noqa: E402
-from freecad_fiveaxis.gui.scene import left_nodes, nodes, on_screen, path_nodes, words  # noqa: E402
+from freecad_fiveaxis.gui.scene import nodes, on_screen, path_nodes, rest_nodes, words  # noqa: E402
 
 LOOK = path_nodes.Look((0.0, 0.62, 0.45), (0.835, 0.369, 0.0), (0.8, 0.475, 0.655))
 TURNS = 12
@@ -91,13 +91,13 @@ def test_map(view, capsys, monkeypatch):
     rows = []
     for side, most in ((316, None), (223, 1000)):
         if most:
-            monkeypatch.setattr(left_nodes, "MOST_PATCHES", most)
-        mesh, left = surface(side)
-        node = left_nodes.left_surface(mesh, left, height_scale(left, 0.01, 0.03))
+            monkeypatch.setattr(rest_nodes, "MOST_PATCHES", most)
+        mesh, rest = surface(side)
+        node = rest_nodes.rest_surface(mesh, rest, height_scale(rest, 0.01, 0.03))
         name = f"{len(mesh.face)} facets{', each with its worst sample' if most else ''}"
         rows.append(row(view, name, (node,), bare(mesh.vertex[mesh.face].reshape(-1, 3), 3)))
     with capsys.disabled():
-        print_table("A map of what is left, to its bare facets", HEADS, rows)
+        print_table("A map of rest material, to its bare facets", HEADS, rows)
 
 
 def test_labels(view, capsys, monkeypatch):

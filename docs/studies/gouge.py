@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.report.rest_material_map import (
 HERE = Path(__file__).resolve().parents[1]
 PICTURE = HERE / "images" / "gouge-left.png"
 PARTS = HERE.parent / "resources" / "examples" / "make_parts.py"
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:20", "passes": "planes", "stepover": 3, "linearize": "on", "left": "on"}
+OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:20", "passes": "planes", "stepover": 3, "linearize": "on", "rest": "on"}
 FINE = 12.0
 """Pixels a mm."""
 LIGHT = np.array([-0.35, 0.45, 0.82])
@@ -45,15 +45,15 @@ def milled(gouge: str) -> Figures:
 
 
 def seen(axes: Any, figures: Figures, scale: HeightScale, title: str) -> None:
-    """The patch from above, coloured by what is left."""
-    assert figures.mesh is not None and figures.left is not None
-    corner, view = rest_material_patches(figures.mesh, figures.left), view_from(-0.5 * np.pi, 0.5 * np.pi)
+    """The patch from above, coloured by the rest material."""
+    assert figures.mesh is not None and figures.rest is not None
+    corner, view = rest_material_patches(figures.mesh, figures.rest), view_from(-0.5 * np.pi, 0.5 * np.pi)
     low, high = corner.reshape(-1, 3).min(axis=0)[:2], corner.reshape(-1, 3).max(axis=0)[:2]
     wide, tall = np.ceil((high - low) * FINE).astype(int).tolist()
     owner = owners(corner, view, low, FINE, wide, tall)
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     lit = 0.75 + 0.25 * np.clip(normal @ LIGHT / np.linalg.norm(normal, axis=1) / np.linalg.norm(LIGHT), 0.0, 1.0)
-    colour = np.append(height_colours(figures.left.height, scale) * lit[:, None], [(1.0, 1.0, 1.0)], axis=0)
+    colour = np.append(height_colours(figures.rest.height, scale) * lit[:, None], [(1.0, 1.0, 1.0)], axis=0)
     axes.imshow(colour[owner], extent=(low[0], high[0], low[1], high[1]), interpolation="antialiased")
     axes.set_title(title, fontsize=9)
     axes.set(xlabel="X, mm", ylabel="Y, mm")
@@ -73,16 +73,16 @@ def legend(axes: Any, scale: HeightScale) -> None:
 def main() -> None:
     """Mill it with and without the cure, and draw what each leaves."""
     before, after = milled("report"), milled("lift")
-    assert before.left is not None and after.left is not None
-    scales = [height_scale(one.left, one.tolerance, one.allowed) for one in (before, after) if one.left is not None]
+    assert before.rest is not None and after.rest is not None
+    scales = [height_scale(one.rest, one.tolerance, one.allowed) for one in (before, after) if one.rest is not None]
     scale = scales[0]._replace(deepest=max(one.deepest for one in scales), highest=max(one.highest for one in scales))
     figure = plt.figure(figsize=(10.5, 4.3), layout="constrained")
     panels = figure.subplot_mosaic([["before", "after"], ["legend", "legend"]], height_ratios=(14, 1))
     for name, one in (("before", before), ("after", after)):
         told = summary(one)
         overcut = f"overcut up to {told['max_overcut']:.3f} mm" if told["overcut_blocks"] else "no overcut"
-        left = f"at most {told['max_left']:.3f} mm left"
-        seen(panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {left}")
+        rest = f"at most {told['max_left']:.3f} mm left"
+        seen(panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {rest}")
         print(
             name,
             {

@@ -108,10 +108,10 @@ def left_map(toolpath: Any) -> Any:
     """What the cutter leaves on the machined surface, and where it takes too much; returns the LeftMap object, one a toolpath.
 
     ``LargestUndercut`` and ``LargestOvercut`` mm, ``UncutArea``, ``OvercutArea`` and ``MachinedArea`` mm2, ``UncutVolume`` mm3,
-    ``Verdict`` a sentence. :func:`freecad_fiveaxis.app.left.heights_of` gives the heights themselves, as the core's Remainder.
+    ``Verdict`` a sentence. :func:`freecad_fiveaxis.app.rest.heights_of` gives the heights themselves, as the core's RestMaterial.
     Raises FiveAxisError, as SelectionError for what is no toolpath; then the document is as it was.
     """
-    from .left import left_map as act
+    from .rest import rest_map as act
 
     return act(toolpath)
 

@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.pipeline.option_values import read_option
-from freecad_fiveaxis.core.pipeline.settings import AUDIT, Settings, build_settings
+from freecad_fiveaxis.core.pipeline.settings import AUDIT, Settings, build_settings, with_current_names
 from freecad_fiveaxis.core.report import Figures, judged_largest, summary, verdict
 from freecad_fiveaxis.core.tool import SIZES, Cutter, parse_cutter, sizes_text
 from freecad_fiveaxis.core.tool.body import Body, body_of
@@ -80,7 +80,7 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
 def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
     """The options that an object with these would ask for: a field that shows a property's default asks for nothing. Raises
     SettingsError."""
-    given = dict(options)
+    given = with_current_names(options)
     for _, leaf in shown_options(task):
         name, kind = leaf.name, leaf.metadata["kind"]
         if given.get(name) is None or name in CHOSEN or kind in ("cutter", "point"):
@@ -124,7 +124,7 @@ def plain(value: Any) -> Any:
 
 def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     """Set the properties from options as people write them. Raises SettingsError, and then has set none."""
-    fields = {leaf.name: leaf for _, leaf in shown_options(task)}
+    fields, options = {leaf.name: leaf for _, leaf in shown_options(task)}, with_current_names(options)
     for name in options:
         if name not in fields:
             raise SettingsError(

@@ -155,7 +155,7 @@ def _of_programs() -> dict[str, str]:
         "fixture": translate("FiveAxis", "Fixtures"),
         "fixtures": translate("FiveAxis", "Fixtures"),
         "fixture_clearance": translate("FiveAxis", "Clearance to fixtures"),
-        "left": translate("FiveAxis", "Rest material"),
+        "rest": translate("FiveAxis", "Rest material"),
         "linearize": translate("FiveAxis", "Divide blocks"),
         "singularity": translate("FiveAxis", "Near the pole"),
         "max_axis_change": translate("FiveAxis", "Largest axis change"),

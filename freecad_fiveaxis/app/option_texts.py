@@ -152,7 +152,7 @@ TEXTS = {
     "fixture_clearance": QT_TRANSLATE_NOOP(
         "App::Property", "How near the tool may come to fixtures and bodies of the machine before that is told"
     ),
-    "left": QT_TRANSLATE_NOOP("App::Property", "Find the rest material and the overcut on the machined surface"),
+    "rest": QT_TRANSLATE_NOOP("App::Property", "Find the rest material and the overcut on the machined surface"),
     "tolerance": QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the programmed line"),
     "method": QT_TRANSLATE_NOOP(
         "App::Property", "How the deviation from the line is computed: exactly, or by the model of So et al. 2008"

@@ -142,8 +142,8 @@ _PER_MINUTE = {
 """What the editor says of a feed in mm/min."""
 
 
-_NAMED = {"passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo"}
-"""Options whose own name is that of a result, or Python's."""
+_NAMED = {"passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo", "rest": "Left"}
+"""Options whose own name is that of a result, or Python's, or came after the property: saved documents have it for good."""
 
 
 def property_name(option: str) -> str:

@@ -78,7 +78,7 @@ def _answered(argv: Sequence[str]) -> int:
     """The exit code; what went wrong is told in one line."""
     written.clear()
     try:
-        arguments = _parser().parse_args(_with_bare_options(argv))
+        arguments = _parser().parse_args(_with_bare_options(_with_current_flags(argv)))
         return int(arguments.act(arguments))
     except (KeyboardInterrupt, Cancelled) as stop:
         return _stopped(stop)
@@ -123,6 +123,20 @@ def _failed(fault: Exception) -> int:
         + f"please report it with the command and its files at {REPORT_TO} ({TRACEBACK}=1 shows more)"
     )
     return FAULT
+
+
+def _with_current_flags(argv: Sequence[str]) -> list[str]:
+    """The words, former names of options replaced by those of today; one line on stderr says so, unless all is to be quiet."""
+    from freecad_fiveaxis.core.pipeline.settings import RENAMED
+
+    now, words = {flag_of(old): flag_of(new) for old, new in RENAMED.items()}, list(argv)
+    for at, word in enumerate(argv):
+        flag, sign, value = word.partition("=")
+        if flag in now:
+            words[at] = now[flag] + sign + value
+            if "--quiet" not in argv:
+                _complain(f"fiveaxis: {flag} is called {now[flag]} now; the old name is taken as before")
+    return words
 
 
 def _with_bare_options(argv: Sequence[str]) -> list[str]:

@@ -70,7 +70,7 @@ SETUPS: tuple[Row, ...] = (
     ("App::PropertyColor", "ColourBad", preferences.colour_bad,
      QT_TRANSLATE_NOOP("App::Property", "Colour between the least and the largest deviation")),
 )  # fmt: skip
-LEFT: tuple[Row, ...] = (
+REST: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowLabel", True,
      QT_TRANSLATE_NOOP("App::Property", "Show the values where most is left and where the cut is deepest")),
     *LEGEND,

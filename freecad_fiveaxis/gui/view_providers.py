@@ -17,23 +17,26 @@ from .qt import icon, translate
 
 MODE = "Path"
 APP = "freecad_fiveaxis.app."
+KINDS = {"auditing": "audit", "left": "rest"}
+"""The kind of an object by the module of its proxy, where they differ."""
 
 
 ICONS = {
     "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
-    "setups": "SetupMap", "left": "LeftMap", "reach": "ReachMap", "job_setup": "FiveAxis_JobSetup",
+    "setups": "SetupMap", "rest": "RestMap", "reach": "ReachMap", "job_setup": "FiveAxis_JobSetup",
 }  # fmt: skip
 
 
-CHILDREN = ("markers", "nc_output", "setups", "left")
+CHILDREN = ("markers", "nc_output", "setups", "rest")
 """What stands below its path."""
 
 
 def kind_of(obj: Any) -> str:
-    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``left``, ``reach``; empty
+    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``rest``, ``reach``; empty
     for objects that are not ours."""
     module = type(getattr(obj, "Proxy", None)).__module__
-    return module[len(APP) :].replace("auditing", "audit") if module.startswith(APP) else ""
+    name = module[len(APP) :] if module.startswith(APP) else ""
+    return KINDS.get(name, name)
 
 
 def markers_of(path: Any) -> Any:

@@ -7924,6 +7924,10 @@
         <translation>{nc_path} gibt es schon; einen anderen Namen wählen oder Überschreiben verlangen</translation>
     </message>
     <message>
+        <source>{old} is the former name of {name}; give {name} alone</source>
+        <translation>{old} ist der frühere Name von {name}; nur {name} angeben</translation>
+    </message>
+    <message>
         <source>{one} and {other}</source>
         <translation>{one} und {other}</translation>
     </message>

@@ -18,7 +18,7 @@ def test_it_is_what_the_path_of_these_settings_finishes_more_and_the_document_st
     block = doc.addObject("Part::Feature", "Block")
     block.Shape = Part.makeBox(24, 16, 10)
     doc.recompute()
-    given = {**FAST, **UNCURED, "cutter": "ball:6", "tool_axis": "facet_mean", "max_axis_angle": 90, "left": "on"}
+    given = {**FAST, **UNCURED, "cutter": "ball:6", "tool_axis": "facet_mean", "max_axis_angle": 90, "rest": "on"}
     given |= {"stepover": None, "scallop": 0.5}
     path = app.create_toolpath(doc, block, **{**given, "passes": "planes"})
     names, nc = [one.Name for one in doc.Objects], results.nc_of(path)

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
-from test_pass_strategies import FLAT_STEP, SCALLOP, ball, box, grid, left, passes, plate, region, samples, turned
+from test_pass_strategies import FLAT_STEP, SCALLOP, ball, box, grid, passes, plate, region, rest_heights, samples, turned
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -23,7 +23,7 @@ def options(**given):
 
 def highest(strategy, mesh, keep=None, given=None, share=0.99):
     rows = np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep)
-    stays = left(mesh, passes(strategy, mesh, keep, given or options()), samples(mesh, rows)[0])
+    stays = rest_heights(mesh, passes(strategy, mesh, keep, given or options()), samples(mesh, rows)[0])
     assert stays.max() < 3.5 * SCALLOP  # in corners, at which a harmonic field stands still
     return float(np.quantile(stays, share))
 

@@ -102,7 +102,7 @@ def samples(mesh, rows, count=4000):
     return a + share[:, :1] * (b - a) + share[:, 1:] * (c - a), row
 
 
-def left(mesh, contact, point):
+def rest_heights(mesh, contact, point):
     """What (n,) mm a ball that follows the passes, gaps closed, leaves over points of the mesh."""
     path = close_gaps(contact, mesh, RADIUS, 0.002)
     start, end = path.centre[:-1], path.centre[1:]
@@ -173,7 +173,7 @@ def test_no_place_inside_the_region_is_higher_than_the_scallop(strategy):
     inside = (np.abs(point[:, 0]) < 12.0) & (np.abs(point[:, 1]) < 8.0)
     below = PassOptions(scallop=SCALLOP, axis=(1.0, 0.0, 0.0), centre=(0.0, 0.0, -60.0))  # all of the slope faces away from that
     given = below if strategy is PASS_STRATEGIES["rotary"] else OPTIONS
-    stays = left(mesh, passes(strategy, mesh, options=given), point[inside])
+    stays = rest_heights(mesh, passes(strategy, mesh, options=given), point[inside])
     assert np.quantile(stays, 0.98) <= 1.02 * SCALLOP and stays.max() <= 2.2 * SCALLOP  # twice, where fronts meet
     assert stays.max() > 0.3 * SCALLOP
     assert stays.min() > -0.01  # facets are chords of the slope, the ball stands on both
@@ -184,7 +184,7 @@ def test_wider_passes_would_be_noticed(strategy):
     point, _ = samples(mesh, np.arange(len(mesh.face)))
     inside = (np.abs(point[:, 0]) < 12.0) & (np.abs(point[:, 1]) < 8.0)
     wide = passes(strategy, mesh, options=PassOptions(scallop=2.0 * SCALLOP))
-    assert left(mesh, wide, point[inside]).max() > 1.3 * SCALLOP
+    assert rest_heights(mesh, wide, point[inside]).max() > 1.3 * SCALLOP
 
 
 @pytest.mark.thorough
@@ -195,8 +195,8 @@ def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
     found = strategy.field(region(mesh), OPTIONS)
     loops, spiral = (cut(region(mesh), found, "zigzag", on) for on in (False, True))
     assert spiral.polyline.max() < 0.3 * loops.polyline.max()
-    assert np.quantile(left(mesh, spiral, point), 0.98) <= 1.02 * SCALLOP
-    assert left(mesh, spiral, point).max() <= 1.1 * left(mesh, loops, point).max()
+    assert np.quantile(rest_heights(mesh, spiral, point), 0.98) <= 1.02 * SCALLOP
+    assert rest_heights(mesh, spiral, point).max() <= 1.1 * rest_heights(mesh, loops, point).max()
 
 
 @pytest.mark.thorough
@@ -209,12 +209,12 @@ def test_divided_by_slope_no_place_is_higher_than_with_the_worse_of_both_alone(n
     point = point[(np.abs(point[:, 0]) < 12.0) & (np.abs(point[:, 1]) < 8.0)]
     division = Division(math.radians(degrees), PASS_STRATEGIES["zlevel"], PASS_STRATEGIES[name], "zigzag")
     both, _ = lay_by_slope(region(mesh), OPTIONS, division)
-    stays = left(mesh, both, point)
-    worst = max(left(mesh, passes(PASS_STRATEGIES[one], mesh), point).max() for one in ("zlevel", name))
+    stays = rest_heights(mesh, both, point)
+    worst = max(rest_heights(mesh, passes(PASS_STRATEGIES[one], mesh), point).max() for one in ("zlevel", name))
     assert np.quantile(stays, 0.98) <= 1.02 * SCALLOP and stays.max() <= max(1.02 * worst, most * SCALLOP)
     level = np.array([np.ptp(both.point[both.polyline == one, 2]) < 1e-6 for one in range(both.polyline.max() + 1)])
     assert level.sum() > 20 and (~level).sum() > 5
-    assert left(mesh, take_lines(both, np.flatnonzero(~level[both.polyline])), point).max() > 5.0 * SCALLOP
+    assert rest_heights(mesh, take_lines(both, np.flatnonzero(~level[both.polyline])), point).max() > 5.0 * SCALLOP
 
 
 @pytest.mark.thorough
@@ -328,7 +328,7 @@ def field_of(mesh, keep=None, options=OPTIONS):
 def highest(mesh, keep=None, options=OPTIONS, count=4000):
     """The height that stays on the region, hardly more anywhere: 0.99 of all; nowhere more than what counts as a gap."""
     rows = np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep)
-    stays = left(mesh, passes(CONSTANT, mesh, keep, options), samples(mesh, rows, count)[0])
+    stays = rest_heights(mesh, passes(CONSTANT, mesh, keep, options), samples(mesh, rows, count)[0])
     assert np.quantile(stays, 0.999) < 2.5 * SCALLOP
     return np.quantile(stays, 0.99)
 

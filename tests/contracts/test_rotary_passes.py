@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from test_pass_strategies import SCALLOP, left, region, samples
+from test_pass_strategies import SCALLOP, region, rest_heights, samples
 from test_pass_strategies import passes as laid
 
 from freecad_fiveaxis.core import cli
@@ -99,14 +99,14 @@ def settings_of(source, **given):
 @pytest.mark.parametrize("by", ["around", "along"])
 def test_no_more_than_the_scallop_stays_where_a_ball_follows_the_passes(name, by):
     mesh = shape(name)
-    stays = left(mesh, laid(ROTARY, mesh, options=options(by=by)), samples(mesh, np.flatnonzero(side_of(mesh)))[0])
+    stays = rest_heights(mesh, laid(ROTARY, mesh, options=options(by=by)), samples(mesh, np.flatnonzero(side_of(mesh)))[0])
     assert np.quantile(stays, 0.98) <= 1.2 * SCALLOP and stays.max() <= 2.0 * SCALLOP
 
 
 def test_twice_the_step_would_leave_more():
     mesh = shape("cam")
     contact = laid(ROTARY, mesh, options=options(scallop=4.0 * SCALLOP))
-    assert np.quantile(left(mesh, contact, samples(mesh, np.flatnonzero(side_of(mesh)))[0]), 0.9) > 1.2 * SCALLOP
+    assert np.quantile(rest_heights(mesh, contact, samples(mesh, np.flatnonzero(side_of(mesh)))[0]), 0.9) > 1.2 * SCALLOP
 
 
 def test_around_a_cylinder_there_is_a_ring_each_step_of_a_flat():
@@ -287,13 +287,13 @@ def test_turns_beyond_the_limits_are_wound_back_and_told(tmp_path, stl):
 
 
 def test_nothing_of_the_sides_is_left_and_none_is_cut_too_deep(stl):
-    result = job.run(settings_of(stl("flat"), left="on", spiral="on"))
+    result = job.run(settings_of(stl("flat"), rest="on", spiral="on"))
     assert [one.code for one in result.findings if one.severity.name != "NOTE"] == []
 
 
 @pytest.mark.parametrize("cutter", ["bull:6:1", pytest.param("flat:6", marks=pytest.mark.thorough)])
 def test_a_cutter_without_a_ball_end_leaves_no_more_than_the_scallop_on_a_cone(stl, cutter):
-    result = job.run(settings_of(stl("cone"), cutter=cutter, scallop=0.3, left="on"))
+    result = job.run(settings_of(stl("cone"), cutter=cutter, scallop=0.3, rest="on"))
     assert not [one for one in result.findings if one.severity.name != "NOTE"]
 
 

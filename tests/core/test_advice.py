@@ -26,7 +26,7 @@ def block(tmp_path_factory):
 
 
 def proven(block, **more):
-    return job.run(build_settings("mill", block, {**GIVEN, "left": "on", **more}))
+    return job.run(build_settings("mill", block, {**GIVEN, "rest": "on", **more}))
 
 
 @pytest.fixture(scope="module")

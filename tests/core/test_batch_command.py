@@ -101,6 +101,12 @@ def test_a_table_is_parts_times_options_under_readable_names(parts, tmp_path):
     assert jobs[0].part == str(tmp_path / "parts" / "a.stl") and jobs[7].options["feed"] == 700
 
 
+def test_an_option_of_the_command_line_stands_in_place_of_the_tables_under_its_former_name(parts, tmp_path):
+    table = write_table(tmp_path, parts=["parts/a.stl"], options={**WAY, "machine": "trunnion_ac", "left": "on"})
+    assert [job.options["rest"] for job in plan.read_jobs(str(table), {}, "out")] == ["on"]
+    assert [job.options["rest"] for job in plan.read_jobs(str(table), {"rest": "off"}, "out")] == ["off"]
+
+
 def plan_machine():
     from freecad_fiveaxis.core.machine import machine_path
 

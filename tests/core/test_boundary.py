@@ -376,11 +376,11 @@ def test_an_axis_other_than_z_and_faces_beside_it(tmp_path):
 @pytest.mark.parametrize("by", ["contact", "centre"])
 def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
     """The plate's two facets lie outside for the larger part; beside passes that end at the boundary no more stays than between."""
-    found = job.run(replace_left(made(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
-    assert found.left.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.left.height.max() < 0.1
+    found = job.run(with_rest(made(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
+    assert found.rest.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.rest.height.max() < 0.1
     assert not [one for one in found.findings if one.code == "uncut"]
-    whole = job.run(replace_left(replace(found.draft.settings, boundary=type(found.draft.settings.boundary)())))
-    assert whole.left.area.sum() == pytest.approx(40 * 30)
+    whole = job.run(with_rest(replace(found.draft.settings, boundary=type(found.draft.settings.boundary)())))
+    assert whole.rest.area.sum() == pytest.approx(40 * 30)
 
 
 @pytest.mark.parametrize("by", ["contact", "centre"])
@@ -394,8 +394,8 @@ def test_links_over_an_island_that_is_narrower_than_the_cutter_are_lifted(tmp_pa
     assert len(low) > 1000 and (wound(curves, low[:, :2]) | (off(curves, low[:, :2]) < 1e-6)).all()
 
 
-def replace_left(settings):
-    return replace(settings, gouge=replace(settings.gouge, left="on"))
+def with_rest(settings):
+    return replace(settings, gouge=replace(settings.gouge, rest="on"))
 
 
 # ------------------------------------------------------------------------------------------------ what is refused

@@ -277,7 +277,7 @@ SURFACES = {
 }
 
 
-def left_over(made, cutter, height, most):
+def rest_over(made, cutter, height, most):
     """What stands above the surface mid-way along the passes, from the first to the last of them, mm: sampled columns of material
     that every position of the cutter, the passes finely divided, cuts down."""
     path = made.path
@@ -296,13 +296,13 @@ def left_over(made, cutter, height, most):
     normal = np.column_stack([-slope, np.ones(len(y))])
     normal /= np.linalg.norm(normal, axis=1)[:, None]
     level = np.linspace(0, most, 101)
-    hub, left = tip + cutter.corner * axis, np.full(len(y), most)
+    hub, rest = tip + cutter.corner * axis, np.full(len(y), most)
     for row in range(len(y)):
         near = np.flatnonzero(np.linalg.norm(hub - foot[row], axis=1) < cutter.radius + 1)
         column = (foot[row] + level[:, None] * normal[row])[None] - hub[near, None]
         cut = inside(cutter, column.reshape(-1, 3), np.repeat(axis[near], len(level), axis=0)).reshape(-1, len(level)) >= 0
-        left[row] = level[cut.any(axis=0).argmax()] if cut.any() else most
-    return left
+        rest[row] = level[cut.any(axis=0).argmax()] if cut.any() else most
+    return rest
 
 
 @pytest.mark.slow
@@ -316,9 +316,9 @@ def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
     write_stl(surface(SURFACES[name]), tmp_path / "part.stl")
     given = {"machine": "trunnion_ac", "cutter": shape, "lead": lead, "scallop": scallop, "order": "one_way", **UNCURED}
     made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
-    left = left_over(made, cutter, SURFACES[name], 3 * scallop)
-    assert left.max() <= 1.05 * scallop
-    assert lead == 0 or left.max() >= 0.35 * scallop  # no needless passes; a level bottom may leave none
+    rest = rest_over(made, cutter, SURFACES[name], 3 * scallop)
+    assert rest.max() <= 1.05 * scallop
+    assert lead == 0 or rest.max() >= 0.35 * scallop  # no needless passes; a level bottom may leave none
     ball = job.make(build_settings("mill", str(tmp_path / "part.stl"), given | {"cutter": "ball:6"}))
     assert made.contact.pass_.max() < ball.contact.pass_.max()  # what such a cutter is taken for
 
@@ -327,7 +327,7 @@ def test_a_scallop_that_is_too_high_would_be_noticed(tmp_path):
     write_stl(surface(SURFACES["plane"]), tmp_path / "part.stl")
     given = {"machine": "trunnion_ac", "cutter": "bull:6:1", "lead": 5, "stepover": 5, "order": "one_way", **UNCURED}
     made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
-    assert left_over(made, parse_cutter("bull:6:1"), SURFACES["plane"], 0.3).max() > 0.1
+    assert rest_over(made, parse_cutter("bull:6:1"), SURFACES["plane"], 0.3).max() > 0.1
 
 
 def test_under_a_fixed_axis_the_narrowest_stand_counts():

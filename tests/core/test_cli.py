@@ -75,6 +75,25 @@ def test_the_inputs_of_a_report_are_a_job_file_that_makes_the_same_bytes(roof, t
     assert first.read_bytes() == second.read_bytes()
 
 
+@pytest.mark.parametrize("words", [("--left", "on"), ("--left=on",), ("--left",)])
+def test_the_former_name_of_an_option_makes_the_same_files_and_is_noted(words, roof, tmp_path, capsys):
+    plain = ("mill", roof, "--machine", "trunnion_ac", "--stepover", "5", "--tolerance", "100")
+    old, new, report = tmp_path / "old.ngc", tmp_path / "new.ngc", tmp_path / "old.json"
+    assert run(*plain, *words, "-o", old, "--report", report) == 0
+    assert "--left is called --rest now" in capsys.readouterr().err
+    assert run(*plain, "--rest", "on", "-o", new) == 0 and "--left" not in capsys.readouterr().err
+    assert old.read_bytes() == new.read_bytes()
+    data = json.loads(report.read_text())
+    assert data["inputs"]["rest"] == "on" and data["left"]["left"]["area"] >= 0.0
+
+
+def test_the_former_name_is_not_noted_where_all_is_quiet_and_a_job_file_has_it(roof, tmp_path, capsys):
+    job = {"task": "mill", "source": "roof.stl", "machine": "trunnion_ac", "stepover": 5, "tolerance": 100, "left": "on"}
+    (tmp_path / "job.json").write_text(json.dumps(job | {"output": "a.ngc", "report": ["a.json"]}))
+    assert run("run", tmp_path / "job.json", "--quiet") == 0
+    assert "left" in json.loads((tmp_path / "a.json").read_text()) and capsys.readouterr().err == ""
+
+
 def test_paths_in_a_job_file_are_relative_to_it(roof, tmp_path, monkeypatch):
     (tmp_path / "sub").mkdir()
     monkeypatch.chdir(tmp_path / "sub")

@@ -83,13 +83,13 @@ def files(tmp_path):
 
 
 def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clear_of(files):
-    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "gouge": "leave-out", "left": "on"}
+    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "gouge": "leave-out", "rest": "on"}
     options |= {"tool_axis": "fixed", "linearize": "on"}
     settings = build_settings("mill", str(files / "part.stl"), {**options, "faces": str(files / "floor.stl")})
     result = job.run(settings)
     made = result.draft
-    assert set(made.offset.face) <= set(np.flatnonzero(made.keep)) and result.left is not None
-    assert set(result.left.facet) == set(np.flatnonzero(made.keep)) and made.keep.sum() == 2
+    assert set(made.offset.face) <= set(np.flatnonzero(made.keep)) and result.rest is not None
+    assert set(result.rest.facet) == set(np.flatnonzero(made.keep)) and made.keep.sum() == 2
     codes = {one.code for one in result.findings}
     assert {"faces-chosen", "left-out"} <= codes and not codes & {"overcut", "rapid-collision"}
     assert made.path.tip[made.path.motion == 0][:, 1].max() < -4.0 + 0.1  # the wall stands at y = 0, the ball has radius 4

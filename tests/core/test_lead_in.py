@@ -96,12 +96,12 @@ def test_the_approach_is_along_the_axis_and_all_rows_of_arcs_are_links():
 
 
 def test_what_is_cut_and_what_is_left_stay_as_they_were():
-    made = [milled(plate(), **PLATE, left="on", lead_in=value) for value in (0.0, R)]
+    made = [milled(plate(), **PLATE, rest="on", lead_in=value) for value in (0.0, R)]
     figures = [job.figures(job.prove(one)) for one in made]
     numbers = [summary(one) for one in figures]
     assert numbers[1]["cut_length"] == pytest.approx(numbers[0]["cut_length"], rel=1e-9)
     assert numbers[1]["link_length"] > numbers[0]["link_length"]
-    assert np.allclose(figures[0].left.height, figures[1].left.height, atol=1e-9)
+    assert np.allclose(figures[0].rest.height, figures[1].rest.height, atol=1e-9)
 
 
 def test_none_is_the_default_and_changes_no_byte():

@@ -14,10 +14,10 @@ from plain import build_settings
 from freecad_fiveaxis.core.gouge import program_motion
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, html_page, listed, markers, summary
-from freecad_fiveaxis.core.report.rest_material_picture import left_svg
+from freecad_fiveaxis.core.report.rest_material_picture import rest_svg
 from freecad_fiveaxis.core.tool.body import body_of, depth_of
 
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "tool_axis": "fixed", "linearize": "on", "left": "on"}
+OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "tool_axis": "fixed", "linearize": "on", "rest": "on"}
 
 
 @pytest.fixture(scope="module")
@@ -34,9 +34,9 @@ def clear():
 
 
 def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
-    options = {**OPTIONS, "gouge": "off", "left": "off"}
+    options = {**OPTIONS, "gouge": "off", "rest": "off"}
     result = job.prove(job.make(build_settings("mill", "step.stl", options), mesh=step()))
-    assert result.gouge is None and result.left is None
+    assert result.gouge is None and result.rest is None
     told = json.loads(as_json(job.figures(result)))
     assert not {"gouge", "left"} & set(told) and "max_left" not in told["summary"]
     assert "enters the part" not in as_text(job.figures(result))
@@ -63,7 +63,7 @@ def test_json_has_the_deepest_places_and_the_histogram_holds_all_the_area(entere
     left = told["left"]
     assert sum(bar["area"] for bar in left["histogram"]) == pytest.approx(left["machined_area"])
     assert all(a["to"] == b["from"] for a, b in zip(left["histogram"], left["histogram"][1:], strict=False))
-    assert left["most_left"]["height"] == pytest.approx(entered.left.height.max())
+    assert left["most_left"]["height"] == pytest.approx(entered.rest.height.max())
     above = sum(bar["area"] for bar in left["histogram"] if bar["from"] >= left["allowed"] - 1e-12)
     assert above == pytest.approx(left["left"]["area"])
     assert left["most_too_deep"]["line"] in entered.draft.program.line
@@ -110,11 +110,11 @@ def test_the_page_shows_the_places_and_the_map(entered, clear, monkeypatch):
 @pytest.mark.thorough
 def test_the_picture_is_sound_small_and_the_same_every_time(clear):
     figures = job.figures(clear)
-    made = left_svg(figures.mesh, figures.left, figures.tolerance, figures.allowed)
-    assert made == left_svg(figures.mesh, figures.left, figures.tolerance, figures.allowed) and len(made) < 400_000
+    made = rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
+    assert made == rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed) and len(made) < 400_000
     root = ET.fromstring(made)
     words = " ".join(text for text in root.itertext())
-    assert "From above" in words and "Area by height" in words and f"{figures.left.height.max():+.3g} mm" in words
+    assert "From above" in words and "Area by height" in words and f"{figures.rest.height.max():+.3g} mm" in words
     assert len(list(root.iter("{http://www.w3.org/2000/svg}image"))) == 3
 
 
@@ -126,7 +126,7 @@ def test_a_program_whose_tip_is_guided_has_its_map_too():
     options = {**OPTIONS, "controller": "heidenhain", "rtcp": "angles", "gouge": "report"}
     del options["linearize"]
     result = job.prove(job.make(build_settings("mill", "step.stl", options), mesh=step()))
-    assert result.left is not None and result.gouge is not None and result.left.height.min() > -8.0
+    assert result.rest is not None and result.gouge is not None and result.rest.height.min() > -8.0
 
 
 def test_without_a_check_the_map_tells_what_is_cut_too_deep():

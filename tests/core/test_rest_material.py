@@ -145,4 +145,4 @@ def test_what_is_enough_is_not_looked_at_closer_and_what_is_more_is_the_same():
     more = exact.height > 0.5
     assert (rough.height[more] == exact.height[more]).all() and (rough.block == exact.block)[more].all()
     assert (rough.height >= exact.height - 1e-4).all() and (rough.height[~more] <= 0.5).all() and 10 < more.sum() < len(more) - 10
-    assert rough.left(0.5) == exact.left(0.5) and (rough.height > exact.height + 1e-9).any()
+    assert rough.uncut(0.5) == exact.uncut(0.5) and (rough.height > exact.height + 1e-9).any()

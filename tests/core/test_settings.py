@@ -6,7 +6,7 @@ import pytest
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.pipeline.option_values import READERS
-from freecad_fiveaxis.core.pipeline.settings import TASKS, Settings, build_settings, flat_options, option_fields
+from freecad_fiveaxis.core.pipeline.settings import RENAMED, TASKS, Settings, build_settings, flat_options, option_fields
 
 
 def mill(**options):
@@ -47,6 +47,21 @@ def test_a_bad_value_is_refused_and_named(options):
 def test_a_misspelt_option_gets_a_suggestion():
     with pytest.raises(SettingsError, match="do you mean 'scallop'"):
         mill(scalop="0.1")
+
+
+def test_a_former_name_of_an_option_is_taken_as_before():
+    assert mill(left="on") == mill(rest="on") != mill() and mill(left="on").explicit == {"machine", "rest"}
+    assert mill(left=None, rest="on").gouge.rest == "on"
+
+
+def test_an_option_under_both_its_names_is_refused():
+    with pytest.raises(SettingsError, match="left is the former name of rest; give rest alone"):
+        mill(left="on", rest="on")
+
+
+def test_former_names_are_those_of_no_option_and_lead_to_one():
+    names = {leaf.name for _, leaf in option_fields()}
+    assert not names & set(RENAMED) and set(RENAMED.values()) <= names
 
 
 @pytest.mark.parametrize(

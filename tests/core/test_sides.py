@@ -70,17 +70,17 @@ def test_who_follows_the_remedy_sees_the_side_cut(part, direction):
         better = float(re.search(r"in direction ([\d.]+) deg", one.text).group(1))
         after = made(mesh, direction=better, stepover=1, cutter="ball:4")
         assert one.text.split(":")[0] not in [other.text.split(":")[0] for other in sides(after)]
-        assert left_at(before, one.place) > 0.5 > 0.3 > left_at(after, one.place)
+        assert rest_at(before, one.place) > 0.5 > 0.3 > rest_at(after, one.place)
 
 
-def left_at(result, place):
+def rest_at(result, place):
     """mm that stay at the sample of the surface nearest to a place."""
     facets = np.linalg.norm(result.mesh.vertex[result.mesh.face].mean(axis=1) - place, axis=1) < 1e-9
     assert facets.sum() == 1
     cuts = np.flatnonzero(result.program.motion[1:] <= 1)
     course, body = program_motion(result.kinematics, result.program), body_of(result.settings.cutter.cutter)
-    left = find_rest_material(result.mesh, body, course, cuts, 1.0, facets)
-    return left.height[np.linalg.norm(left.point - place, axis=1).argmin()]
+    rest = find_rest_material(result.mesh, body, course, cuts, 1.0, facets)
+    return rest.height[np.linalg.norm(rest.point - place, axis=1).argmin()]
 
 
 @some_in_core("part", [block, fine_block])

@@ -403,16 +403,16 @@ def test_with_a_boundary(files, tmp_path):
 @pytest.mark.parametrize("axis", ["auto", "facet_mean"])
 def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
     """Dense samples of the part under the whole program, as the job's own rest material has them."""
-    left = [
+    jobs = [
         job.run(
             build_settings(
-                "mill", str(files / "box.stl"), {**JOB, "tool_axis": axis, "left": "on", "scallop": 4 * SCALLOP, **more}
+                "mill", str(files / "box.stl"), {**JOB, "tool_axis": axis, "rest": "on", "scallop": 4 * SCALLOP, **more}
             )
         )
         for more in ({"passes": "scallop", "steep_shallow": 40}, {"passes": "scallop"}, {"passes": "zlevel"})
     ]
-    both, scallop, level = (one.left for one in left)
-    assert both.left(8 * SCALLOP)[0] <= max(scallop.left(8 * SCALLOP)[0], level.left(8 * SCALLOP)[0])
+    both, scallop, level = (one.rest for one in jobs)
+    assert both.uncut(8 * SCALLOP)[0] <= max(scallop.uncut(8 * SCALLOP)[0], level.uncut(8 * SCALLOP)[0])
 
 
 # ------------------------------------------------------------------------------------------------ what is refused

@@ -36,7 +36,7 @@ def files(folder):
 
 @some_in_core(
     "options",
-    [["--tool-axis", "minimax", "--gouge", "off"], ["--singularity", "deform", "--left", "on", "--cutter", "bull:10:2"]],
+    [["--tool-axis", "minimax", "--gouge", "off"], ["--singularity", "deform", "--rest", "on", "--cutter", "bull:10:2"]],
     kept=(1,),
 )
 def test_a_part_is_milled_to_the_same_bytes(folder, options, monkeypatch):

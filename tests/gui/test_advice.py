@@ -12,7 +12,7 @@ from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
 COARSE = {
     "passes": "planes", "cutter": "ball:6", "scallop": 0.5, "tool_length": 120.0, "spindle": 8000, "tool_axis": "facet_mean",
-    "max_axis_angle": 90.0, "left": "on",
+    "max_axis_angle": 90.0, "rest": "on",
 }  # fmt: skip
 
 

@@ -15,7 +15,7 @@ from freecad_fiveaxis.app import reach
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.studies import reach_map as module
 from freecad_fiveaxis.gui import attach, messages
-from freecad_fiveaxis.gui.scene import left_nodes
+from freecad_fiveaxis.gui.scene import rest_nodes
 from freecad_fiveaxis.gui.scene.reach_nodes import COLOURS
 
 TOOL = {"machine": "trunnion_ac", "cutter": "ball:6:20", "holder": "40x30", "tolerance": 0.02}
@@ -58,7 +58,7 @@ def drawn(obj):
 
 def level(rgb):
     """A colour on a face that looks up, 0 to 255, as it is drawn."""
-    bright = left_nodes.SHADE + (1.0 - left_nodes.SHADE) * left_nodes.LIGHT[2]
+    bright = rest_nodes.SHADE + (1.0 - rest_nodes.SHADE) * rest_nodes.LIGHT[2]
     return [round(255 * part * bright) for part in rgb]
 
 

@@ -30,12 +30,12 @@ from freecad_fiveaxis.gui.scene import (
     covers,
     labels,
     layout,
-    left_nodes,
     marks,
     nodes,
     on_screen,
     overlay,
     path_nodes,
+    rest_nodes,
     words,
 )
 
@@ -484,9 +484,9 @@ def test_a_long_path_is_few_nodes_and_no_more_strokes_than_a_view_can_turn(count
 def test_a_map_of_many_facets_is_few_nodes_and_one_triangle_for_each(side, most, scene, monkeypatch):
     """200 000 facets, each its own sample; and 100 000 where the facets' worst samples are drawn."""
     if most:
-        monkeypatch.setattr(left_nodes, "MOST_PATCHES", most)
+        monkeypatch.setattr(rest_nodes, "MOST_PATCHES", most)
     small, large = (
-        left_nodes.left_surface(mesh, remainder, height_scale(remainder, 0.01, 0.03))
+        rest_nodes.rest_surface(mesh, remainder, height_scale(remainder, 0.01, 0.03))
         for mesh, remainder in (surface(40), surface(side))
     )
     assert handed(large)[0] == handed(small)[0]
@@ -497,9 +497,9 @@ def test_a_map_of_many_facets_is_few_nodes_and_one_triangle_for_each(side, most,
 def test_a_map_shows_each_height_where_it_is_in_the_core_s_colour(scene, screenshot, pixels, view_box, until):
     """Half of the surface is left, half is cut too deep: so are the pixels, but for light and shade."""
     mesh, remainder = surface(40)
-    node = left_nodes.left_surface(mesh, remainder, height_scale(remainder, 0.01, 0.03))
+    node = rest_nodes.rest_surface(mesh, remainder, height_scale(remainder, 0.01, 0.03))
     scene(nodes.separate(nodes.flat(), node))
-    ramp = left_nodes.scale_ramp() * 255.0
+    ramp = rest_nodes.scale_ramp() * 255.0
     for row, what in ((ramp[-40], "what is left"), (ramp[40], "what is cut too deep")):
         until(lambda: pixels(screenshot("scene-left"), row.round(), 60, view_box()) > 3000, 30000, what)  # noqa: B023
 

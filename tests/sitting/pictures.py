@@ -248,7 +248,7 @@ def leave_part(user: Sitting) -> None:
     user.hands.click(user.eyes.find("push button", story.DISCARD))
 
 
-def left_map(user: Sitting, camera: Camera) -> None:
+def rest_map(user: Sitting, camera: Camera) -> None:
     leave_part(user)
     open_file(user, os.path.join(PARTS, "groove.FCStd"), "Groove")
     path_over(user, "Groove")
@@ -339,7 +339,7 @@ def set_tool(user: Sitting) -> None:
 TOOL = (("Diameter", "6 mm"),)
 """Labels of boxes, and what is typed there."""
 
-STEPS = [start, select, tool_path, calculate, post_process, play, audit, left_map, setup_map, whole_part]
+STEPS = [start, select, tool_path, calculate, post_process, play, audit, rest_map, setup_map, whole_part]
 
 
 def wanted(names: list[str]) -> list:

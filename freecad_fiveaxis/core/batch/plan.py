@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.pipeline.job_file import beside_file, read_json
 from freecad_fiveaxis.core.pipeline.options import machine_of
 from freecad_fiveaxis.core.pipeline.outputs import WRITTEN
-from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings, option_fields
+from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings, option_fields, with_current_names
 
 from .solids import ENDINGS, find_freecad, read_part
 from .task import SHARD, BatchJob
@@ -81,7 +81,7 @@ def _of_table(path: str, more: Mapping[str, Any]) -> tuple[list[str], Ways]:
     if not _are_texts(parts) or not isinstance(options, dict) or set(table) - {"parts", "options"}:
         text = say('{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else', path=path)
         raise SettingsError(text, path)
-    tried = {name.replace("-", "_"): value for name, value in options.items()} | dict(more)
+    tried = with_current_names({name.replace("-", "_"): value for name, value in options.items()}) | dict(more)
     beside = [os.path.join(os.path.dirname(path), part) for part in parts]
     return beside, [(beside_file(path, way) | dict(more), name) for way, name in _product(tried)]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is left: a map of the machined surface against the way of the cutter.
+"""Rest material: a map of the machined surface against the way of the cutter.
 
 height    of a point of the part's surface: how far the cutter stays away from it all along its way, mm. Above 0 so much is left
           on it, below 0 so much is taken off too deep.
@@ -78,7 +78,7 @@ class RestMaterial:
     block: Ints
     spacing: float
 
-    def left(self, above: float) -> tuple[float, float]:
+    def uncut(self, above: float) -> tuple[float, float]:
         """The area (mm2) on which more than ``above`` mm is left, and how much more there is on it (mm3)."""
         more = self.height > above
         return float(self.area[more].sum()), float(((self.height - above) * self.area)[more].sum())
@@ -300,7 +300,7 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
 
 def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
     """A finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
-    area, volume = remainder.left(above)
+    area, volume = remainder.uncut(above)
     if area == 0.0:
         return ()
     worst = int(remainder.height.argmax())

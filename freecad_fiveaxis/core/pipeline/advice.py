@@ -56,7 +56,7 @@ def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
     """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and proves a program of the
     same part, faces and fixtures. Raises Cancelled."""
     settings = result.draft.settings
-    before = measure_finished(result if result.left is not None else run(_measured(settings, {})))
+    before = measure_finished(result if result.rest is not None else run(_measured(settings, {})))
     found = [_try(_measured(settings, changes), changes, before, run) for changes in find_changes(settings)]
     return tuple(sorted(found, key=lambda one: -one.gain))
 
@@ -76,7 +76,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
 
 def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """The settings with these changes, and what is left measured."""
-    options = {**flat_options(settings), "left": "on", **changes}
+    options = {**flat_options(settings), "rest": "on", **changes}
     given = {name: value for name, value in options.items() if value is not None and name not in ("task", "source", "advise")}
     return build_settings(MILL, settings.source, given)
 

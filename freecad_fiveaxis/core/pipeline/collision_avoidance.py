@@ -49,8 +49,8 @@ from .options import (
 from .over_table import table_looked_at
 from .settings import Settings
 
-LEFT_SPACING = 0.1
-"""Of the cutter's diameter: how far apart, at most, the surface is looked at for what is left on it."""
+REST_SPACING = 0.1
+"""Of the cutter's diameter: how far apart, at most, the surface is looked at for rest material."""
 
 FINEST = 0.02
 """The same for the map, at least: that is as fine as SAMPLES allow."""
@@ -75,25 +75,25 @@ def commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
 
 
 def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where the map of what is
-    left tells it."""
+    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where the map of rest
+    material tells it."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
-    if settings.gouge.left == "on":
+    if settings.gouge.rest == "on":
         return ()
     cutter = settings.cutter.cutter
     swept = commanded_motion(settings, path)
-    spacing, above, blocks = LEFT_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
+    spacing, above, blocks = REST_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
     within = counted_places(context)
-    left = find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within)
-    return uncut_finding(left, above)
+    rest = find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within)
+    return uncut_finding(rest, above)
 
 
 def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the tolerance."""
-    return 2.0 * _left_scallop(settings, mesh, keep) + settings.proof.tolerance
+    return 2.0 * _rest_scallop(settings, mesh, keep) + settings.proof.tolerance
 
 
-def _left_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
+def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
     cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
     if passes.stepover is None:
@@ -177,20 +177,20 @@ def area_of(findings: tuple[Finding, ...], *codes: str) -> float:
     return float(sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2"))
 
 
-def find_left(context: MillContext, program: Program) -> RestMaterial:
+def find_rest_of_program(context: MillContext, program: Program) -> RestMaterial:
     """What the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no block cuts."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
     cutter, swept = settings.cutter.cutter, program_motion(context.kinematics, program, tip_to_driven(settings))
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
-    spacing = min(max(even, FINEST * cutter.diameter), LEFT_SPACING * cutter.diameter)
+    spacing = min(max(even, FINEST * cutter.diameter), REST_SPACING * cutter.diameter)
     blocks, within = cutting(program.motion), counted_places(context)
     return find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within)
 
 
-def rest_material_findings(left: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:
+def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:
     """Where more stays than may, and, where no check tells it, where too much is taken off."""
-    if left is None:
+    if rest is None:
         return ()
     settings = context.settings
-    deep = too_deep_finding(left, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
-    return uncut_finding(left, allowed(settings, context.mesh, context.keep)) + deep
+    deep = too_deep_finding(rest, settings.proof.tolerance) if settings.gouge.gouge == "off" else ()
+    return uncut_finding(rest, allowed(settings, context.mesh, context.keep)) + deep

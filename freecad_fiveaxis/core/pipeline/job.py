@@ -50,7 +50,7 @@ from .collision_avoidance import (
     cutting,
     entered,
     enters_table,
-    find_left,
+    find_rest_of_program,
     rest_material_findings,
     still_true,
     unfinished_share,
@@ -217,12 +217,12 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
     singularity = find_singular(draft.kinematics, words, draft.machine.singular_cone)
     surface = surface_deviation(draft, driven_to_surface(draft.settings), progress)
     judged = judge(draft.kinematics, draft.program, surface or deviation, singularity, proof.tolerance, surface is not None)
-    gouge, left, entries = _against_part(draft, progress)
+    gouge, rest, entries = _against_part(draft, progress)
     entries += check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
     hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
     found = still_true(draft.findings, gouge) + deviation.findings + entries + hit + judged
     if draft.settings.task != AUDIT:
-        return Result(draft, deviation, singularity, found, gouge=gouge, left=left, surface=surface)
+        return Result(draft, deviation, singularity, found, gouge=gouge, rest=rest, surface=surface)
     audited = _audited(draft, deviation, against, progress)
     of_path = tuple(of_cl_file(one) for one in against.findings) if isinstance(against, CLPath) else ()
     return Result(draft, deviation, singularity, found + of_path + audited.findings, audited, surface=surface)
@@ -262,13 +262,13 @@ def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | N
 
 
 def _against_part(draft: ProgramDraft, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
-    """What enters the part, what is left on it, and what is to be said of both; of a program made from a mesh."""
+    """What enters the part, the rest material on it, and what is to be said of both; of a program made from a mesh."""
     if not isinstance(draft, MilledProgram):
         return None, None, ()
     context, program = draft.context(progress), draft.program
     gouge, low = entered(context, program), enters_table(context, program)
-    left = find_left(context, program) if draft.settings.gouge.left == "on" and len(cutting(program.motion)) else None
-    return gouge, left, (gouge.findings if gouge else ()) + low + rest_material_findings(left, context)
+    rest = find_rest_of_program(context, program) if draft.settings.gouge.rest == "on" and len(cutting(program.motion)) else None
+    return gouge, rest, (gouge.findings if gouge else ()) + low + rest_material_findings(rest, context)
 
 
 def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]:
@@ -282,7 +282,7 @@ def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]
 
 def rest_material_of(draft: MilledProgram, progress: Progress = silent) -> RestMaterial:
     """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
-    return find_left(draft.context(progress), draft.program)
+    return find_rest_of_program(draft.context(progress), draft.program)
 
 
 def _contacts(draft: MilledProgram) -> Contacts | None:
@@ -310,8 +310,8 @@ def figures(result: Result) -> Figures:
         title=title_of(draft.settings), kind=draft.settings.task, machine=draft.machine, kinematics=draft.kinematics,
         program=draft.program, deviation=result.deviation, singularity=result.singularity,
         tolerance=draft.settings.proof.tolerance, findings=result.findings, inputs=flat_options(draft.settings),
-        surface=result.surface, audit=result.audit, gouge=result.gouge, left=result.left,
-        allowed=allowed(draft.settings, draft.mesh, draft.keep) if result.left and isinstance(draft, MilledProgram) else 0.0,
+        surface=result.surface, audit=result.audit, gouge=result.gouge, rest=result.rest,
+        allowed=allowed(draft.settings, draft.mesh, draft.keep) if result.rest and isinstance(draft, MilledProgram) else 0.0,
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
         unfinished=unfinished_share(result.findings, draft.mesh, draft.keep) if isinstance(draft, MilledProgram) else 0.0,
         contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,

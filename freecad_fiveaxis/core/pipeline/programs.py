@@ -89,7 +89,7 @@ class MilledProgram(PostedProgram):
 class Result:
     """A proven program. ``findings`` of every stage, in the order of the pipeline. ``surface``: the deviation of the point that
     makes the surface (a ball's centre) where that is not the driven one, with the driven one's place there. ``audit``: only of
-    a program not made here; ``gouge`` and ``left``: what enters the part on the real way, and what stays on it, where the
+    a program not made here; ``gouge`` and ``rest``: what enters the part on the real way, and what stays on it, where the
     settings ask for that."""
 
     draft: ProgramDraft
@@ -98,5 +98,5 @@ class Result:
     findings: tuple[Finding, ...]
     audit: Audit | None = None
     gouge: GougeCheck | None = None
-    left: RestMaterial | None = None
+    rest: RestMaterial | None = None
     surface: Deviation | None = None

@@ -56,7 +56,7 @@ class Figures:
 
     ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that ``program`` is for.
     ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
-    ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``left`` where the settings ask for them;
+    ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``rest`` where the settings ask for them;
     ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
     1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how
     far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
@@ -76,7 +76,7 @@ class Figures:
     inputs: Mapping[str, object] = field(default_factory=dict)
     audit: Audit | None = None
     gouge: GougeCheck | None = None
-    left: RestMaterial | None = None
+    rest: RestMaterial | None = None
     allowed: float = 0.0
     mesh: Mesh | None = None
     unfinished: float = 0.0
@@ -201,7 +201,7 @@ def summary(figures: Figures) -> dict[str, Any]:
         }
         | _travelled(figures)
         | audited(figures.program, figures.audit)
-        | part_numbers(figures.program, figures.gouge, figures.left, figures.tolerance, figures.allowed)
+        | part_numbers(figures.program, figures.gouge, figures.rest, figures.tolerance, figures.allowed)
         | ({} if figures.mesh is None else {"unfinished_share": figures.unfinished})
     )
 

@@ -19,7 +19,7 @@ from .figures import Figures, summary, worst_of_audit, worst_table
 from .json_text import plain
 from .part_facts import deepest_entries, part_verdict
 from .plots import Plot, plots
-from .rest_material_picture import left_svg
+from .rest_material_picture import rest_svg
 from .scope import Scope, scope
 from .text import facts, grouped, number, path_verdict
 from .verdict import Light, verdict
@@ -70,7 +70,7 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         _section("What the verdict rests on", _scope(scope(figures, numbers))),
         _section("Figures", _cards(facts(numbers))),
         _section("Where the tool enters the part", _entries(figures, numbers)),
-        *_left_map(figures, numbers),
+        *_rest_map(figures, numbers),
         *_pictures(plots(figures, progress), bool(numbers["feed_blocks"])),
         _section("Worst blocks", _worst(figures)),
         *_audited(figures),
@@ -210,9 +210,9 @@ def _entries(figures: Figures, numbers: Mapping[str, Any]) -> str:
     )  # fmt: skip
 
 
-def _left_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
-    """The map of what is left."""
-    if figures.left is None or figures.mesh is None:
+def _rest_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
+    """The map of rest material."""
+    if figures.rest is None or figures.mesh is None:
         return []
     statements = (
         "The machined surface, coloured by how far the cutter stays away from it all along its way. Up to "
@@ -221,7 +221,7 @@ def _left_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
     )
     most, deepest = numbers["max_left"], numbers["max_too_deep"]
     alt = f"Map of what is left: at most {most:.4g} mm on the part, at most {deepest:.4g} mm too deep."
-    svg = left_svg(figures.mesh, figures.left, figures.tolerance, figures.allowed)
+    svg = rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
     return _pictures([Plot("left", "What is left on the part", statements, alt, svg)], wanted=False)
 
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .figures import Figures, summary, worst_of_audit, worst_table
-from .part_facts import deepest_entries, left_report
+from .part_facts import deepest_entries, rest_report
 from .scope import scope
 from .verdict import verdict
 
@@ -32,7 +32,8 @@ def as_json(figures: Figures) -> str:
     ``verdict``: the sentence, ``reasons``: its parts), worst_blocks, findings, inputs; scope: lists of sentences on what is
     ``proven``, ``assumed`` for that, and ``unknown``; of an
     audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part; where the part was
-    looked at also ``gouge``: the deepest entries, and ``left`` (see :mod:`~freecad_fiveaxis.core.report.part_facts`).
+    looked at also ``gouge``: the deepest entries, and ``left``, the rest material (see
+    :mod:`~freecad_fiveaxis.core.report.part_facts`).
     """
     numbers = summary(figures)
     report = {
@@ -58,8 +59,8 @@ def _of_part(figures: Figures) -> dict[str, Any]:
     program, facts = figures.program, {}
     if figures.gouge is not None:
         facts["gouge"] = {"deepest": deepest_entries(program, figures.gouge)}
-    if figures.left is not None:
-        facts["left"] = left_report(program, figures.left, figures.tolerance, figures.allowed)
+    if figures.rest is not None:
+        facts["left"] = rest_report(program, figures.rest, figures.tolerance, figures.allowed)
     return facts
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the program does to the part, in numbers: where the tool enters it, and what is left on it.
+"""What the program does to the part, in numbers: where the tool enters it, and the rest material on it.
 
 entry     a block in which cutter, shank or holder go into the part deeper than the tolerance: ``overcut`` (the cutter, on a cut),
           ``rapid-collision`` (the cutter, between passes), ``holder-collision`` (shank or holder, at any time).
-left      of a place of the machined surface: how far the cutter stays away from it, mm; below 0 it is cut too deep.
+rest      of a place of the machined surface: how far the cutter stays away from it, mm; below 0 it is cut too deep.
 allowed   so much may be left, mm: scallops and tolerance.
 """
 
@@ -33,7 +33,7 @@ LABELS: Mapping[str, str] = {
 
 
 def part_numbers(
-    program: Program, gouge: GougeCheck | None, left: RestMaterial | None, tolerance: float, allowed: float
+    program: Program, gouge: GougeCheck | None, rest: RestMaterial | None, tolerance: float, allowed: float
 ) -> dict[str, Any]:
     """The numbers for the summary, mm, mm2 and mm3; only those that were looked for."""
     numbers_of: dict[str, Any] = {}
@@ -48,12 +48,12 @@ def part_numbers(
         numbers_of["cutter_bound"] = float(gouge.cutter.bound.max(initial=0.0))
         numbers_of["buried_blocks"] = int(gouge.buried.sum())
         numbers_of |= {} if gouge.ways is None else _rapid_numbers(program, gouge.ways)
-    if left is not None:
-        numbers_of["max_left"] = float(left.height.max())
-        numbers_of["left_area"], numbers_of["left_volume"] = left.left(allowed)
-        numbers_of["max_too_deep"] = max(-float(left.height.min()), 0.0)
-        numbers_of["too_deep_area"], numbers_of["too_deep_volume"] = left.taken(tolerance)
-        numbers_of["machined_area"] = float(left.area.sum())
+    if rest is not None:
+        numbers_of["max_left"] = float(rest.height.max())
+        numbers_of["left_area"], numbers_of["left_volume"] = rest.uncut(allowed)
+        numbers_of["max_too_deep"] = max(-float(rest.height.min()), 0.0)
+        numbers_of["too_deep_area"], numbers_of["too_deep_volume"] = rest.taken(tolerance)
+        numbers_of["machined_area"] = float(rest.area.sum())
     return numbers_of
 
 
@@ -86,33 +86,33 @@ def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]
     return sorted(found, key=lambda row: -row["depth"])[:DEEPEST]
 
 
-def left_report(program: Program, left: RestMaterial, tolerance: float, allowed: float) -> dict[str, Any]:
-    """What is left as scripts want it: the two extremes with place, block and NC line; area and volume beyond what may be; the
-    histogram by area."""
+def rest_report(program: Program, rest: RestMaterial, tolerance: float, allowed: float) -> dict[str, Any]:
+    """The rest material as scripts want it: the two extremes with place, block and NC line; area and volume beyond what may be;
+    the histogram by area."""
     return {
         "tolerance": tolerance,
         "allowed": allowed,
-        "machined_area": float(left.area.sum()),
-        "most_left": _extreme(program, left, int(left.height.argmax())),
-        "most_too_deep": _extreme(program, left, int(left.height.argmin())),
-        "left": dict(zip(("area", "volume"), left.left(allowed), strict=True)),
-        "too_deep": dict(zip(("area", "volume"), left.taken(tolerance), strict=True)),
-        "histogram": histogram(left, height_scale(left, tolerance, allowed)),
+        "machined_area": float(rest.area.sum()),
+        "most_left": _extreme(program, rest, int(rest.height.argmax())),
+        "most_too_deep": _extreme(program, rest, int(rest.height.argmin())),
+        "left": dict(zip(("area", "volume"), rest.uncut(allowed), strict=True)),
+        "too_deep": dict(zip(("area", "volume"), rest.taken(tolerance), strict=True)),
+        "histogram": histogram(rest, height_scale(rest, tolerance, allowed)),
     }
 
 
-def _extreme(program: Program, left: RestMaterial, row: int) -> dict[str, Any]:
-    block = int(left.block[row]) + 1
+def _extreme(program: Program, rest: RestMaterial, row: int) -> dict[str, Any]:
+    block = int(rest.block[row]) + 1
     return {
-        "height": float(left.height[row]), "place": left.point[row].tolist(), "facet": int(left.facet[row]),
+        "height": float(rest.height[row]), "place": rest.point[row].tolist(), "facet": int(rest.facet[row]),
         "block": block, "line": int(program.line[block]),
     }  # fmt: skip
 
 
-def histogram(left: RestMaterial, scale: HeightScale) -> list[dict[str, float]]:
+def histogram(rest: RestMaterial, scale: HeightScale) -> list[dict[str, float]]:
     """The area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is in one."""
     edge = borders(scale)
-    area, _ = np.histogram(np.clip(left.height, edge[0], edge[-1]), edge, weights=left.area)
+    area, _ = np.histogram(np.clip(rest.height, edge[0], edge[-1]), edge, weights=rest.area)
     return [{"from": a, "to": b, "area": c} for a, b, c in zip(edge[:-1].tolist(), edge[1:].tolist(), area.tolist(), strict=True)]
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The map of what is left, as heights of facets and colours: one place for reports and 3D views.
+"""The map of rest material, as heights of facets and colours: one place for reports and 3D views.
 
 allowed   so much may stay on the part, mm: scallops and tolerance.
 neutral   the colour of what is within the tolerance below and what is allowed above.
 scale     from the borders of the neutral on the colours go on by powers of ten: a scallop and a corner that is left can both be
-          read. What is left is blue, what is taken off too deep is red; colour-blind readers tell them apart too.
+          read. Rest material is blue, what is taken off too deep is red; colour-blind readers tell them apart too.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ NO_HEIGHT = (0.60, 0.63, 0.66)
 """The colour of facets that are not machined, red green blue, 0 to 1."""
 
 NEUTRAL = (0.93, 0.94, 0.90)
-LEFT = ((0.72, 0.86, 0.95), (0.34, 0.66, 0.88), (0.00, 0.40, 0.70), (0.00, 0.16, 0.42))
-"""What is left, from little to the most."""
+REST = ((0.72, 0.86, 0.95), (0.34, 0.66, 0.88), (0.00, 0.40, 0.70), (0.00, 0.16, 0.42))
+"""Rest material, from little to the most."""
 DEEP = ((0.99, 0.85, 0.62), (0.97, 0.60, 0.35), (0.84, 0.24, 0.10), (0.50, 0.00, 0.05))
 """What is taken off too deep, from little to the most."""
 
@@ -69,7 +69,7 @@ def height_levels(height: Floats, scale: HeightScale) -> Floats:
 def level_colours(level: Floats) -> Floats:
     """Red, green and blue (k, 3), 0 to 1, of levels (k,); NaN is the colour of what is not machined."""
     colour = np.tile(np.array(NEUTRAL), (len(level), 1))
-    for side, ramp in ((level, LEFT), (-level, DEEP)):
+    for side, ramp in ((level, REST), (-level, DEEP)):
         rows = np.flatnonzero(side > 0.0)
         stops = np.linspace(0.0, 1.0, len(ramp))
         colour[rows] = np.column_stack([np.interp(side[rows], stops, tone) for tone in np.array(ramp).T])

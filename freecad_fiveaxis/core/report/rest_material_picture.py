@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The map of what is left as an SVG picture: three views of the part, its histogram by area, and the scale of colours.
+"""The map of rest material as an SVG picture: three views of the part, its histogram by area, and the scale of colours.
 
 It needs no other library. The views are pixels inside the SVG, so that the finest mesh makes no larger file.
 """
@@ -43,7 +43,7 @@ VIEWS = (
 """Name, azimuth and elevation, rad."""
 
 NEUTRAL_WIDE = 120
-"""Of the scale's piece between too deep and left."""
+"""Of the scale's piece between too deep and rest material."""
 
 LIGHT = np.array([-0.35, 0.45, 0.82])
 """Where the light comes from, in the view: right, up, towards."""
@@ -54,15 +54,15 @@ MARGIN = 0.04
 
 INK, SOFT, LINE = "#1c2024", "#5b636b", "#b8bec4"
 BLUE, RED = "#00286b", "#800010"
-"""Of the marks at the most that is left and the deepest place."""
+"""Of the marks at the most rest material and the deepest place."""
 
 
-def left_svg(mesh: Mesh, left: RestMaterial, tolerance: float, allowed: float) -> bytes:
+def rest_svg(mesh: Mesh, rest: RestMaterial, tolerance: float, allowed: float) -> bytes:
     """The picture; the same input gives the same bytes."""
-    scale = height_scale(left, tolerance, allowed)
-    part = _coloured(mesh, left, scale)
-    panels = [_view(part, left, scale, *view) for view in VIEWS]
-    panels.append(_histogram(left, scale, min(height for _, height in panels[2:])))
+    scale = height_scale(rest, tolerance, allowed)
+    part = _coloured(mesh, rest, scale)
+    panels = [_view(part, rest, scale, *view) for view in VIEWS]
+    panels.append(_histogram(rest, scale, min(height for _, height in panels[2:])))
     first, second = max(height for _, height in panels[:2]), max(height for _, height in panels[2:])
     places = ((0, 0), (PANEL + GAP, 0), (0, first + GAP), (PANEL + GAP, first + GAP))
     drawn = [f'<g transform="translate({x} {y})">{part}</g>' for (x, y), (part, _) in zip(places, panels, strict=True)]
@@ -77,19 +77,19 @@ def _text(x: float, y: float, label: str, anchor: str = "start", fill: str = INK
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-size="{size}">{label}</text>'
 
 
-def _coloured(mesh: Mesh, left: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
+def _coloured(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
     """Triangles (k, 3, 3) mm, the machined ones first, and their colours (k, 3)."""
-    patch, rest = rest_material_patches(mesh, left), mesh.vertex[mesh.face[~machined(mesh, left)]]
-    height = np.append(left.height, np.full(len(rest), np.nan))
-    return np.concatenate([patch, rest]), height_colours(height, scale)
+    patch, others = rest_material_patches(mesh, rest), mesh.vertex[mesh.face[~machined(mesh, rest)]]
+    height = np.append(rest.height, np.full(len(others), np.nan))
+    return np.concatenate([patch, others]), height_colours(height, scale)
 
 
 def _view(
-    part: tuple[Floats, Floats], left: RestMaterial, scale: HeightScale, name: str, azimuth: float, elevation: float
+    part: tuple[Floats, Floats], rest: RestMaterial, scale: HeightScale, name: str, azimuth: float, elevation: float
 ) -> tuple[str, int]:
     """A view in the picture's units from its upper left corner on, and how tall it is."""
     (corner, colour), view = part, view_from(azimuth, elevation)
-    flat = corner[: len(left.height)].reshape(-1, 3) @ view[:2].T
+    flat = corner[: len(rest.height)].reshape(-1, 3) @ view[:2].T
     low, high = flat.min(axis=0), flat.max(axis=0)
     room = MARGIN * float((high - low).max())
     low, high = low - room, high + room
@@ -101,7 +101,7 @@ def _view(
     drawn = [
         _text(0, 14, name, size=15),
         f'<image x="0" y="{at}" width="{wide}" height="{tall}" href="data:image/png;base64,{data}"/>',
-        *_marks(left, scale, owner, at),
+        *_marks(rest, scale, owner, at),
         _ruler(float((high - low)[0]), size, at + tall + 14),
     ]
     return "".join(drawn), at + tall + 30
@@ -118,18 +118,18 @@ def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
     return image
 
 
-def _marks(left: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> list[str]:
-    """A ring about the most that is left and about the deepest place, where they are beyond what may be and can be seen."""
+def _marks(rest: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> list[str]:
+    """A ring about the most rest material and about the deepest place, where they are beyond what may be and can be seen."""
     drawn = []
     for row, beyond, ink in (
-        (int(left.height.argmax()), left.height.max() > scale.allowed, BLUE),
-        (int(left.height.argmin()), left.height.min() < -scale.tolerance, RED),
+        (int(rest.height.argmax()), rest.height.max() > scale.allowed, BLUE),
+        (int(rest.height.argmin()), rest.height.min() < -scale.tolerance, RED),
     ):
         down, along = np.nonzero(owner == row)
         if beyond and len(down):
             x, y = float(along.mean() + 0.5) / FINE, top + float(down.mean() + 0.5) / FINE
             anchor, shift = ("end", -10) if x > 0.75 * owner.shape[1] / FINE else ("start", 10)
-            label = f"{left.height[row]:+.3g} mm"
+            label = f"{rest.height[row]:+.3g} mm"
             drawn += [
                 f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="#fff" stroke-width="4"/>',
                 f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="{ink}" stroke-width="2"/>',
@@ -147,10 +147,10 @@ def _ruler(extent: float, size: float, y: float) -> str:
     return line + _text(length * size + 8, y + 4, f"{length:g} mm", fill=SOFT)
 
 
-def _histogram(left: RestMaterial, scale: HeightScale, tall: int) -> tuple[str, int]:
-    """Area between each two borders, as bars from the top down, the most that is left first."""
-    rows = histogram(left, scale)[::-1]
-    whole = float(left.area.sum())
+def _histogram(rest: RestMaterial, scale: HeightScale, tall: int) -> tuple[str, int]:
+    """Area between each two borders, as bars from the top down, the most rest material first."""
+    rows = histogram(rest, scale)[::-1]
+    whole = float(rest.area.sum())
     most = max(row["area"] for row in rows)
     step = min((tall - 30) / len(rows), 30.0)
     colours = level_colours(height_levels(np.array([_inner(row["from"], row["to"]) for row in rows]), scale))
@@ -180,7 +180,7 @@ def _percent(share: float) -> str:
 
 
 def _legend(scale: HeightScale) -> str:
-    """The scale of colours with its heights in mm: too deep, as it should be, left."""
+    """The scale of colours with its heights in mm: too deep, as it should be, rest material."""
     steps, x0, side = 60, 30.0, 0.5 * (WIDE - 60.0 - NEUTRAL_WIDE)
     ramp = (np.arange(steps) + 0.5) / steps
     colours = level_colours(np.concatenate([ramp - 1.0, [0.0], ramp]))

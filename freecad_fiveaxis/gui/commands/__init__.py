@@ -12,19 +12,19 @@ from .audit import Audit
 from .compare import Compare
 from .import_machine import ImportMachine
 from .job_setup import JobSetup
-from .left import Left
 from .play import Play
 from .post_process import PostProcess
 from .prove_signs import ProveSigns
 from .reach import Reach
 from .recover import Recover
+from .rest import Rest
 from .setup import Setup
 from .tessellate import Tessellate
 from .toolpath import Toolpath
 
 WORK = (
     (JobSetup, Tessellate, Reach, Toolpath, Setup, Compare),
-    (Play, Left, Annotate),
+    (Play, Rest, Annotate),
     (PostProcess, Audit),
 )  # fmt: skip
 """The way of a part, in groups: plan, look, write and judge."""

@@ -298,7 +298,7 @@ SECTIONS = {
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
     "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", *OF_FRAMES, SPACING, *DIVIDED, *ORDERING),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
-    "Safety": ("gouge", *HELD, "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "left"),
+    "Safety": ("gouge", *HELD, "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "rest"),
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
 }
 """The fields of each group; what is not here stands under More settings."""

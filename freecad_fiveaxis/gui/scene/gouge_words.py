@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from freecad_fiveaxis.core.base.findings import Finding
 
 UNCUT, TOO_DEEP, BURIED, LIFTED, LEFT_OUT = "uncut", "cut-too-deep", "buried", "lifted", "left-out"
-"""Findings beside the marks: of the map of what is left, and of the cures."""
+"""Findings beside the marks: of the map of rest material, and of the cures."""
 
 
 def names() -> dict[str, str]:

@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.gouge.obstacles import Obstacle
 from freecad_fiveaxis.core.gouge.rest_material import surface_parts
 
 from . import nodes
-from .left_nodes import NEARER, outside_only, shaded_faces
+from .rest_nodes import NEARER, outside_only, shaded_faces
 
 COLOURS: dict[Obstacle, nodes.Colour] = {
     Obstacle.NONE: (0.60, 0.82, 0.62), Obstacle.CUTTER: (0.95, 0.75, 0.10), Obstacle.SHANK: (0.25, 0.62, 0.90),

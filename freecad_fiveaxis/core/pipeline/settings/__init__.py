@@ -18,6 +18,7 @@ from .option import (
     PROVE,
     REACH,
     RECOVER,
+    RENAMED,
     SETUP,
     TASKS,
     TRIALS,
@@ -25,7 +26,7 @@ from .option import (
     WORKSHOP,
     option,
 )
-from .tree import FRAMES, Settings, build_settings, flat_options, is_part, option_fields
+from .tree import FRAMES, Settings, build_settings, flat_options, is_part, option_fields, with_current_names
 
 __all__ = [
     "AUDIT",
@@ -36,6 +37,7 @@ __all__ = [
     "PROVE",
     "REACH",
     "RECOVER",
+    "RENAMED",
     "RTCP",
     "SETUP",
     "TASKS",
@@ -54,4 +56,5 @@ __all__ = [
     "is_part",
     "option",
     "option_fields",
+    "with_current_names",
 ]

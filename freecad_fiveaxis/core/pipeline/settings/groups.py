@@ -319,7 +319,7 @@ class GougeSettings:
         0.0, "length", "so far cutter, shank and holder keep off the faces to avoid, on feeds and rapids; 0: they may touch them",
         (*FROM_SOLID, REACH), least=0.0, most=LONGEST,
     )  # fmt: skip
-    left: Literal["on", "off"] = option(
+    rest: Literal["on", "off"] = option(
         "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
         choices=("on", "off"), bare="on",
     )  # fmt: skip

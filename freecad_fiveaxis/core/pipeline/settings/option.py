@@ -24,6 +24,9 @@ FROM_SOLID = (MILL, SETUP, COMPARE)
 FROM_PATH = (MILL, POST, SETUP, COMPARE)
 ONE_PROGRAM = (MILL, POST, AUDIT)
 
+RENAMED = {"left": "rest"}
+"""Former names of options, and those of today: scripts, job files and macros that have them are taken as before."""
+
 LONGEST = 1e6
 """mm; a length, a coordinate or a number of a vector beyond this is a slip of the pen."""
 SMALLEST = 1e-6

@@ -42,7 +42,7 @@ from .groups import (
     SetupSettings,
     ToolAxisSettings,
 )
-from .option import AUDIT, COMPARE, MILL, POST, RECOVER, SETUP, TASKS, WITHOUT_SOURCE
+from .option import AUDIT, COMPARE, MILL, POST, RECOVER, RENAMED, SETUP, TASKS, WITHOUT_SOURCE
 
 SHORTEST = 1e-9
 """Length of a vector whose direction is lost in rounding."""
@@ -123,6 +123,7 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     """
     if task not in WITHOUT_SOURCE:
         read_text(source, "source")
+    options = with_current_names(options)
     known = {flat_name(leaf.name) for _, leaf in option_fields(task)}
     for name in options:
         if flat_name(name) not in known:
@@ -137,6 +138,15 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
     settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
     _check_together(settings)
     return settings
+
+
+def with_current_names(options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options under their names of today, where a former name (``left``) is given. Raises SettingsError for one that is given
+    under both."""
+    for old, name in RENAMED.items():
+        if options.get(old) is not None and options.get(name) is not None:
+            raise SettingsError(say("{old} is the former name of {name}; give {name} alone", old=old, name=name), old)
+    return {RENAMED.get(name, name): value for name, value in options.items() if name not in RENAMED or value is not None}
 
 
 def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:

@@ -156,7 +156,7 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
         much = say("a whole stretch of the surface stays uncut")
         if np.isfinite(high.worst):
             much = say(
-                "how much stays is not known here, the map of what is left ({left}) tells it", left=Choice("left", ("on",))
+                "how much stays is not known here, the map of what is left ({left}) tells it", left=Choice("rest", ("on",))
             )
         text = plural(
             high.number,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is left: the machined surface in the 3D view, coloured by what the cutter leaves on it and takes too much of it."""
+"""Rest material: the machined surface in the 3D view, coloured by what the cutter leaves on it and takes too much of it."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from freecad_fiveaxis.gui import selected
 from freecad_fiveaxis.gui.qt import QT_TRANSLATE_NOOP, icon, translate
 
 
-class Left:
-    """The LeftMap of a Toolpath."""
+class Rest:
+    """The map of rest material of a Toolpath."""
 
     NAME = "FiveAxis_Left"
 

@@ -27,7 +27,7 @@ BALL = Body((round_piece(0.0, 3.0, 3.0),))
 
 
 @pytest.fixture(scope="module")
-def left():
+def rest():
     """One cut 0.2 mm too deep along the floor of a step."""
     mesh = step()
     course = straight_motion(np.array([(-20.0, -12.0, -0.2), (20.0, -12.0, -0.2)]), np.tile([0.0, 0.0, 1.0], (2, 1)))
@@ -35,8 +35,8 @@ def left():
     return mesh, floor, find_rest_material(mesh, BALL, course, np.array([0]), 0.5, floor)
 
 
-def test_the_height_of_a_facet_is_that_of_its_worst_sample_and_others_have_none(left):
-    mesh, floor, remainder = left
+def test_the_height_of_a_facet_is_that_of_its_worst_sample_and_others_have_none(rest):
+    mesh, floor, remainder = rest
     height = facet_heights(remainder, len(mesh.face), 0.01, 1e6)  # what is left never matters, however much it is
     assert np.isnan(height[~floor]).all() and floor.sum() == 2
     for facet in np.flatnonzero(floor):
@@ -46,31 +46,31 @@ def test_the_height_of_a_facet_is_that_of_its_worst_sample_and_others_have_none(
         assert other[facet] == remainder.height[remainder.facet == facet].max()
 
 
-def test_the_patches_are_those_of_the_samples(left):
-    mesh, _, remainder = left
+def test_the_patches_are_those_of_the_samples(rest):
+    mesh, _, remainder = rest
     patch = rest_material_patches(mesh, remainder)
     area = 0.5 * np.linalg.norm(np.cross(patch[:, 1] - patch[:, 0], patch[:, 2] - patch[:, 0]), axis=1)
     assert patch.mean(axis=1) == pytest.approx(remainder.point) and area == pytest.approx(remainder.area)
 
 
-def test_levels_go_by_powers_of_ten_from_the_borders_of_the_neutral(left):
-    scale = height_scale(left[2], 0.01, 0.03)
+def test_levels_go_by_powers_of_ten_from_the_borders_of_the_neutral(rest):
+    scale = height_scale(rest[2], 0.01, 0.03)
     assert scale.tolerance == 0.01 and scale.allowed == 0.03 and scale.deepest == pytest.approx(0.2)
-    assert scale.highest >= left[2].height.max() > 0.4 * scale.highest
+    assert scale.highest >= rest[2].height.max() > 0.4 * scale.highest
     middle = np.sqrt(scale.tolerance * scale.deepest)
     levels = height_levels(np.array([-9.0, -scale.deepest, -middle, -0.01, 0.0, 0.03, scale.highest, 1e3, np.nan]), scale)
     assert levels[:-1] == pytest.approx([-1, -1, -0.5, 0, 0, 0, 1, 1]) and np.isnan(levels[-1])
 
 
-def test_too_deep_is_red_left_is_blue_and_within_the_tolerance_is_neither(left):
-    scale = height_scale(left[2], 0.01, 0.03)
+def test_too_deep_is_red_left_is_blue_and_within_the_tolerance_is_neither(rest):
+    scale = height_scale(rest[2], 0.01, 0.03)
     deep, much, right, none = height_colours(np.array([-0.15, 20.0, 0.02, np.nan]), scale)
     assert deep[0] > deep[2] + 0.3 and much[2] > much[0] + 0.3
     assert tuple(right) == NEUTRAL and tuple(none) == NO_HEIGHT and np.ptp(right) < 0.1
 
 
-def test_the_marks_of_the_scale_ascend_and_name_its_borders(left):
-    scale = height_scale(left[2], 0.01, 0.03)
+def test_the_marks_of_the_scale_ascend_and_name_its_borders(rest):
+    scale = height_scale(rest[2], 0.01, 0.03)
     level, height = np.array(scale_marks(scale)).T
     assert (np.diff(height) > 0.0).all() and (np.diff(level) >= 0.0).all()
     assert {-0.01, 0.03} <= set(height.tolist()) and level[0] == -1.0 and level[-1] == 1.0

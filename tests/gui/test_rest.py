@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is left, and where the tool enters the part: seen, clicked, undone, stopped, and drawn again after opening."""
+"""Rest material, and where the tool enters the part: seen, clicked, undone, stopped, and drawn again after opening."""
 
 import FreeCAD
 import FreeCADGui
@@ -10,10 +10,10 @@ from conftest import QtCore, close_all
 from test_clicks import look
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import left, results
+from freecad_fiveaxis.app import rest, results
 from freecad_fiveaxis.core import report
 from freecad_fiveaxis.gui import attach, findings_panel, messages
-from freecad_fiveaxis.gui.scene import left_nodes, marks
+from freecad_fiveaxis.gui.scene import marks, rest_nodes
 
 ZERO = (5.0, 2.0, 3.0)
 GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
@@ -74,18 +74,20 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
     made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
     until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
     FreeCADGui.Selection.clearSelection()
-    ramp = left_nodes.scale_ramp()
+    ramp = rest_nodes.scale_ramp()
 
     def red():
-        shot = screenshot("left_map")
+        shot = screenshot("rest_map")
         return sum(seen(pixels, shot, ramp[row], view_box(), 12) for row in range(0, 60, 10))
 
     as_it_should_be = ramp[len(ramp) // 2]
-    until(lambda: seen(pixels, screenshot("left_map"), as_it_should_be, view_box(), 30) > 30000, 30000, "what is as it should be")
+    until(lambda: seen(pixels, screenshot("rest_map"), as_it_should_be, view_box(), 30) > 30000, 30000, "what is as it should be")
     until(lambda: red() > 1000, 30000, "what is cut too deep")
     assert made.LargestOvercut.Value > 1.0 and made.UpToDate
     assert not path.ViewObject.Visibility and path.ViewObject.Proxy.claimChildren()[-1] is made
-    assert made.ViewObject.Proxy.getIcon().endswith("LeftMap.svg") and doc.UndoCount == 1
+    assert made.ViewObject.Proxy.getIcon().endswith("RestMap.svg") and doc.UndoCount == 1
+    view = type(made.ViewObject.Proxy)
+    assert f"{view.__module__}.{view.__name__}" == "freecad_fiveaxis.gui.left_view.LeftMapView"
     assert tuple(drawn(made).origin.translation.getValue().getValue()) == pytest.approx(ZERO)
     doc.undo()
     until(lambda: [obj.Name for obj in doc.Objects] == names and path.ViewObject.Visibility, 20000, "undone")
@@ -98,14 +100,14 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
 
 
 def test_what_stays_uncut_is_seen_in_blue(make_path, doc, press, until, pump, screenshot, pixels, view_box):
-    make_path(gouge="lift", left="on")
+    make_path(gouge="lift", rest="on")
     press("FiveAxis_Left", wait=1000)
     made = until(lambda: doc.getObject("LeftMap"), 60000, "a map")
     until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
-    ramp = left_nodes.scale_ramp()
+    ramp = rest_nodes.scale_ramp()
 
     def blue():
-        shot = screenshot("left_uncut")
+        shot = screenshot("rest_uncut")
         return sum(seen(pixels, shot, ramp[-row], view_box(), 12) for row in range(1, 60, 10))
 
     until(lambda: blue() > 500, 30000, "what stays uncut")
@@ -137,7 +139,7 @@ def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old(
 ):
     made = app.left_map(make_path(gouge="report"))
     area = made.OvercutArea.Value
-    file = str(tmp_path / "left.FCStd")
+    file = str(tmp_path / "rest.FCStd")
     doc.saveAs(file)
     FreeCAD.closeDocument(doc.Name)
     pump(300)
@@ -148,11 +150,11 @@ def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old(
         until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
         look(again)
         pump(500)
-        until(lambda: drawn(made).warned == "" and left.out_of_date(made) == "", 20000, "a map that is not old")
+        until(lambda: drawn(made).warned == "" and rest.out_of_date(made) == "", 20000, "a map that is not old")
         again.Toolpath.Stepover = 2
         until(lambda: "recompute" in drawn(made).warned, 20000, "a map that is old")
         warning = (1.0, 205 / 255, 70 / 255)
-        until(lambda: seen(pixels, screenshot("left_old"), warning, view_box()) > 20, 30000, "the legend's warning")
+        until(lambda: seen(pixels, screenshot("rest_old"), warning, view_box()) > 20, 30000, "the legend's warning")
         again.recompute()
         until(lambda: drawn(made).warned == "" and drawn(made).heights is made.Proxy.last, 20000, "the new map")
     finally:
@@ -188,7 +190,7 @@ def test_gouges_have_their_own_marks_labels_and_words(
 
 @pytest.mark.parametrize("cure", ["report", "lift", "leave-out"])
 def test_every_gouge_has_one_row_in_the_list_of_findings(cure, make_path):
-    figures = results.figures_of(make_path(gouge=cure, left="on"))
+    figures = results.figures_of(make_path(gouge=cure, rest="on"))
     rows, of_marker = report.listed(figures)
     assert {row.finding for row in rows} >= set(figures.findings)
     assert len({(row.kind, row.finding.block, row.finding.place) for row in rows}) == len(rows), "a finding is listed twice"

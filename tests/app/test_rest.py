@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The map of what is left: its numbers are the core's and those of closed forms, and it follows its toolpath."""
+"""The map of rest material: its numbers are the core's and those of closed forms, and it follows its toolpath."""
 
 import FreeCAD
 import numpy as np
@@ -8,10 +8,10 @@ import pytest
 from conftest import UNCURED
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import left, results
-from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
+from freecad_fiveaxis.app import convert, left, rest, results
+from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.pipeline.settings import build_settings
+from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 
 GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
 """Passes along the groove, the tool upright."""
@@ -54,40 +54,56 @@ def test_a_ball_that_is_not_lifted_cuts_the_other_wall(doc, groove):
 def test_the_map_is_that_of_the_core(anew, doc, groove, tmp_path):
     file = str(tmp_path / "groove.stl")
     mesh = app.tessellate(groove, file)
-    wanted = job.run(build_settings("mill", file, {**GROOVE, "left": "on"})).left
-    for settings in (GROOVE, {**GROOVE, "left": "on"}):
+    wanted = job.run(build_settings("mill", file, {**GROOVE, "rest": "on"})).rest
+    for settings in (GROOVE, {**GROOVE, "rest": "on"}):
         made = app.left_map(app.create_toolpath(doc, mesh, **settings))
-        found = left.heights_of(made).left
+        found = rest.heights_of(made).rest
         np.testing.assert_array_equal(found.height, wanted.height)
         np.testing.assert_array_equal(found.point, wanted.point)
-    assert results.result_of(made.Path).left is found, "the path's own map is found a second time"
+    assert results.result_of(made.Path).rest is found, "the path's own map is found a second time"
     assert made.MachinedArea.Value == pytest.approx(wanted.area.sum())
 
 
 def test_a_path_has_one_map_that_follows_it(doc, groove):
     path = app.create_toolpath(doc, top(groove), **GROOVE, gouge="lift")
     made = app.left_map(path)
-    assert app.left_map(path) is made is left.of(path)
+    assert app.left_map(path) is made is rest.of(path)
     before = made.LargestUndercut.Value
     path.CutterDiameter = 4
-    assert "recompute" in left.out_of_date(made)
+    assert "recompute" in rest.out_of_date(made)
     doc.recompute()
-    assert left.out_of_date(made) == "" and made.LargestUndercut.Value < 0.6 * before
+    assert rest.out_of_date(made) == "" and made.LargestUndercut.Value < 0.6 * before
     path.Machine = "no_such_machine"
     doc.recompute()
-    assert not made.UpToDate and left.out_of_date(made)
+    assert not made.UpToDate and rest.out_of_date(made)
+
+
+def test_documents_and_macros_of_earlier_versions_find_what_they_name(doc, groove):
+    """Documents have the proxy's path and the property ``Left``; macros the option ``left`` and the heights in ``app.left``."""
+    path = app.create_toolpath(doc, top(groove), **GROOVE, left="on")
+    assert path.Left == "on" and "Rest" not in path.PropertiesList
+    assert path.Proxy.last.result.draft.settings.gouge.rest == "on" and convert.options_of(path, MILL)["rest"] == "on"
+    made = app.left_map(path)
+    assert f"{type(made.Proxy).__module__}.{type(made.Proxy).__name__}" == "freecad_fiveaxis.app.left.LeftMap"
+    assert left.heights_of(made).left is rest.heights_of(made).rest
+
+
+def test_an_option_under_both_its_names_makes_no_path(doc, groove):
+    with pytest.raises(SettingsError, match="give rest alone"):
+        app.create_toolpath(doc, top(groove), **GROOVE, left="on", rest="on")
+    assert [obj.Name for obj in doc.Objects] == ["Groove"]
 
 
 def test_a_reopened_map_keeps_its_numbers_and_finds_its_heights_when_asked(doc, groove, reopen, anew):
     made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, work_zero=(1, 2, 3)))
     numbers = made.LargestUndercut.Value, made.LargestOvercut.Value, made.UncutArea.Value, made.MachinedArea.Value
-    height = left.heights_of(made).left.height
+    height = rest.heights_of(made).rest.height
     anew()
     again = reopen(doc).LeftMap
     kept = again.LargestUndercut.Value, again.LargestOvercut.Value, again.UncutArea.Value, again.MachinedArea.Value
     assert again.Proxy.last is None and kept == pytest.approx(numbers, rel=1e-12) and again.Verdict
-    assert left.out_of_date(again) == ""
-    np.testing.assert_array_equal(left.heights_of(again).left.height, height)
+    assert rest.out_of_date(again) == "" and type(again.Proxy) is left.LeftMap
+    np.testing.assert_array_equal(rest.heights_of(again).rest.height, height)
 
 
 def test_only_toolpaths_are_mapped_and_nothing_is_left_behind(doc, groove, tmp_path):
@@ -122,7 +138,7 @@ def test_a_map_without_a_path_is_told(doc, groove):
     made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE))
     doc.removeObject(made.Path.Name)
     doc.recompute()
-    assert "Invalid" in made.State and "was deleted" in made.getStatusString() and "was deleted" in left.out_of_date(made)
+    assert "Invalid" in made.State and "was deleted" in made.getStatusString() and "was deleted" in rest.out_of_date(made)
 
 
 # ------------------------------------------------------------------------------------------------ faces
@@ -150,7 +166,7 @@ FACES = {"machine": "trunnion_ac", "cutter": "ball:6:12", "passes": "planes", "s
 
 def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is_selected(doc, step):
     chosen = (face_at(step, z=10.0), face_at(step, z=40.0))
-    path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", left="on")
+    path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", rest="on")
     result = results.result_of(path)
     mesh, keep = result.draft.mesh, result.draft.keep
     assert 0 < keep.sum() < len(keep) and set(np.round(mesh.vertex[mesh.face[keep]][..., 2].ravel(), 6)) == {10.0, 40.0}
@@ -158,7 +174,7 @@ def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is
     assert first.place[0] >= 20.0 - 1e-6 and first.value > 1.0, "the wall beyond x = 20 stops the holder"
     made = app.left_map(path)
     assert made.MachinedArea.Value == pytest.approx(2 * 20.0 * 30.0, rel=1e-6)
-    assert set(result.left.facet) == set(np.flatnonzero(keep))
+    assert set(result.rest.facet) == set(np.flatnonzero(keep))
     slim = app.create_toolpath(doc, (step, chosen), **{**FACES, "cutter": "ball:6:60"})
     assert not [one for one in results.result_of(slim).findings if one.code == "holder-collision"]
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The surface of a map of what is left, and the scale beside it. The colours are the core's, so that reports show the same.
+"""The surface of a map of rest material, and the scale beside it. The colours are the core's, so that reports show the same.
 
-band    the middle of the legend's bar: as it should be. Above it what is left, below it what is cut too deep.
+band    the middle of the legend's bar: as it should be. Above it the rest material, below it what is cut too deep.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ APART = 0.075
 """Marks of the legend stand at least so far apart, as a share of the bar."""
 
 
-def left_surface(mesh: Mesh, left: RestMaterial, scale: HeightScale) -> Any:
-    """The machined facets, one triangle for each sample of ``left``, coloured by its height; work frame."""
-    if len(left.height) <= MOST_PATCHES:
-        corner, height = rest_material_patches(mesh, left), left.height
+def rest_surface(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> Any:
+    """The machined facets, one triangle for each sample of ``rest``, coloured by its height; work frame."""
+    if len(rest.height) <= MOST_PATCHES:
+        corner, height = rest_material_patches(mesh, rest), rest.height
     else:
-        whole = facet_heights(left, len(mesh.face), scale.tolerance, scale.allowed)
+        whole = facet_heights(rest, len(mesh.face), scale.tolerance, scale.allowed)
         rows = np.flatnonzero(~np.isnan(whole))
         corner, height = mesh.vertex[mesh.face[rows]], whole[rows]
     look = (nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER))
@@ -72,7 +72,7 @@ def outside_only() -> Any:
 
 
 def scale_ramp() -> Floats:
-    """The colours (SHADES, 3) of the legend's bar, from the deepest cut up to the most that is left."""
+    """The colours (SHADES, 3) of the legend's bar, from the deepest cut up to the most rest material."""
     side = np.linspace(-1.0, 1.0, colours.SHADES)
     return level_colours(np.sign(side) * np.maximum(np.abs(side) - BAND, 0.0) / (1.0 - BAND))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a map of what is left. Its heights are found again where the document was just opened and shows the map."""
+"""The picture of a map of rest material. Its heights are found again where the document was just opened and shows the map."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from freecad_fiveaxis.app import left
+from freecad_fiveaxis.app import rest
 from freecad_fiveaxis.core.report.rest_material_map import HeightScale, height_scale
 
 from .qt import translate
 from .scene import gouge_words, nodes, overlay
-from .scene.left_nodes import bar_marks, left_surface, scale_ramp
 from .scene.marks import GOUGE_COLOURS, OVERCUT
 from .scene.on_screen import Label, Labels, LegendBox
+from .scene.rest_nodes import bar_marks, rest_surface, scale_ramp
 from .scene.units import area_text, length_text
 from .waiting import find_for_drawing
 
 MARK_DIGITS = 3
 
 
-class LeftPicture:
+class RestPicture:
     """Nodes of a map; ``root`` goes into the view provider.
 
     ``heights`` those that are drawn; ``failed``: why none could be found; ``warned``: what the legend warns of.
@@ -32,7 +32,7 @@ class LeftPicture:
         self.vobj, self.obj = vobj, vobj.Object
         self.origin, self.surface, self.labels, self.legend = coin.SoTranslation(), nodes.separate(), Labels(), LegendBox()
         self.root = nodes.separate(self.origin, self.surface, self.legend.root, self.labels.root)
-        self.heights: left.Heights | None = None
+        self.heights: rest.Heights | None = None
         self.scale: HeightScale | None = None
         self.failed = self.warned = ""
 
@@ -45,18 +45,18 @@ class LeftPicture:
             self.heights = found
             self.surface.removeAllChildren()
             if found is not None:
-                self.scale = height_scale(found.left, found.tolerance, found.allowed)
-                self.surface.addChild(left_surface(found.mesh, found.left, self.scale))
-        self.warned = self.failed or (left.out_of_date(self.obj) if self.vobj.Visibility else "")  # it hashes the mesh
+                self.scale = height_scale(found.rest, found.tolerance, found.allowed)
+                self.surface.addChild(rest_surface(found.mesh, found.rest, self.scale))
+        self.warned = self.failed or (rest.out_of_date(self.obj) if self.vobj.Visibility else "")  # it hashes the mesh
         self._write()
 
-    def _find(self) -> left.Heights | None:
+    def _find(self) -> rest.Heights | None:
         """The heights that the object's properties tell of. Where that fails, the legend and the object say why."""
         known = self.obj.Proxy.last
         if known is not None:
             self.failed = ""
         elif self.vobj.Visibility and not self.failed:
-            known, self.failed = find_for_drawing(self.obj, left.heights_of)
+            known, self.failed = find_for_drawing(self.obj, rest.heights_of)
         return known
 
     def _write(self) -> None:
@@ -66,13 +66,13 @@ class LeftPicture:
         legend = self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None
         self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
 
-    def _extremes(self, found: left.Heights) -> list[Label]:
+    def _extremes(self, found: rest.Heights) -> list[Label]:
         """The labels: where the cut is deepest, and where most is left, if that is more than may be."""
-        height, point, labels = found.left.height, found.left.point, []
+        height, point, labels = found.rest.height, found.rest.point, []
         if (least := float(height.min())) < -found.tolerance:
             labels.append(Label(point[height.argmin()].tolist(), _deep_text(-least), GOUGE_COLOURS[OVERCUT]))
         if (most := float(height.max())) > found.allowed:
-            labels.append(Label(point[height.argmax()].tolist(), _left_text(most)))
+            labels.append(Label(point[height.argmax()].tolist(), _rest_text(most)))
         return labels
 
     def _legend(self) -> overlay.Legend:
@@ -90,7 +90,7 @@ class LeftPicture:
         return overlay.Legend(self.obj.Label, scale_ramp(), marks, halves, (), notes, self.warned, notes[1])
 
 
-def _left_text(height: float) -> str:
+def _rest_text(height: float) -> str:
     return translate("FiveAxis", "{height} left").format(height=length_text(height))
 
 
