@@ -74,7 +74,7 @@ def main() -> None:
     stand(axes[1, 3], "flat:10:16", -15.0, "flat, lead -15 deg: touches behind")
     stand(axes[1, 4], "taperball:6:8deg:16", 30.0, "taper ball, lead 30 deg")
     stand(axes[1, 5], "lollipop:10:5:16", 105.0, "lollipop, below the surface: the ball\ntouches, the neck clears the edge")
-    figure.savefig(PICTURE, dpi=85, metadata={"Software": None})
+    figure.savefig(PICTURE, dpi=73, metadata={"Software": None})
 
 
 if __name__ == "__main__":
