@@ -4068,6 +4068,10 @@
         <translation>1 von {all} Wegen hält {tolerance} ein; der schnellste ist {way}, {time}.</translation>
     </message>
     <message>
+        <source>1 setup that was tried is passed over, because tool or spindle hit the machine there: with the work zero at {origin} the {name} by {depth}.</source>
+        <translation>1 geprüfte Aufspannung ist übergangen, weil Werkzeug oder Spindel dort die Maschine treffen: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
+    </message>
+    <message>
         <source>; do you mean {close}?</source>
         <translation> – ist {close} gemeint?</translation>
     </message>
@@ -4276,8 +4280,16 @@
         <translation>Wenn gilt: {text}, steht die Werkzeugspitze nur am letzten Halt um {size} daneben, was leicht übersehen wird: auf die Halte verlassen</translation>
     </message>
     <message>
+        <source>In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
+        <translation>In allen {count} geprüften Aufspannungen treffen Werkzeug oder Spindel die Maschine, am wenigsten mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
+    </message>
+    <message>
         <source>In hollows along the passes the cutter's bottom stands in the part behind its contact or before it, over {count} rows; how deep is not known here. Give more lead, take a smaller cutter or a ball, or have the path checked against the part ({report}), or lifted out of it ({lift}).</source>
         <translation>In Mulden längs der Bahnen steht der Boden des Fräsers hinter oder vor dem Berührpunkt im Teil, über {count} Zeilen; wie tief, ist hier nicht bekannt. Mehr Voreilwinkel geben, einen kleineren Fräser oder eine Kugel nehmen, oder die Bahn gegen das Teil prüfen ({report}) oder aus ihm heben lassen ({lift}).</translation>
+    </message>
+    <message>
+        <source>In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.</source>
+        <translation>In der einen geprüften Aufspannung treffen Werkzeug oder Spindel die Maschine, mit dem Werkstück-Nullpunkt bei {origin}: {name} um {depth}. Den Bereich verschieben ({option}), das Werkstück höher spannen oder ein längeres Werkzeug nehmen.</translation>
     </message>
     <message>
         <source>In the present setup the axes leave their limits.</source>
@@ -4290,6 +4302,10 @@
     <message>
         <source>In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give another {origin}.</source>
         <translation>In der jetzigen Aufspannung reicht das Werkstück unter den Tisch: sein Nullpunkt muss bei Z {least} oder höher stehen. {origin} anders angeben.</translation>
+    </message>
+    <message>
+        <source>In the present setup tool or spindle hit the machine.</source>
+        <translation>In der jetzigen Aufspannung treffen Werkzeug oder Spindel die Maschine.</translation>
     </message>
     <message>
         <source>In {count} blocks F would be below one step; they run faster than programmed. Use G93.</source>
@@ -7362,6 +7378,10 @@
     <message>
         <source>{count} rows of the CL file are not cut: no feed block comes within {tolerance} of them. The first is row {first} of {all}, the farthest row {missed}, {distance} off. Is the program whole, and made from this file?</source>
         <translation>{count} Zeilen der CL-Datei werden nicht gefräst: kein Vorschubsatz kommt ihnen näher als {tolerance}. Die erste ist Zeile {first} von {all}, die fernste Zeile {missed}, {distance} entfernt. Ist das Programm vollständig und aus dieser Datei entstanden?</translation>
+    </message>
+    <message>
+        <source>{count} setups that were tried are passed over, because tool or spindle hit the machine there: with the work zero at {origin} the {name} by {depth}.</source>
+        <translation>{count} geprüfte Aufspannungen sind übergangen, weil Werkzeug oder Spindel dort die Maschine treffen: mit dem Werkstück-Nullpunkt bei {origin} wird {name} um {depth} getroffen.</translation>
     </message>
     <message>
         <source>{count} sides are not machined ({area})</source>

@@ -269,8 +269,10 @@ class Code(str, Enum):
 
     # ---------------------------------------------------------------------------------------- where to clamp, and comparisons
     CANNOT_BE_COMPARED = "cannot-be-compared", ERROR, "", "a machine on which the path cannot be driven"
+    NO_SETUP_FREE = "no-setup-free", ERROR, "mm", "in all setups that were tried tool or spindle hit the machine"
     NO_SETUP_ON_THE_TABLE = "no-setup-on-the-table", ERROR, "", "no position on the table is free"
     NO_SETUP_WITHIN_LIMITS = "no-setup-within-limits", ERROR, "mm", "no position keeps the axes within their limits"
     SETUP_AT_EDGE = "setup-at-edge", NOTE, "1", "the best position lies at the edge of the region"
+    SETUPS_HIT_MACHINE = "setups-hit-machine", NOTE, "1", "setups are passed over: tool or spindle hit the machine there"
     TABLE_UNKNOWN = "table-unknown", WARNING, "", "where the table is, is not known"
     TURN_OUT_OF_REACH = "turn-out-of-reach", WARNING, "deg", "with the part turned the rotary limits allow no way"

@@ -25,14 +25,24 @@ from freecad_fiveaxis.core.base.sentences import Choice, Length, Option, joined,
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
+from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
-from freecad_fiveaxis.core.machine import Vector, load_machine
-from freecad_fiveaxis.core.machine.kinematics import chain
+from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
+from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.pipeline.avoided import facets_off, keep_off_of, report_places
 from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.pipeline.job import chosen_faces, make
-from freecad_fiveaxis.core.pipeline.options import clamped, driven_to_surface, resolve_setup, title_of
+from freecad_fiveaxis.core.pipeline.options import (
+    clamped,
+    driven_to_surface,
+    rapids_of,
+    resolve_setup,
+    tip_to_driven,
+    title_of,
+    tool_body,
+)
 from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
@@ -42,7 +52,7 @@ from .compare import Row, compare, compare_html, compare_json, compare_text, sta
 from .corrections import cures, known_cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
-from .setup_map import Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
+from .setup_map import Collide, Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
 
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
@@ -147,7 +157,8 @@ def try_setups(
     program = _posted(job, progress, mesh, faces)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
-    chart = setup_map(program.path, machine, base, region, posting, enough, progress, table, executor)
+    collide = _collide(job, machine, dialect, progress)
+    chart = setup_map(program.path, machine, base, region, posting, enough, progress, table, executor, collide)
     if chart.best is None:
         _refuse(chart)
     return SetupTrial(settings, program, chart, chart.findings)
@@ -211,6 +222,23 @@ def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools |
     if not isinstance(program, PostedProgram):
         raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source)
     return program
+
+
+def _collide(settings: Settings, machine: Machine, dialect: Dialect, progress: Progress) -> Collide | None:
+    """What tool and spindle hit of the machine in a setup; None where its file names no bodies. What the spindle hits of the part
+    it hits in every setup: the program's own check tells that."""
+    if not machine.bodies:
+        return None
+
+    def collide(setup: Setup, kinematics: Chain, program: Program) -> tuple[Finding, ...]:
+        length = None if settings.machine.tool_length is None else setup.tool_length
+        given = InMachine(
+            machine, setup, kinematics, tool_body(settings), length, tip_to_driven(settings),
+            rapids_of(settings, machine, dialect), settings.gouge.fixture_clearance,
+        )  # fmt: skip
+        return check_machine(given, program, None, settings.proof.tolerance, progress)
+
+    return collide
 
 
 def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Posting:

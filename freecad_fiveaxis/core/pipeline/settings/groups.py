@@ -302,18 +302,20 @@ class GougeSettings:
         (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge", (MILL, AUDIT, REACH)
-    )
+        (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge",
+        (MILL, AUDIT, REACH, SETUP),
+    )  # fmt: skip
     holder: tuple[tuple[float, float], ...] = option(
-        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge", (MILL, AUDIT, REACH)
-    )
+        (), "stack", "cylinders of the holder above cutter and shank, as 40x25,63x50 in mm; see gouge",
+        (MILL, AUDIT, REACH, SETUP),
+    )  # fmt: skip
     fixture: tuple[str, ...] = option(
         (), "paths", "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, "
         "and a path is laid around it; may be repeated", ONE_PROGRAM,
     )  # fmt: skip
     fixture_clearance: float = option(
         0.0, "length", "how near cutter, shank, holder and spindle may come to fixtures and bodies of the machine before that is "
-        "told", ONE_PROGRAM, least=0.0, most=LONGEST,
+        "told", (*ONE_PROGRAM, SETUP), least=0.0, most=LONGEST,
     )  # fmt: skip
     avoid_allowance: float = option(
         0.0, "length", "so far cutter, shank and holder keep off the faces to avoid, on feeds and rapids; 0: they may touch them",

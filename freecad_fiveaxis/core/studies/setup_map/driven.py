@@ -81,10 +81,14 @@ class Driven:
     drive: Drive
     rewinds: int
 
-    def kinematics(self, origin: Floats) -> Chain:
-        """The machine with the work zero at ``origin`` (3,) mm."""
+    def setup(self, origin: Floats) -> Setup:
+        """The setup with the work zero at ``origin`` (3,) mm."""
         x, y, z = origin.tolist()
-        return chain(self.machine, Setup((x, y, z), self.tool_length))
+        return Setup((x, y, z), self.tool_length)
+
+    def kinematics(self, origin: Floats) -> Chain:
+        """The machine in that setup."""
+        return chain(self.machine, self.setup(origin))
 
     def words(self, kinematics: Chain, rows: Ints | slice = slice(None)) -> Floats:
         """Words (n, 5) mm and degrees, before rounding."""

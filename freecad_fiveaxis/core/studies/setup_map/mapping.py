@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 
@@ -18,16 +18,20 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Option, say
 from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.kinematics import Setup
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup
+from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
+from .collisions import Look, choose_free
 from .driven import Cost, Posting, part_box
 from .search import Found
 from .setups import Kind, Region, SetupMap, recommended
-from .trials import Ground, Trial, Tried, carry_out, trials_of
+from .trials import Ground, Trial, Tried, carry_out, drive, trials_of
 
 BELOW = 1e-6
 """mm below the table that are rounding."""
+Collide = Callable[[Setup, Chain, Program], tuple[Finding, ...]]
+"""What tool and spindle hit of the machine with the program of a setup."""
 NO_COST = Cost(math.nan, math.nan, math.nan, math.nan)
 
 
@@ -43,6 +47,7 @@ class _Row:
 def setup_map(
     path: CLPath, machine: Machine, base: Setup, region: Region, posting: Posting, enough: float = 0.0,
     progress: Progress = silent, table: float | None = None, executor: Executor | None = None,
+    collide: Collide | None = None,
 ) -> SetupMap:  # fmt: skip
     """What the program of ``path`` costs wherever the part may stand, and where it should.
 
@@ -50,6 +55,7 @@ def setup_map(
     is posted, rounded and measured as a full run would; then the least deviation of each turn is searched over the whole
     region, with a proof (module ``search``). ``enough`` mm: setups below this deviation are equally good, and time decides.
     ``table`` mm: height of the table's face in the machine frame; no setup below it is searched or recommended.
+    ``collide``: what the program hits of the machine in a setup; no setup in which that is anything is recommended.
     ``executor``: whose workers do the trials, with the same result to the last bit; None: they are done here.
     Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
     """
@@ -66,7 +72,19 @@ def setup_map(
     lost = {(trial.kind, trial.turn): one.lost for trial, one in zip(trials, tried, strict=True) if one.lost is not None}
     if all((Kind.GRID, turn) in lost for turn in region.turns):
         raise lost[Kind.GRID, region.turns[-1]]
-    return _mapped(machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand)
+    look = None if collide is None else _look(ground, collide, progress)
+    return _mapped(machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand, look)
+
+
+def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
+    """What the program of a turn and a work zero hits."""
+
+    def look(turn: float, origin: Floats) -> tuple[Finding, ...]:
+        driven = drive(ground, turn, progress)
+        kinematics = driven.kinematics(origin)
+        return collide(driven.setup(origin), kinematics, driven.posted(kinematics)[1])
+
+    return look
 
 
 @dataclass(frozen=True)
@@ -101,22 +119,32 @@ def _rows(trial: Trial, tried: Tried) -> Iterator[_Row]:
 
 def _mapped(
     machine: Machine, base: Setup, region: Region, enough: float, rows: list[_Row], found: list[Found],
-    lost: dict[tuple[Kind, float], ReachError], stand: _Stand,
+    lost: dict[tuple[Kind, float], ReachError], stand: _Stand, look: Look | None,
 ) -> SetupMap:  # fmt: skip
     origin, costs = np.array([row.origin for row in rows]), [row.cost for row in rows]
     deviation, time = np.array([cost.deviation for cost in costs]), np.array([cost.time for cost in costs])
     rewinds, within = np.array([row.rewinds for row in rows]), np.array([cost.within for cost in costs])
     stands = origin[:, 2] >= stand.least - BELOW
     eligible = within & stands & _inside(origin, region)
-    best = recommended(origin, base.origin, deviation, time, rewinds, eligible, enough)
+    turn = np.array([row.turn for row in rows])
+    choice = choose_free(
+        lambda able: recommended(origin, base.origin, deviation, time, rewinds, able, enough),
+        origin, turn, eligible, bool(within[0] & stands[0]), look,
+    )  # fmt: skip
     least = min((one.least for one in found if one.origin is not None), default=math.nan)
-    findings = (*_findings(region, origin, best, found), *_table_findings(stand, stands), *_lost_findings(lost))
+    best, none_free = choice.best, choice.best is None and bool((choice.hits > 0.0).any())
+    findings = (
+        *(() if none_free else _findings(region, origin, best, found)),
+        *choice.findings,
+        *_table_findings(stand, stands),
+        *_lost_findings(lost),
+    )
     return SetupMap(
-        machine=machine.name, base=base, region=region, origin=origin, turn=np.array([row.turn for row in rows]),
+        machine=machine.name, base=base, region=region, origin=origin, turn=turn,
         max_deviation=deviation, rotary_travel=np.array([cost.travel for cost in costs]), time=time,
         over=np.array([cost.over for cost in costs]), within_limits=within, stands=stands, rewinds=rewinds,
         kind=np.array([row.kind for row in rows], np.int8), best=best, least=least, table=stand.table,
-        bottom=stand.bottom, findings=findings,
+        bottom=stand.bottom, hits=choice.hits, findings=findings,
     )  # fmt: skip
 
 

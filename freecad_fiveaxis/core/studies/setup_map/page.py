@@ -37,8 +37,9 @@ def verdict(chart: SetupMap) -> Sentence:
     if not math.isfinite(now) or not chart.able[0]:
         leaves = say("In the present setup the axes leave their limits.")
         below = say("In the present setup the part reaches below the table.")
+        hits = say("In the present setup tool or spindle hit the machine.")
         stand = say("Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g"))
-        return joined((stand, below if chart.within_limits[0] else leaves, on_table))
+        return joined((stand, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table))
     if now <= LEAST_GAIN * best:
         text = Length(now, ".4g")
         good = say("The present setup is as good as any of the region: largest deviation {deviation}.", deviation=text)
@@ -110,6 +111,7 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
         "within_limits": chart.within_limits, "on_table": chart.stands, "rewinds": chart.rewinds,
+        "machine_hit": chart.hits,
     }  # fmt: skip
     kinds = [Kind(kind).name.lower() for kind in chart.kind]
     setups = [{"kind": kinds[row]} | {name: plain(column[row]) for name, column in columns.items()} for row in range(len(kinds))]
@@ -185,6 +187,7 @@ def _turn_table(chart: SetupMap) -> Table:
 
 def _cells(chart: SetupMap, name: str, row: int) -> list[str]:
     limits = "within" if chart.stands[row] else "below the table"
+    limits = f"hits the machine by {number(float(chart.hits[row]), 3)} mm" if chart.hits[row] > 0.0 else limits
     limits = limits if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
     if not math.isfinite(chart.max_deviation[row]):
         return [name, *(number(value, 3) for value in chart.origin[row]), f"{math.degrees(chart.turn[row]):g}", *"----", "rotary"]

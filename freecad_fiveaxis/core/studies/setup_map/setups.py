@@ -118,7 +118,8 @@ class SetupMap:
     rotary limits allow no way at a turn, its rows are NaN and not within limits. ``best``: the recommended row, None where
     none is within limits and stands. ``least`` mm: no work zero of the region that stands, at the turns tried, has less
     deviation (but for rounding of words). ``table`` mm: height of the table's face, machine frame, None where it is not
-    known; ``bottom`` mm: the part's lowest place over the work zero.
+    known; ``bottom`` mm: the part's lowest place over the work zero. ``hits`` (k,) mm: how deep tool or spindle go into the
+    machine, 0 where they hit nothing, NaN where nobody has looked (no bodies, or no need).
     """
 
     machine: str
@@ -138,18 +139,19 @@ class SetupMap:
     least: float
     table: float | None
     bottom: float
+    hits: Floats
     findings: tuple[Finding, ...] = ()
 
     def __post_init__(self) -> None:
         freeze(
             self, None, origin="f3", turn="f", max_deviation="f", rotary_travel="f", time="f", over="f", within_limits="b",
-            stands="b", rewinds="i", kind="m",
+            stands="b", rewinds="i", kind="m", hits="f",
         )  # fmt: skip
 
     @property
     def able(self) -> Bools:
-        """The setups (k,) that are within limits and stand."""
-        return self.within_limits & self.stands
+        """The setups (k,) that are within limits and stand, and in which nothing is known to be hit."""
+        return self.within_limits & self.stands & ~(self.hits > 0.0)
 
     def grid(self, column: Floats | Bools) -> Floats:
         """The grid's part of a column, (turns, z, y, x)."""

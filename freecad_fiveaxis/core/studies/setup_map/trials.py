@@ -92,7 +92,7 @@ def carry_out(ground: Ground, trial: Trial, progress: Progress) -> Tried:
     """Do one trial; a turn out of reach is a result."""
     progress("", 0.0)
     try:
-        driven = _drive(ground, trial.turn, progress)
+        driven = drive(ground, trial.turn, progress)
     except ReachError as error:
         return Tried(lost=error)
     if trial.zeros is not None:
@@ -118,8 +118,8 @@ def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost
     return (origin, cost) if cost.within else (found, driven.cost(found))
 
 
-def _drive(ground: Ground, turn: float, progress: Progress) -> Driven:
-    """The path at one turn; the last one is kept. Threads may both drive the same: it is the same, too."""
+def drive(ground: Ground, turn: float, progress: Progress) -> Driven:
+    """Drive the path at one turn; the last one is kept. Threads may both drive the same: it is the same, too."""
     solved = ground.driven.get(turn)
     if solved is None:
         try:

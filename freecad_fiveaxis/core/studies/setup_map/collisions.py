@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""In which setups tool or spindle hit the machine: asked of the present one, and of those that would be recommended, one by one,
+until one is free.
+
+A part that is moved by less than the depth of a hit, at the same turn, moves the tool's way against each body by no more: there
+the tool hits as well. So these are passed over without a look.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.codes import Code, Severity
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
+from freecad_fiveaxis.core.base.records import Bools, Floats
+from freecad_fiveaxis.core.base.sentences import Length, Option, Point, plural
+
+MOST_LOOKED_AT = 24
+"""Setups whose whole program is checked: what is free nowhere near these is for the user to find another region for."""
+
+Look = Callable[[float, Floats], tuple[Finding, ...]]
+"""What tool and spindle hit of the machine at a turn, rad, and a work zero (3,) mm, deeper than the tolerance."""
+Choose = Callable[[Bools], int | None]
+"""The row to recommend of those (k,) that may be."""
+
+
+class FreeSetup(NamedTuple):
+    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: how deep tool or spindle go into the machine, 0
+    where they hit nothing, NaN where nobody has looked; ``findings`` of the best one, and of those that were passed over."""
+
+    best: int | None
+    hits: Floats
+    findings: tuple[Finding, ...] = ()
+
+
+def choose_free(choose: Choose, origin: Floats, turn: Floats, able: Bools, present: bool, look: Look | None) -> FreeSetup:
+    """Choose the best of the rows ``able`` (k,) in which tool and spindle hit nothing of the machine; ``present``: whether row 0
+    keeps the limits, and is looked at too. ``look``: None where the machine has no bodies. ``origin`` (k, 3) mm, ``turn`` (k,)
+    rad."""
+    hits = np.full(len(origin), np.nan)
+    if look is None:
+        return FreeSetup(choose(able), hits)
+    seen, left = dict[int, tuple[Finding, ...]](), able.copy()
+    if present:
+        seen[0] = look(float(turn[0]), origin[0])
+        hits[0] = _depth(seen[0])
+    for _ in range(MOST_LOOKED_AT):
+        row = choose(left)
+        if row is None:
+            break
+        if row not in seen:
+            seen[row] = look(float(turn[row]), origin[row])
+            hits[row] = _depth(seen[row])
+        if hits[row] == 0.0:
+            passed = {at: found for at, found in seen.items() if hits[at] > 0.0 and able[at]}
+            return FreeSetup(row, hits, (*seen[row], *_passed_over(origin, passed)))
+        left &= (turn != turn[row]) | (np.linalg.norm(origin - origin[row], axis=1) >= hits[row])
+    return FreeSetup(None, hits, tuple(_none_free(origin, hits, seen)))
+
+
+def _depth(found: tuple[Finding, ...]) -> float:
+    deepest = _deepest(found)
+    return 0.0 if deepest is None else float(deepest.value or 0.0)
+
+
+def _deepest(found: tuple[Finding, ...]) -> Finding | None:
+    return max((one for one in found if one.severity is Severity.ERROR), key=lambda one: one.value or 0.0, default=None)
+
+
+def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
+    """A note on the setups that would be better, but for what is hit there."""
+    if passed:
+        row = next(iter(passed))
+        text = plural(
+            len(passed),
+            "1 setup that was tried is passed over, because tool or spindle hit the machine there: with the work zero at "
+            "{origin} the {name} by {depth}.",
+            "{count} setups that were tried are passed over, because tool or spindle hit the machine there: with the work zero "
+            "at {origin} the {name} by {depth}.",
+            origin=Point(tuple(origin[row].tolist()), ".6g"),
+            **_hit(passed[row]),
+        )
+        yield report_finding(Code.SETUPS_HIT_MACHINE, text, float(len(passed)))
+
+
+def _none_free(origin: Floats, hits: Floats, seen: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
+    if not (hits > 0.0).any():
+        return
+    row = int(np.nanargmin(np.where(hits > 0.0, hits, np.nan)))
+    text = plural(
+        int((hits > 0.0).sum()),
+        "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: the {name} by {depth}. "
+        "Move the region ({option}), clamp the part higher, or use a longer tool.",
+        "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} "
+        "by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
+        origin=Point(tuple(origin[row].tolist()), ".6g"),
+        option=Option("origin"),
+        **_hit(seen[row]),
+    )
+    yield report_finding(Code.NO_SETUP_FREE, text, float(hits[row]), 0.0)
+
+
+def _hit(found: tuple[Finding, ...]) -> dict[str, object]:
+    """The name of the body that is hit deepest, and how deep."""
+    deepest = _deepest(found)
+    assert deepest is not None
+    return {"name": deepest.hit.entered if deepest.hit else "", "depth": Length(deepest.value or 0.0, ".3g")}
