@@ -55,19 +55,34 @@ def _schema(number):  # after the document: from FreeCAD 1.1 on each document br
 
 
 @pytest.fixture
-def panel(dome, pump):
-    """The panel of a new, coarse path over the dome."""
+def panel(dome, pump, until):
+    """The panel of a new, coarse path over the dome, in sight: where the panel of the test before has just been closed, FreeCAD may
+    show the tree afterwards."""
     opened = toolpath.create(dome)
     opened.options.show_options(OPTIONS)
     pump(300)
+
+    def in_sight():
+        if not opened.form.isVisible():
+            FreeCADGui.Control.showTaskView()
+        return opened.form.isVisible()
+
+    until(in_sight, 20000, "the panel in sight")
     return opened
 
 
 def shown(name):
-    """The widget of that name in the open panel: the last one, for the form of an earlier panel may not be gone yet."""
+    """The widget of that name in the open panel: the last one that lies in what is seen, for the form of an earlier panel may not be
+    gone yet, and come before or behind it."""
     found = FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, name)
     assert found, name
-    return found[-1]
+    return max(reversed(found), key=lambda one: sum(part.isVisible() for part in around(one)))
+
+
+def around(widget):
+    """The widgets that hold it, the nearest first."""
+    while (widget := widget.parentWidget()) is not None:
+        yield widget
 
 
 def names(doc):
