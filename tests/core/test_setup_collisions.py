@@ -51,7 +51,7 @@ def looked_at(depth):
 def test_the_first_that_is_free_is_chosen_and_what_is_nearer_than_a_hit_is_deep_is_not_looked_at():
     choice, seen = looked_at(np.array([2.5, 2.0, 1.0, 0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0]))
     assert seen == [0, 3, 4, 5] and choice.best == 5
-    np.testing.assert_array_equal(choice.hits, [2.5, np.nan, np.nan, 0.5, 0.5, 0.0, *[np.nan] * 4])
+    np.testing.assert_array_equal(choice.hits, [2.5, 1.5, 0.5, 0.5, 0.5, 0.0, *[np.nan] * 4])
     assert [one.code for one in choice.findings] == ["machine-near", "setups-hit-machine"] and choice.findings[1].value == 3.0
 
 

@@ -28,8 +28,8 @@ Choose = Callable[[Bools], int | None]
 
 
 class FreeSetup(NamedTuple):
-    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: how deep tool or spindle go into the machine, 0
-    where they hit nothing, NaN where nobody has looked; ``findings`` of the best one, and of those that were passed over."""
+    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep tool or spindle go into the
+    machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best one, and of those that were passed over."""
 
     best: int | None
     hits: Floats
@@ -43,21 +43,18 @@ def choose_free(choose: Choose, origin: Floats, turn: Floats, able: Bools, prese
     hits = np.full(len(origin), np.nan)
     if look is None:
         return FreeSetup(choose(able), hits)
-    seen, left = dict[int, tuple[Finding, ...]](), able.copy()
-    if present:
-        seen[0] = look(float(turn[0]), origin[0])
-        hits[0] = _depth(seen[0])
-    for _ in range(MOST_LOOKED_AT):
-        row = choose(left)
-        if row is None:
-            break
-        if row not in seen:
-            seen[row] = look(float(turn[row]), origin[row])
-            hits[row] = _depth(seen[row])
-        if hits[row] == 0.0:
+    seen, row = dict[int, tuple[Finding, ...]](), 0 if present else choose(able)
+    while row is not None and len(seen) < MOST_LOOKED_AT:
+        seen[row] = look(float(turn[row]), origin[row])
+        depth, away = _depth(seen[row]), np.linalg.norm(origin - origin[row], axis=1)
+        near = (turn == turn[row]) & (away < depth)
+        hits[near] = np.fmax(hits[near], depth - away[near])
+        hits[row] = depth
+        best = choose(able & ~(hits > 0.0))
+        if best in seen:
             passed = {at: found for at, found in seen.items() if hits[at] > 0.0 and able[at]}
-            return FreeSetup(row, hits, (*seen[row], *_passed_over(origin, passed)))
-        left &= (turn != turn[row]) | (np.linalg.norm(origin - origin[row], axis=1) >= hits[row])
+            return FreeSetup(best, hits, (*seen[best], *_passed_over(origin, passed)))
+        row = best
     return FreeSetup(None, hits, tuple(_none_free(origin, hits, seen)))
 
 
@@ -87,11 +84,12 @@ def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iter
 
 
 def _none_free(origin: Floats, hits: Floats, seen: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
-    if not (hits > 0.0).any():
+    hit = [row for row in seen if hits[row] > 0.0]
+    if not hit:
         return
-    row = int(np.nanargmin(np.where(hits > 0.0, hits, np.nan)))
+    row = min(hit, key=lambda one: float(hits[one]))
     text = plural(
-        int((hits > 0.0).sum()),
+        len(hit),
         "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: the {name} by {depth}. "
         "Move the region ({option}), clamp the part higher, or use a longer tool.",
         "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} "

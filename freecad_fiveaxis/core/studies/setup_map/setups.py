@@ -118,8 +118,8 @@ class SetupMap:
     rotary limits allow no way at a turn, its rows are NaN and not within limits. ``best``: the recommended row, None where
     none is within limits and stands. ``least`` mm: no work zero of the region that stands, at the turns tried, has less
     deviation (but for rounding of words). ``table`` mm: height of the table's face, machine frame, None where it is not
-    known; ``bottom`` mm: the part's lowest place over the work zero. ``hits`` (k,) mm: how deep tool or spindle go into the
-    machine, 0 where they hit nothing, NaN where nobody has looked (no bodies, or no need).
+    known; ``bottom`` mm: the part's lowest place over the work zero. ``hits`` (k,) mm: at least so deep tool or spindle go into
+    the machine, 0 where they hit nothing, NaN where nobody knows (no bodies, or no need to look).
     """
 
     machine: str
