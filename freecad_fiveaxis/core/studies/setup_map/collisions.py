@@ -29,7 +29,7 @@ Choose = Callable[[Bools], int | None]
 
 class FreeSetup(NamedTuple):
     """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep tool or spindle go into the
-    machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best one, and of those that were passed over."""
+    machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best, and of those that were passed over."""
 
     best: int | None
     hits: Floats
