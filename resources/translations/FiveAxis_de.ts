@@ -3271,8 +3271,8 @@
         <translation>unter dem Tisch</translation>
     </message>
     <message>
-        <source>beyond limits, or below the table: {count} places</source>
-        <translation>außerhalb der Grenzen oder unter dem Tisch: {count} Stellen</translation>
+        <source>beyond limits, below the table or in the machine: {count} places</source>
+        <translation>außerhalb der Grenzen, unter dem Tisch oder in der Maschine: {count} Stellen</translation>
     </message>
     <message>
         <source>beyond the machine's limits</source>

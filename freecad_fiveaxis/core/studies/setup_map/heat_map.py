@@ -109,7 +109,7 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> PlotText:
     names = f"{'XYZ'[across]} and {'XYZ'[up]}"
     caption = (
         f"Each cell is the program as posted with the work zero there, at {_where(chart, axes)}. Star: recommended; cross: "
-        "present. Hatched: an axis would leave its limits, or the part would reach below the table."
+        "present. Hatched: an axis would leave its limits, the part would reach below the table, or the tool hit the machine."
     )
     alt = f"Largest deviation over the work zero along {names}: from {low:.4g} to {high:.4g} mm."
     return f"heat-{'xyz'[across]}{'xyz'[up]}", f"Deviation and time over the work zero along {names}", caption, alt
@@ -163,7 +163,7 @@ def _curve(figure: Any, chart: SetupMap, axis: int) -> PlotText:
         axes.plot(line, values, "o-", color=BLUE)
         axes.set(xlabel=f"work zero {letter}, mm", ylabel=label)
     outside = ~_sliced(chart, chart.able, (axis,)).astype(bool)
-    left.plot(line[outside], deviation[outside], "x", color=RED, ms=9, label="beyond limits or below the table")
+    left.plot(line[outside], deviation[outside], "x", color=RED, ms=9, label="beyond limits, below the table or in the machine")
     if chart.best is not None:
         left.plot(chart.origin[chart.best, axis], chart.max_deviation[chart.best], "*", color=GREEN, ms=12, label="recommended")
     left.legend() if left.get_legend_handles_labels()[0] else None
