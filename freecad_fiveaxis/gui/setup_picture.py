@@ -63,7 +63,10 @@ class SetupPicture:
             (good, translate("FiveAxis", "within tolerance: {count} places").format(count=within)),
             (nodes.WHITE, translate("FiveAxis", "recommended")),
             (PRESENT_COLOUR, translate("FiveAxis", "where the work zero stood")),
-            (BEYOND_COLOUR, translate("FiveAxis", "beyond limits, below the table or in the machine: {count} places").format(count=beyond)),
+            (
+                BEYOND_COLOUR,
+                translate("FiveAxis", "beyond limits, below the table or in the machine: {count} places").format(count=beyond),
+            ),
         )
         halves = (translate("FiveAxis", "smaller deviation"), translate("FiveAxis", "larger deviation"))
         old = translate("FiveAxis", "The tool path was changed since: double-click the map to try again")
