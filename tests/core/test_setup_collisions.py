@@ -76,6 +76,12 @@ def test_so_many_are_looked_at_and_no_more():
     assert choice.best is None and len(count) == MOST_LOOKED_AT
 
 
+def test_where_no_setup_keeps_the_limits_these_are_why_and_not_what_the_present_one_hits():
+    hit = report_finding(Code.MACHINE_COLLISION, "hit", 0.5)
+    choice = choose_free(lambda able: None, PLACES, np.zeros(10), np.zeros(10, bool), True, lambda *_: (hit,))
+    assert choice.best is None and choice.hits[0] == 0.5 and choice.findings == ()
+
+
 def test_without_bodies_nobody_looks():
     choice = choose_free(lambda able: 3, PLACES, np.zeros(10), np.ones(10, bool), True, None)
     assert choice.best == 3 and np.isnan(choice.hits).all() and choice.findings == ()

@@ -55,7 +55,7 @@ def choose_free(choose: Choose, origin: Floats, turn: Floats, able: Bools, prese
             passed = {at: found for at, found in seen.items() if hits[at] > 0.0 and able[at]}
             return FreeSetup(best, hits, (*seen[best], *_passed_over(origin, passed)))
         row = best
-    return FreeSetup(None, hits, tuple(_none_free(origin, hits, seen)))
+    return FreeSetup(None, hits, tuple(_none_free(origin, hits, seen)) if able.any() else ())  # else the limits are why
 
 
 def _depth(found: tuple[Finding, ...]) -> float:

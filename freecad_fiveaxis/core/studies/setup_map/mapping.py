@@ -132,7 +132,7 @@ def _mapped(
         origin, turn, eligible, bool(within[0] & stands[0]), look,
     )  # fmt: skip
     least = min((one.least for one in found if one.origin is not None), default=math.nan)
-    best, none_free = choice.best, choice.best is None and bool((choice.hits > 0.0).any())
+    best, none_free = choice.best, choice.best is None and bool(eligible.any())
     findings = (
         *(() if none_free else _findings(region, origin, best, found)),
         *choice.findings,
