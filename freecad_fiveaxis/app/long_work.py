@@ -17,7 +17,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, contextmanager, suppress
 from typing import Any, Generic, TypeVar
 
 import FreeCAD
@@ -148,12 +148,16 @@ class Worker(threading.Thread, Generic[T]):
 
     def run(self) -> None:
         """Do the work."""
+        with suppress(Cancelled):  # a second stop may arrive while the first is taken down
+            self._do()
+        self._leave()
+
+    def _do(self) -> None:
         try:
             with self._rules:
                 self._results.append(self._work(self._tell))
         except BaseException as error:
             self._error = error
-        self._leave()
 
     def news(self) -> list[tuple[str, float]]:
         """What was said since the last call: each stage once, with its last fraction."""
@@ -182,7 +186,7 @@ class Worker(threading.Thread, Generic[T]):
 
     def _tell(self, stage: str, fraction: float) -> None:
         if self._stopped:
-            raise Cancelled(say("stopped; nothing was changed"))
+            raise Cancelled
         self._heard.append((stage, fraction))
 
     def _leave(self) -> None:

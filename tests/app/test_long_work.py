@@ -143,6 +143,20 @@ def test_a_stop_gives_the_thread_back_while_the_work_goes_on(work, freed):
     assert not still_at_work()
 
 
+def test_work_that_says_nothing_ends_by_a_stop_with_a_message_and_not_a_word_on_the_console(freed, monkeypatch):
+    """What stops it raises the bare class; made without a message that was a TypeError, in red, seldom enough to pass by."""
+    on_the_console = []
+    monkeypatch.setattr(threading, "excepthook", on_the_console.append)
+    for _ in range(20):
+        worker = long_work.Worker(lambda told: in_python(told, freed))
+        worker.start()
+        worker.stop()
+        worker.join(60)
+        with pytest.raises(Cancelled, match="nothing was changed"):
+            worker.result()
+    assert not on_the_console and not still_at_work()
+
+
 def test_an_abandoned_worker_ends_after_its_call_and_goes_no_further(freed):
     went_on = []
 

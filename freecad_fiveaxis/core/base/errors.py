@@ -8,6 +8,8 @@ and says in one line what to do about it.
 
 from __future__ import annotations
 
+from .sentences import say
+
 
 class FiveAxisError(Exception):
     """Input that cannot be used. ``value`` is what was given; ``text`` names it and the remedy.
@@ -46,3 +48,7 @@ class FileError(FiveAxisError, OSError):
 
 class Cancelled(FiveAxisError):
     """The user stopped the work; nothing was written."""
+
+    def __init__(self, message: str | None = None, value: object = None) -> None:
+        """A thread that is stopped from outside raises the bare class, so that the message has to be here."""
+        super().__init__(say("stopped; nothing was changed") if message is None else message, value)
