@@ -18,10 +18,10 @@ def test_a_cutter_is_read_with_its_units(text, diameter, length):
     assert cutter.radius == cutter.diameter / 2
 
 
-@pytest.mark.parametrize("text", ["cone:10", "barrel:10", "10", "", "ball10"])
+@pytest.mark.parametrize("text", ["cone:10", "lens:10", "10", "", "ball10"])
 def test_another_shape_is_refused_with_those_on_offer(text):
     with pytest.raises(
-        SettingsError, match="only ball, flat, bull, taperball, taperbull, lollipop cutters are on offer"
+        SettingsError, match="only ball, flat, bull, taperball, taperbull, lollipop, barrel cutters are on offer"
     ) as caught:
         parse_cutter(text)
     assert caught.value.value == text

@@ -4,6 +4,8 @@
 body      a stack of convex pieces; heights are counted from the tip along the axis, towards the spindle, mm.
 core      of a piece: a disc, a frustum, or a stretch of the axis; all points between the disc of ``low_radius`` at height
           ``low`` and the disc of ``high_radius`` at height ``high``.
+bulge     of a core: its side is no straight line but an arc of that radius, which ends parallel to the axis at the high disc's
+          radius and goes on as a cylinder to its height. With the round it is a barrel cutter, to the last bit, not in facets.
 piece     all points within ``round`` of its core: a ball is a core of one point, a corner of a bull nose a rounded disc.
 depth     of a point in the body: how far it is inside, mm; the largest over the pieces. Negative outside.
 support   of a piece in a unit direction g: the largest ``g . x`` of its points x, here from a tip at 0.
@@ -23,6 +25,7 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, say
 
+from .barrel import Flank
 from .cutter import Cutter
 
 CUTTER, SHANK, HOLDER, SPINDLE = 0, 1, 2, 3
@@ -37,7 +40,8 @@ UNDIRECTED_MM = 1e-30
 
 
 class Piece(NamedTuple):
-    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK, HOLDER or SPINDLE."""
+    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK, HOLDER or SPINDLE; ``bulge``: radius of
+    the arc between the discs, which begins on the axis (``low_radius`` 0) and is above ``high_radius``; 0: there is none."""
 
     low: float
     low_radius: float
@@ -45,6 +49,13 @@ class Piece(NamedTuple):
     high_radius: float
     round: float
     part: int = CUTTER
+    bulge: float = 0.0
+
+    @property
+    def arc(self) -> tuple[float, float]:
+        """Distance from the axis, below 0, and height above the tip, mm, of the middle of the bulge's arc."""
+        middle = self.high_radius - self.bulge
+        return middle, self.low + math.sqrt(self.bulge * self.bulge - middle * middle)
 
     @property
     def reach(self) -> float:
@@ -108,7 +119,7 @@ def frustum_piece(low: float, low_radius: float, high: float, high_radius: float
 
 
 def _checked(piece: Piece) -> Piece:
-    sizes = piece[:5]
+    sizes = (*piece[:5], piece.bulge)
     if not all(0.0 <= abs(size) <= LARGEST for size in sizes) or min(piece.low_radius, piece.high_radius, piece.round) < 0.0:
         raise SettingsError(
             say(
@@ -136,7 +147,17 @@ def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
     low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
     across = np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
     most = [_plus(z * along, r * across, (abs(z) + r) * loose) for z, r in ([low] if low == high else [low, high])]
-    return np.asarray((most[0] if len(most) == 1 else np.maximum(*most)) + piece.round)
+    reached = most[0] if len(most) == 1 else np.maximum(*most)
+    if piece.bulge > 0.0:
+        reached = np.maximum(reached, _bulge_support(piece, along, across, loose))
+    return np.asarray(reached + piece.round)
+
+
+def _bulge_support(piece: Piece, along: Floats, across: Floats | float, loose: Floats | float) -> Floats:
+    """The support (n,) mm of a bulge's arc from a tip at 0; -inf in directions in which none of its points is the farthest."""
+    middle, height = piece.arc
+    reached = middle * across + piece.bulge + height * along + (abs(height) + piece.high_radius) * loose
+    return np.where((along <= 0.0) & (along * piece.bulge >= piece.low - height), reached, -np.inf)
 
 
 def _plus(column: Floats, *more: Floats | float) -> Floats:
@@ -163,6 +184,8 @@ def swing_support(body: Body, most: Floats) -> Floats:
     discs = {(z, r, piece.round) for piece in body.pieces for z, r in (piece[:2], piece[2:4])}
     along = [np.minimum(z / max(math.hypot(z, r), UNDIRECTED_MM), most) for z, r, _ in discs]
     reach = [z * a + r * np.sqrt(np.maximum(1.0 - a * a, 0.0)) + c for (z, r, c), a in zip(discs, along, strict=True)]
+    level = np.minimum(most, 0.0)  # on a bulge, all of which is above the tip, the more along the farther
+    reach += [support(piece, level) for piece in body.pieces if piece.bulge > 0.0]
     return np.asarray(np.max(reach, axis=0))
 
 
@@ -185,9 +208,11 @@ def _cutter_pieces(cutter: Cutter) -> list[Piece]:
     """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all points within the corner
     radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off, with
     so much below it that its own lower border does not count. Of a lollipop the ball, and its neck, which does not cut, as a
-    shank."""
+    shank; of a barrel all points within the corner radius of a bulge, and its end."""
     if cutter.stem:
         return [round_piece(cutter.ring, cutter.corner, cutter.corner), *(frustum_piece(*row, SHANK) for row in cutter.stem)]
+    if (barrel := cutter.barrel) is not None:
+        return _barrel_pieces(cutter, barrel)
     corner, slope = cutter.corner, math.tan(cutter.taper)
     top = max(cutter.length, corner)
     last = min(max(top - corner, corner), top)
@@ -196,6 +221,14 @@ def _cutter_pieces(cutter: Cutter) -> list[Piece]:
         start = max(last - corner, min(corner, last))
         pieces.append(frustum_piece(start, cutter.top_radius - (cutter.length - start) * slope, top, cutter.top_radius))
     return pieces
+
+
+def _barrel_pieces(cutter: Cutter, barrel: Flank) -> list[Piece]:
+    corner, wide, top, widest = cutter.corner, cutter.radius, cutter.length, cutter.corner + barrel.rise
+    last = max(top - corner, widest)
+    core = _checked(Piece(corner, 0.0, last, wide - corner, corner, bulge=barrel.radius - corner))
+    start = max(last - corner, widest)
+    return [core, *([frustum_piece(start, wide, top, wide)] if top > start else [])]
 
 
 # ------------------------------------------------------------------------------------------------ the meridian plane
@@ -216,6 +249,8 @@ def off_piece(piece: Piece, radius: Floats, height: Floats) -> Off:
         near_radius = np.minimum(radius, piece.low_radius)
         near_height = np.clip(height, piece.low, piece.high)
         return _rounded(_from_point(radius - near_radius, height - near_height), piece.round)
+    if piece.bulge > 0.0:
+        return _rounded(_off_bulge(piece, radius, height), piece.round)
     return _rounded(_off_frustum(piece, radius, height), piece.round)
 
 
@@ -267,6 +302,24 @@ def _off_frustum(piece: Piece, radius: Floats, height: Floats) -> Off:
     )
 
 
+def _off_bulge(piece: Piece, radius: Floats, height: Floats) -> Off:
+    """Of a core with a bulge: from its lowest point, its arc, its side or its top. No point of it is below the line from the
+    middle of its arc to its lowest point, so inside only the arc, the side and the top are near."""
+    middle, crest = piece.arc
+    dr, dz = radius - middle, height - crest
+    far = np.maximum(np.sqrt(dr * dr + dz * dz), UNDIRECTED_MM)
+    by_arc = dz <= 0.0
+    below = by_arc & (dz * piece.bulge < (piece.low - crest) * far)
+    across, along = np.where(by_arc, far - piece.bulge, radius - piece.high_radius), height - piece.high
+    out_across, out_along = np.where(by_arc, dr / far, 1.0), np.where(by_arc, dz / far, 0.0)
+    corner = _from_point(np.maximum(radius - piece.high_radius, 0.0), np.maximum(along, 0.0))
+    tip = _from_point(radius, height - piece.low)
+    by_top = along > across
+    side = Off(np.where(by_top, along, across), np.where(by_top, 1.0, out_along), np.where(by_top, 0.0, out_across))
+    side = Off(*(np.where(along > 0.0, one, two) for one, two in zip(corner, side, strict=True)))
+    return Off(*(np.where(below, one, two) for one, two in zip(tip, side, strict=True)))
+
+
 def depth_of(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
     """How deep points (n, 3) lie in the body whose tip (n, 3) mm and unit axis (n, 3), or (3,) each, are given: (n,) mm."""
     arm = np.asarray(point, float) - tip
@@ -289,6 +342,8 @@ def way_out(body: Body, tip: Floats, axis: Floats, point: Floats, more: Floats |
 
 def _underside(piece: Piece, radius: Floats, more: Floats | float) -> Floats:
     """The lowest height (n,) of a piece grown by so much so far from the axis, mm; infinite beside it."""
+    if piece.bulge > 0.0:
+        return _under_bulge(piece, radius, piece.round + more)
     r0, r1, c = piece.low_radius, piece.high_radius, piece.round + more
     over = np.maximum(radius - r0, 0.0)
     lowest = piece.low - np.sqrt(np.maximum(c * c - over * over, 0.0))
@@ -301,3 +356,13 @@ def _underside(piece: Piece, radius: Floats, more: Floats | float) -> Floats:
         flank = np.where(beyond <= begins, piece.low + over * slope - c * lean, rim)
         under = np.minimum(under, np.where((over >= begins) & (beyond <= c), flank, np.inf))
     return np.asarray(under)
+
+
+def _under_bulge(piece: Piece, radius: Floats, round_: Floats | float) -> Floats:
+    """The same of a bulge with so much round: below its lowest point a ball, then an arc as much larger."""
+    middle, crest = piece.arc
+    whole, out = piece.bulge + round_, radius - middle
+    ball = piece.low - np.sqrt(np.maximum(round_ * round_ - radius * radius, 0.0))
+    flank = crest - np.sqrt(np.maximum(whole * whole - out * out, 0.0))
+    under = np.where(radius * piece.bulge <= -middle * round_, ball, flank)
+    return np.where(out <= whole, under, np.inf)

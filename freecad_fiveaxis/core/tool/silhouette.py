@@ -41,7 +41,8 @@ def effective_radius(normal: Floats, axis: Floats, direction: Floats, ring: floa
 def width_at(normal: Floats, axis: Floats, direction: Floats, height: float, discs: Floats, bend: float = 0.0) -> Floats:
     """Width (n,) mm of the shadow ``height`` mm above the contact.
 
-    ``discs`` (k, 3): radius, rounding and height along the axis of the discs whose hull the body is. ``bend`` 1/mm: curvature of
+    ``discs`` (k, 5): radius, rounding and height along the axis of the discs whose hull the body is, and from which to which part
+    along the axis of a direction they support it. ``bend`` 1/mm: curvature of
     the surface along the way, convex positive: what cuts a distance b before or behind the contact cuts ``bend b^2 / 2`` less.
     """
     width = np.empty(len(normal))
@@ -78,8 +79,9 @@ def _outline(normal: Floats, axis: Floats, across: Floats, angle: Floats, discs:
     best = np.full(along.shape, -np.inf)
     way_axis = row_dot(np.cross(across, normal), axis)[:, None]
     x, y, z = np.zeros(along.shape), np.zeros(along.shape), np.zeros(along.shape)
-    for radius, rounding, height in discs:
+    for radius, rounding, height, least, most in discs:
         support = radius * length + rounding + height * along
+        support[(along < least) | (along > most)] = -np.inf
         more = support > best
         best = np.where(more, support, best)
         x = np.where(more, radius * radial_side / length + rounding * aside + height * side_axis, x)

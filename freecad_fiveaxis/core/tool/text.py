@@ -2,11 +2,11 @@
 """Cutters as they are written: options, heads of NC files, and APT's CUTTER statement.
 
 kind      the first word of an option: ``ball:10``, ``flat:10``, ``bull:10:2`` (corner radius), ``taperball:6:5deg`` (taper),
-          ``taperbull:10:2:5deg`` (both), ``lollipop:10:6`` (diameter of the neck). The length of the edge may follow each; of a
-          lollipop that up to the end of its neck.
+          ``taperbull:10:2:5deg`` (both), ``lollipop:10:6`` (diameter of the neck), ``barrel:10:85:2`` (radius of the flank, then
+          that of the ball at the tip). The length of the edge may follow each; of a lollipop that up to the end of its neck.
 APT       ``CUTTER/d,r,e,f,a,b,h``: d the diameter at which the bottom's and the flank's lines cross, r corner radius, e and f
           place of the corner circle's centre from axis and tip, a the bottom's angle, b the flank's (deg), h the height. It has
-          no word for a neck: a lollipop's is written behind it (see :mod:`~.toolpath.apt.writer`).
+          no word for a neck, nor for a flank that is an arc: they are written behind it (see :mod:`~.toolpath.apt.writer`).
 """
 
 from __future__ import annotations
@@ -28,13 +28,14 @@ KINDS = {
     "taperball": ("diameter", "taper"),
     "taperbull": ("diameter", "corner", "taper"),
     "lollipop": ("diameter", "neck"),
+    "barrel": ("diameter", "flank", "corner"),
 }
 """The cutter shapes on offer, with the sizes that each must have; the length may follow."""
 
-SIZES = ("diameter", "corner", "taper", "neck", "length")
+SIZES = ("diameter", "corner", "taper", "neck", "flank", "length")
 """All sizes that cutters have."""
 
-FORMS = ("ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg", "lollipop:10:6")
+FORMS = ("ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg", "lollipop:10:6", "barrel:10:85:2")
 """An example of each."""
 
 EQUAL_SIZE = 1e-4
@@ -89,6 +90,8 @@ def kind_of(cutter: Cutter) -> str:
     """The kind under which the cutter is written."""
     if cutter.neck is not None:
         return "lollipop"
+    if cutter.flank is not None:
+        return "barrel"
     if cutter.taper > 0.0:
         return "taperbull" if cutter.ring > 0.0 else "taperball"
     if cutter.ring > 0.0:
@@ -119,11 +122,14 @@ def cutter_name(cutter: Cutter) -> str:
     words = f"{kind.replace('taper', 'taper ')} {cutter.diameter:g} mm"
     words += f", corner {cutter.corner:g} mm" if "corner" in KINDS[kind] else ""
     words += f", neck {cutter.neck:g} mm" if cutter.neck is not None else ""
+    words += f", flank {cutter.flank:g} mm" if cutter.flank is not None else ""
     return words + (f", {math.degrees(cutter.taper):.6g} deg" if "taper" in KINDS[kind] else "")
 
 
 def apt_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck, else all seven."""
+    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck or a flank,
+    else all seven. Whoever does not know of a barrel's flank has a bull nose of its diameter and the radius of its tip, out of
+    which nothing of it looks."""
     if cutter.taper == 0.0:
         return cutter.diameter, cutter.corner
     slope = math.degrees(cutter.taper)
@@ -140,9 +146,16 @@ def neck_numbers(cutter: Cutter) -> tuple[float, ...]:
     return () if cutter.neck is None else (cutter.neck, cutter.length)
 
 
-def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0, neck: Sequence[float] = ()) -> Cutter | None:
+def flank_numbers(cutter: Cutter) -> tuple[float, ...]:
+    """What it has no word for either, mm: radius of a barrel's flank, and its length; of others nothing."""
+    return () if cutter.flank is None else (cutter.flank, cutter.length)
+
+
+def cutter_from_apt(
+    numbers: Sequence[float], scale: float = 1.0, neck: Sequence[float] = (), flank: Sequence[float] = ()
+) -> Cutter | None:
     """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit, ``neck`` as of
-    :func:`neck_numbers`, in that unit too.
+    :func:`neck_numbers`, ``flank`` as of :func:`flank_numbers`, in that unit too.
 
     None where d is all that is said, for then the shape is not; and for shapes that are not on offer: a bottom that is no plane
     (a), a corner circle that does not touch it (f), a flank that narrows upwards (b), sizes that make no cutter.
@@ -160,6 +173,8 @@ def cutter_from_apt(numbers: Sequence[float], scale: float = 1.0, neck: Sequence
     corner = FULL if abs(ring) <= EQUAL_SIZE else r
     sizes: dict[str, Any] = {} if math.isnan(h) or h <= 0.0 else {"length": h}
     sizes |= {name: scale * size for name, size in zip(("neck", "length"), neck, strict=False)}
+    sizes |= {name: scale * size for name, size in zip(("flank", "length"), flank, strict=False)}
+    corner = r if flank else corner
     try:
         return Cutter(2.0 * (max(ring, 0.0) + r), corner=corner, taper=taper, **sizes)
     except SettingsError:

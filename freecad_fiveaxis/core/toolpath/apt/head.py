@@ -19,7 +19,7 @@ open."""
 class ClHead:
     """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
     the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg; ``neck`` (0
-    or 2 numbers) diameter and upper end of a lollipop's neck, mm."""
+    or 2 numbers) diameter and upper end of a lollipop's neck, mm; ``flank`` (0 or 2) radius of a barrel's flank and its length."""
 
     tool: int | None = None
     speed: float = 0.0
@@ -28,11 +28,12 @@ class ClHead:
     corner: float = 0.0
     stated: tuple[float, ...] = field(default=(), compare=False)
     neck: tuple[float, ...] = field(default=(), compare=False)
+    flank: tuple[float, ...] = field(default=(), compare=False)
 
     @property
     def cutter(self) -> Cutter | None:
         """The cutter, where its shape is said and is one that can be used here."""
-        return cutter_from_apt(self.stated, neck=self.neck)
+        return cutter_from_apt(self.stated, neck=self.neck, flank=self.flank)
 
 
 def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
@@ -72,7 +73,10 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
 
 
 def _off_shape(other: Cutter, given: Cutter) -> float:
-    """By how much, mm or rad, the CL file's cutter has another corner, another taper, or a thinner neck than the one given: a
-    neck thinner than the file's has the room of the file's."""
+    """By how much, mm or rad, the CL file's cutter has another corner, taper or flank, or a thinner neck than the one given: a
+    neck thinner than the file's has the room of the file's. Only one of two with a flank has another shape altogether."""
     thicker = max((given.neck or given.diameter) - other.neck, 0.0) if other.neck is not None else 0.0
-    return max(abs(other.corner - given.corner), abs(other.taper - given.taper), thicker)
+    if (other.flank is None) != (given.flank is None):
+        return other.diameter
+    flank = abs((other.flank or 0.0) - (given.flank or 0.0))
+    return max(abs(other.corner - given.corner), abs(other.taper - given.taper), thicker, flank)

@@ -37,6 +37,7 @@ class Kind(IntEnum):
     TOOL = auto()
     CUTTER = auto()
     NECK = auto()
+    FLANK = auto()
     AXIS = auto()
     MULTAX = auto()
     FRAME = auto()
@@ -112,8 +113,9 @@ def meaning_of(statement: str) -> Meaning | tuple[str, str]:
     """What a statement says; or, where it cannot be read, the part that is wrong and why."""
     if statement.startswith("PPRINT/MOTION,"):
         return Meaning(Kind.LINK, float(statement == "PPRINT/MOTION,LINK"))
-    if statement.startswith("PPRINT/NECK,"):
-        return _neck(statement.partition(",")[2])
+    for mark, kind in (("PPRINT/NECK,", Kind.NECK), ("PPRINT/FLANK,", Kind.FLANK)):
+        if statement.startswith(mark):
+            return _sizes(kind, statement.partition(",")[2])
     if statement.startswith(words.FREE_TEXT):
         return Meaning(Kind.NOTHING)
     name, _, rest = statement.partition("/")
@@ -180,10 +182,11 @@ def _cutter(rest: str) -> Meaning:
     return Meaning(Kind.CUTTER, numbers[0], more=tuple(numbers[1:7])) if numbers else Meaning(Kind.NOTHING)
 
 
-def _neck(rest: str) -> Meaning:
-    """This program's mark: diameter and upper end of a lollipop's neck. Anything else behind it is text."""
+def _sizes(kind: Kind, rest: str) -> Meaning:
+    """This program's marks: diameter and upper end of a lollipop's neck; radius and length of a barrel's flank. Anything else
+    behind them is text."""
     numbers = words.numbers_of(rest)
-    return Meaning(Kind.NECK, more=tuple(numbers)) if len(numbers) == 2 else Meaning(Kind.NOTHING)
+    return Meaning(kind, more=tuple(numbers)) if len(numbers) == 2 else Meaning(Kind.NOTHING)
 
 
 def _number_of_tool(rest: str) -> Meaning:
@@ -273,7 +276,8 @@ def head_of(statements: Statements, source_scale: Floats) -> ClHead:
     tool, cutter = statements.first(statements.of(Kind.TOOL)), statements.of(Kind.CUTTER)
     speeds = statements.value(statements.of(Kind.SPINDLE))
     on = speeds[np.nan_to_num(speeds) > 0.0]
-    size, neck = statements.first(cutter), statements.first(statements.of(Kind.NECK))
+    size = statements.first(cutter)
+    neck, flank = (statements.first(statements.of(kind)) for kind in (Kind.NECK, Kind.FLANK))
     scale = float(source_scale[cutter[0]]) if size else 1.0
     return ClHead(
         tool=int(tool.value) if tool and 0 < tool.value < 1e5 else None,
@@ -283,6 +287,7 @@ def head_of(statements: Statements, source_scale: Floats) -> ClHead:
         corner=size.more[0] * scale if size and size.more else 0.0,
         stated=_in_mm((size.value, *size.more), scale) if size else (),
         neck=tuple(scale * number for number in neck.more) if size and neck else (),
+        flank=tuple(scale * number for number in flank.more) if size and flank else (),
     )
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from freecad_fiveaxis.core.base.number_text import Choice, Column, table
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
-from freecad_fiveaxis.core.tool import Cutter, apt_numbers, neck_numbers
+from freecad_fiveaxis.core.tool import Cutter, apt_numbers, flank_numbers, neck_numbers
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 from .head import ClHead
@@ -53,6 +53,7 @@ def _frame(cutter: Cutter, title: str, head: ClHead) -> tuple[bytes, bytes]:
     plain = re.sub(r"[^A-Za-z0-9 ._+-]", "-", title)[:60]
     begin = [f"PARTNO {plain}", "UNITS/MM", "CUTTER/" + ",".join(f"{number:.4f}" for number in apt_numbers(cutter))]
     begin += ["PPRINT/NECK," + ",".join(f"{number:.4f}" for number in neck)] if (neck := neck_numbers(cutter)) else []
+    begin += ["PPRINT/FLANK," + ",".join(f"{number:.4f}" for number in flank)] if (flank := flank_numbers(cutter)) else []
     begin += [] if head.tool is None else [f"LOADTL/{head.tool}"]
     begin += [f"SPINDL/RPM,{head.speed:.10g},CLW"] if head.speed > 0.0 else []
     begin += ["COOLNT/ON"] if head.coolant else []
