@@ -120,7 +120,7 @@ def test_defaults_work_for_a_mill_job():
      ("plunge_feed", "0", "at least 0.001 mm/min"), ("axis", "0,0,1e300", "at most 1000000"), ("tolerance", "1e7", "at most 1000000 mm"),
      ("scallop", "1e9", "at most 1000000 mm"), ("stepover", "1e9", "at most 1000000 mm"), ("least_interval", "1e9", "at most 1000000 mm"),
      ("coedge_tolerance", "1e9", "at most 1000000 mm"), ("tool", "100000", "at most 99999"), ("spindle", "1e6", "at most 999999"),
-     ("blend", "1000", "at most 999 mm"), ("lead", "61", "at most 60 deg"), ("max_axis_angle", "181", "at most 180 deg"),
+     ("blend", "1000", "at most 999 mm"), ("lead", "91", "at most 90 deg"), ("max_axis_angle", "181", "at most 180 deg"),
      ("cutter", "ball:1e9", "0.001 to 10000 mm"), ("cutter", "ball:10:1e9", "0.001 to 10000 mm")],
 )  # fmt: skip
 def test_what_is_out_of_range_is_refused_with_the_option_and_its_range(name, value, bound):

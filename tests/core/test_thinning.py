@@ -9,6 +9,7 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.report import draw
 from freecad_fiveaxis.core.report.near_part import NEAR, near_part, stand_of
 from freecad_fiveaxis.core.report.thinning import COATS, coats, distances
+from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 SQUARE = np.array([[[0, 0, 0], [40, 0, 0], [40, 40, 0]], [[0, 0, 0], [40, 40, 0], [0, 40, 0]]], float)
@@ -72,8 +73,8 @@ def test_places_that_are_lifted_off_the_part_are_told_from_those_at_it():
 
 def test_a_flat_tool_that_leans_may_stand_off_and_one_that_stands_upright_may_not():
     up, lean = np.array([[0.0, 0.0, 1.0]]), np.array([[np.sin(0.1), 0.0, np.cos(0.1)]])
-    assert stand_of(4.0, 1.0, up, up) == 0.0
-    assert stand_of(4.0, 1.0, up, lean) == pytest.approx(4.0 * np.sin(0.1) + 1.0 - np.cos(0.1))
+    assert stand_of(Cutter(10.0, corner=1.0), up, up) == 0.0
+    assert stand_of(Cutter(10.0, corner=1.0), up, lean) == pytest.approx(4.0 * np.sin(0.1) + 1.0 - np.cos(0.1))
     assert stand_of(0.0, 5.0, up, lean) < 0.03
 
 

@@ -51,7 +51,7 @@ def tool_in_part(
 
 def is_ball(cutter: Cutter) -> bool:
     """Whether what it cuts with is one ball."""
-    return cutter.ring == 0.0 and cutter.taper == 0.0
+    return cutter.touches_as_ball and cutter.taper == 0.0
 
 
 def _with_remedy(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:

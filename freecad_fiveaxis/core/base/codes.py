@@ -78,6 +78,7 @@ class Code(str, Enum):
     CUT_AT_BOUNDARY = "cut-at-boundary", NOTE, "mm", "passes end at the boundary"
     HEEL_IN_HOLLOW = "heel-in-hollow", WARNING, "", "the cutter's bottom stands in the part before or behind its contact"
     LEAST_INTERVAL = "least-interval", WARNING, "mm", "the scallop asks for passes nearer than the least interval"
+    OFF_FLANK = "off-flank", WARNING, "mm", "a barrel cutter touches with the ball at its tip, not with its flank"
     SURFACE_TIGHTER_THAN_CUTTER = "surface-tighter-than-cutter", WARNING, "", "the surface curls tighter than the cutter"
 
     # ---------------------------------------------------------------------------------------- tool axes

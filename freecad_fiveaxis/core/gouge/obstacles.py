@@ -121,8 +121,8 @@ def is_above(body: Body, tip: Floats, axis: Floats, normal: Floats, height: Floa
 
 
 def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Floats:
-    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner or a barrel's flank: its corner circle leans
-    towards the surface, and with an axis along the normal the middle of its bottom stands on the point."""
+    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner, or a barrel's flank: its corner circle
+    leans towards the surface, and with an axis along the normal the middle of its bottom stands on the point."""
     if (barrel := cutter.barrel) is not None:
         return np.asarray(point + cutter.corner * (normal - axis) + barrel.hub_shift(normal, axis))
     across = normal - dot(normal.T, axis.T)[:, None] * axis

@@ -29,6 +29,7 @@ from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, facet_mean, leaned
+from freecad_fiveaxis.core.tool.barrel import Flank
 from freecad_fiveaxis.core.toolpath.cl_offset import rows_between
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.feed_direction import SHORT, feed_direction
@@ -117,7 +118,9 @@ def auto_axes(
         free[contacts.free(axis, free == Free.NONE, tool, tree, progress)] = gained
         axis, pulled = _pulled(field, contacts, axis, free != Free.NONE, tool, tree, progress)
         free[pulled & (free == Free.NONE)] = gained
-    if reacher.kinematics is not None and reacher.cutter.ring == 0.0:  # what is no ball cuts otherwise when it leans otherwise
+    if (
+        reacher.kinematics is not None and reacher.cutter.touches_as_ball
+    ):  # what is no ball cuts otherwise when it leans otherwise
 
         def free_with(pole: Floats, near: Bools) -> Bools:
             out = contacts.free(pole, near & (free == Free.WAY_OUT), long, tree, progress)
@@ -171,14 +174,14 @@ def select_rows_with_way_out(free: Ints, polyline: Ints) -> Ints:
     return np.flatnonzero((row >= first[number]) & (row <= last[number]))
 
 
-def divided(path: OffsetPath, axis: Floats, step: float, ring: float) -> tuple[OffsetPath, Floats]:
+def divided(path: OffsetPath, axis: Floats, step: float, ring: float, barrel: Flank | None = None) -> tuple[OffsetPath, Floats]:
     """Put rows between those of ``path`` until contacts are at most ``step`` mm apart, with axes (n, 3) that turn evenly;
-    ``ring`` mm of the cutter."""
+    ``ring`` mm of the cutter, or the flank of a barrel."""
     pieces = np.ones(len(axis), np.int64)
     away = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
     joined = np.diff(path.polyline) == 0
     pieces[1:][joined] = np.maximum(np.ceil(away[joined] / step - CLOSE), 1)
-    return rows_between(path, axis, pieces, ring)[:2] if (pieces > 1).any() else (path, axis)
+    return rows_between(path, axis, pieces, ring, barrel)[:2] if (pieces > 1).any() else (path, axis)
 
 
 def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:

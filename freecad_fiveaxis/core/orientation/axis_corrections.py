@@ -109,7 +109,8 @@ def _close_rows(offset: OffsetPath, axis: Floats, options: AxisCorrectionOptions
     """Rows no farther apart than the cutter's radius: over a wide facet the field turns too."""
     if options.part is None:
         return offset, axis
-    return divided(offset, axis, options.part.reacher.cutter.radius, options.ring)
+    cutter = options.part.reacher.cutter
+    return divided(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
 
 
 AXIS_CORRECTIONS: Mapping[str, AxisCorrection] = {

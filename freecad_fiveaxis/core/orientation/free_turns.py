@@ -48,7 +48,7 @@ def find_blocked_turns(
     if not (pieces > 1).any():
         return blocked
     cutter, tree = reacher.cutter, facet_tree(mesh)
-    fine, turned, row = rows_between(path, axis, pieces, cutter.ring)
+    fine, turned, row = rows_between(path, axis, pieces, cutter.ring, cutter.barrel)
     new = np.flatnonzero(row[:-1] == row[1:])
     point, normal = fine.centre[new] - cutter.corner * fine.normal[new], fine.normal[new]
     stand, fits = raised(reacher, tree, point, normal)
@@ -77,11 +77,12 @@ def divide_blocked_turns(
     ``axis`` (n, 3), ``free`` (n,): as of :func:`.auto_axes`. Returns path, axes and what is free, of all rows, and whether the
     move to each row is blocked still.
     """
+    cutter = reacher.cutter
     blocked = find_blocked_turns(path, axis, mesh, reacher, progress, lead_out(path.polyline, free))
     for _ in range(ROUNDS):
         if not blocked.any():
             break
-        path, axis, row = rows_between(path, axis, np.where(blocked, PARTS, 1), reacher.cutter.ring)
+        path, axis, row = rows_between(path, axis, np.where(blocked, PARTS, 1), cutter.ring, cutter.barrel)
         added, free = np.append(row[:-1] == row[1:], False), free[row]
         new = np.flatnonzero(added)
         more, given = take_path_rows(path, new), take_rows(axis, new)

@@ -32,6 +32,10 @@ STEEPEST = 0.02
 """Sine: a wall that is steeper to the axis, or faces the passes more squarely, does not count when the passes are spaced."""
 
 
+UPRIGHT = 1e-9
+"""Sine by which rounding may make an upright wall lean over."""
+
+
 def spacing_radius(
     cutter: Cutter, mesh: Mesh, keep: Bools, angle: float, strategy: str, options: AxisOptions, scallop: float
 ) -> float:
@@ -40,7 +44,7 @@ def spacing_radius(
     ``keep`` (f,): the facets that are cut. A tool that follows the surface stands alike everywhere; under a fixed axis the facet
     on which the cutter is narrowest counts for all. How the surface bends along the passes counts, too. A ball: its radius.
     """
-    if cutter.ring == 0.0:
+    if cutter.touches_as_ball:
         return cutter.radius
     if strategy == "from_axis":
         return _radius_around(cutter, mesh, np.flatnonzero(keep), options, scallop)
@@ -48,7 +52,7 @@ def spacing_radius(
     bend = _bend(facet_curvature(mesh)[:, keep], normal, travel)
     travel = travel if strategy == "fixed" else np.array((1.0, 0.0, 0.0))
     upright = np.array(options.fixed, float) / np.linalg.norm(options.fixed)
-    normal = _few(normal, travel, upright) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
+    normal = _few(normal, travel, upright, _least_upright(cutter)) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
     axis = np.broadcast_to(upright, normal.shape) if strategy == "fixed" else normal
     radii = [np.array([np.inf]), *_radii(cutter, normal, axis, np.cross(normal, travel), options, scallop, bend)]
     least = float(np.concatenate(radii).min())
@@ -89,7 +93,7 @@ def _radii(
         axis = leaned(upright, feed, options.lead, options.tilt)
         square = np.linalg.norm(axis - normal, axis=1) < FOREMOST_LEAD
         axis[square] = leaned(axis[square], feed[square], FOREMOST_LEAD, 0.0)
-        stands = np.einsum("ij,ij->i", axis, normal) > STEEPEST
+        stands = np.einsum("ij,ij->i", axis, normal) > _least_upright(cutter)
         radii.append(cutter.equivalent_radius(normal[stands], axis[stands], side[stands], scallop, bend))
     return radii
 
@@ -99,7 +103,7 @@ def scallop_of(
 ) -> float:
     """About the scallop, mm, that passes ``stepover`` mm apart leave on a flat; other arguments as for :func:`spacing_radius`."""
     half, scallop = 0.5 * stepover, 0.125 * stepover**2 / cutter.radius
-    for _ in range(1 if cutter.ring == 0.0 else SETTLED):
+    for _ in range(1 if cutter.touches_as_ball else SETTLED):
         radius = spacing_radius(cutter, mesh, keep, angle, strategy, options, scallop)
         scallop = radius - float(np.sqrt(max(radius**2 - half**2, 0.0)))
     return scallop
@@ -115,8 +119,13 @@ def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
     return max(float(np.quantile(row_dot(turned_along(tensor[:, length > STEEPEST], way), way), MOST)), 0.0)
 
 
-def _few(normal: Floats, travel: Floats, upright: Floats) -> Floats:
+def _least_upright(cutter: Cutter) -> float:
+    """The sine above which a wall is not too steep to count: with the flank of a barrel upright walls are cut."""
+    return STEEPEST if cutter.barrel is None else -UPRIGHT
+
+
+def _few(normal: Floats, travel: Floats, upright: Floats, least: float) -> Floats:
     """Normals that stand for all alike, without those that look along the passes or away from the tool."""
     key = np.unique(np.rint(np.degrees(normal) / SAME_STAND), axis=0)
     few = key / np.linalg.norm(key, axis=1)[:, None]
-    return np.asarray(few[(np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST) & (few @ upright > STEEPEST)])
+    return np.asarray(few[(np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST) & (few @ upright > least)])

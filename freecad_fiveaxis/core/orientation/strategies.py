@@ -28,17 +28,25 @@ from freecad_fiveaxis.core.toolpath.feed_direction import OPPOSED, SHORT, across
 
 Vector = tuple[float, float, float]
 
+UPPER = (1e-6, 1e-7, 1.0)
+"""What is up; of sides that are level the one towards +X, then +Y, so that passes in either sense lean to the same one."""
+
+FOLLOWING = ("facet_mean", "step_weighted")
+"""Strategies whose axes are the surface's normals, on which a barrel has to lean."""
+
 
 @dataclass(frozen=True)
 class AxisOptions:
     """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad; ``through``, mm, and ``about``,
-    any length: the axis that the strategy ``from_axis`` points at."""
+    any length: the axis that the strategy ``from_axis`` points at; ``upwards``: the tilt may be to the left instead, for a whole
+    pass, where the axis is more upright so."""
 
     fixed: Vector = (0.0, 0.0, 1.0)
     lead: float = 0.0
     tilt: float = 0.0
     through: Vector = (0.0, 0.0, 0.0)
     about: Vector = (0.0, 0.0, 1.0)
+    upwards: bool = False
 
 
 def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
@@ -56,7 +64,16 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
     axis = find(path, options)
     if (options.lead == 0.0 and options.tilt == 0.0) or not len(axis):
         return axis
-    return leaned(axis, feed_direction(path, axis), options.lead, options.tilt)
+    feed = feed_direction(path, axis)
+    tilt = options.tilt * _upper_side(path, axis, feed) if options.upwards else options.tilt
+    return leaned(axis, feed, options.lead, tilt)
+
+
+def _upper_side(path: OffsetPath, axis: Floats, feed: Floats) -> Floats:
+    """1 for the rows (n, 1) of each polyline along which the right of the tool is on the whole its upper side, else -1."""
+    start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
+    rise = np.add.reduceat(np.cross(feed, axis) @ np.array(UPPER), start)
+    return np.repeat(np.where(rise < 0.0, -1.0, 1.0), np.diff(start, append=len(axis)))[:, None]
 
 
 def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
@@ -162,8 +179,9 @@ def find_strategy(name: str) -> Strategy:
     return STRATEGIES[name]
 
 
-def leaned(axis: Floats, feed: Floats, lead: float, tilt: float) -> Floats:
-    """The axis turned by ``lead`` about left, then by ``tilt`` about the feed (Rodrigues for perpendicular vectors)."""
+def leaned(axis: Floats, feed: Floats, lead: float, tilt: Floats | float) -> Floats:
+    """The axis turned by ``lead`` about left, then by ``tilt``, one or (n, 1), about the feed (Rodrigues for perpendicular
+    vectors)."""
     right = np.cross(feed, axis)
     return np.asarray(np.cos(lead) * (np.cos(tilt) * axis + np.sin(tilt) * right) + np.sin(lead) * feed)
 

@@ -94,7 +94,7 @@ def tilt_free(
     length = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
     cuts = np.flatnonzero(window & ~path.fill[1:])
     pieces[cuts + 1] = np.maximum(np.ceil(length[cuts] / (FINE * task.spread)), 1)
-    fine, given, row = rows_between(path, axis, pieces, cutter.ring)
+    fine, given, row = rows_between(path, axis, pieces, cutter.ring, cutter.barrel)
     window = window[row[1:] - 1] & (np.diff(fine.polyline) == 0)
     offset = _offsets(task, fine, given, window, progress)
     turned: Bools = np.asarray(offset.any(axis=1))
@@ -129,7 +129,7 @@ class _Task:
 
     def tips(self, path: OffsetPath, axis: Floats) -> Floats:
         """Where the tips (n, 3) stand under these axes (n, 3)."""
-        return np.asarray(hub_positions(path, axis, self.cutter.ring) - self.cutter.corner * axis)
+        return np.asarray(hub_positions(path, axis, self.cutter.ring, self.cutter.barrel) - self.cutter.corner * axis)
 
     def entering(self, path: OffsetPath, axis: Floats) -> Bools:
         """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might free."""

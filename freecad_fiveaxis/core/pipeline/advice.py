@@ -65,7 +65,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
     """Give the changes that are worth a trial: other passes, free tool axes, both, a smaller ball."""
     passes = {} if settings.passes.passes == SCALLOP else {"passes": SCALLOP, **dict.fromkeys(NOT_PLANES)}
     cutter = settings.cutter.cutter
-    ball = cutter.ring == 0.0 and cutter.corner > 0.0
+    ball = cutter.touches_as_ball and cutter.corner > 0.0
     axes = {} if settings.tool_axis.tool_axis == AUTO or not ball else {"tool_axis": AUTO, "max_axis_angle": None}
     yield from (one for one in (passes, axes) if one)
     if passes and axes:

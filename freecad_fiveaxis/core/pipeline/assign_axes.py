@@ -60,7 +60,7 @@ def free_rows(
     """The rows at which the field gives an axis that is free; a pass goes on behind contacts that have none."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
-    offset, axis = divided(offset, axis, cutter.radius, cutter.ring)
+    offset, axis = divided(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
     progress("axis field", 0.0)
     contacts = find_contacts(offset, mesh, reacher)
@@ -90,7 +90,7 @@ def framed_rows(
     """The rows, frame by frame, at which the tool is free with the axis of the frame of their pass, and these axes (n, 3)."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
-    offset, axis = divided(offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring)
+    offset, axis = divided(offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring, cutter.barrel)
     axis = frames.axis[frame[offset.pass_]]
     free, found = free_in_frames(offset, frames, frame, context.obstacles, reacher, context.progress)
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))

@@ -98,4 +98,4 @@ def leads_outside(context: MillContext, path: CLPath, begin: Ints, end: Ints) ->
 def _by_hub(context: MillContext) -> bool:
     """Whether the boundary holds the centre of a cutter whose centre depends on its axis."""
     settings = context.settings
-    return settings.boundary.boundary_by == CENTRE and settings.cutter.cutter.ring > 0.0
+    return settings.boundary.boundary_by == CENTRE and not settings.cutter.cutter.touches_as_ball

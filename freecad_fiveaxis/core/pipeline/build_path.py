@@ -79,7 +79,7 @@ def left_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tup
     if settings.gouge.gouge != "leave-out":
         return seated, axis
     body, cutter, tolerance = tool_body(settings), settings.cutter.cutter, settings.proof.tolerance
-    limit = AIM * tolerance if cutter.ring == 0.0 else tolerance  # a ring rocks from facet to facet
+    limit = AIM * tolerance if cutter.touches_as_ball else tolerance  # a ring rocks from facet to facet
     tree, above = facet_tree(context.obstacles), tip_to_surface(settings)
     return leave_out(seated, axis, tree, body, limit, cutter.corner, context.progress, above)
 

@@ -99,7 +99,8 @@ def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     if passes.stepover is None:
         return wanted_scallop(settings) or 0.0
     turned = tool.max_tilt if settings.gouge.gouge == "tilt" else 0.0
-    stand = (tool.tool_axis, replace(axis_options(settings), tilt=max(abs(tool.tilt), turned)))
+    lean = axis_options(settings)
+    stand = (tool.tool_axis, replace(lean, tilt=max(abs(lean.tilt), turned)))
     return max(scallop_of(cutter, mesh, keep, angle, *stand, passes.stepover) for angle in travels(settings))
 
 

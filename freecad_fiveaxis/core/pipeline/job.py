@@ -288,7 +288,7 @@ def rest_material_of(draft: MilledProgram, progress: Progress = silent) -> RestM
 def _contacts(draft: MilledProgram) -> Contacts | None:
     """Where the ball touches the part; None for any other cutter."""
     cutter, offset = draft.settings.cutter.cutter, draft.offset
-    if cutter.ring > 0.0:
+    if not cutter.touches_as_ball:
         return None
     above = driven_to_hub(draft.settings)
     return contacts_of(offset.centre, offset.normal, draft.axis, offset.face, draft.mesh, cutter.corner, above)
@@ -299,7 +299,7 @@ def _stand(draft: MilledProgram, contacts: Contacts | None) -> float:
     cutter, offset = draft.settings.cutter.cutter, draft.offset
     if contacts is not None:
         return 0.0
-    return tip_to_driven(draft.settings) + stand_of(cutter.ring, cutter.corner, offset.normal, draft.axis)
+    return tip_to_driven(draft.settings) + stand_of(cutter, offset.normal, draft.axis)
 
 
 def figures(result: Result) -> Figures:

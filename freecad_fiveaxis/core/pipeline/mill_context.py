@@ -73,7 +73,8 @@ def mill_context(
         stand = axis_options(settings)
         keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
     else:
-        followed = None if keeps_its_axis(settings, machine) else kinematics
+        leans = keeps_its_axis(settings, machine) or settings.cutter.cutter.barrel is not None  # far from the normals
+        followed = None if leans else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     context = MillContext(
         settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary, frames, keep_off
@@ -100,8 +101,10 @@ def find_region(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress,
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
-    if scallop is None or cutter.ring == 0.0:
+    if scallop is None or cutter.touches_as_ball:
         return Region(mesh, keep, radius, interval, progress=progress, frames=frames)
     stands = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
     radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in travels(settings) for stand in stands]
+    if cutter.barrel is not None:
+        interval = flat_interval(min(radii), min(scallop, 0.5 * min(radii)))
     return Region(mesh, keep, min(radii), interval, 1.0, progress, frames)

@@ -22,7 +22,7 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.named_cutter import CENTRE
 from freecad_fiveaxis.core.orientation.axis_corrections import AxisCorrectionOptions, PartToCut
-from freecad_fiveaxis.core.orientation.strategies import AxisOptions
+from freecad_fiveaxis.core.orientation.strategies import FOLLOWING, AxisOptions
 from freecad_fiveaxis.core.passes import PassOptions, find_pass_strategy, with_room
 from freecad_fiveaxis.core.tool import Cutter, cutter_name
 from freecad_fiveaxis.core.tool.body import Body, body_of
@@ -129,10 +129,13 @@ def travels(settings: Settings) -> tuple[float, ...]:
 
 
 def axis_options(settings: Settings) -> AxisOptions:
-    """Options of the strategies for the tool axis."""
-    tool = settings.tool_axis
+    """Options of the strategies for the tool axis. Where neither lead nor tilt is asked for, a barrel is tilted from the normals so
+    far that the middle of its flank touches, to the side that is up."""
+    tool, barrel = settings.tool_axis, settings.cutter.cutter.barrel
     centre, about = settings.passes.pass_centre, settings.passes.pass_axis or UPRIGHT
     through = (0.0, 0.0, 0.0) if isinstance(centre, str) else centre
+    if barrel is not None and tool.lead == tool.tilt == 0.0 and tool.tool_axis in FOLLOWING:
+        return AxisOptions(tool.axis, 0.0, barrel.middle, through, about, upwards=True)
     return AxisOptions(tool.axis, tool.lead, tool.tilt, through, about)
 
 
@@ -193,7 +196,7 @@ def driven_to_surface(settings: Settings) -> float:
     """How far above the driven point, mm, that point stands whose way makes the surface: of a ball that is known to cut its
     centre, of any other cutter, and where the controller guides the tip, the driven point itself."""
     known = settings.task == MILL or "cutter" in settings.explicit
-    return driven_to_hub(settings) if known and settings.cutter.cutter.ring == 0.0 and settings.head.rtcp == "off" else 0.0
+    return driven_to_hub(settings) if known and settings.cutter.cutter.touches_as_ball and settings.head.rtcp == "off" else 0.0
 
 
 def tip_to_surface(settings: Settings) -> float:

@@ -161,7 +161,7 @@ def _within_boundary(context: MillContext, passes: PlannedPasses) -> Columns:
     surface's normal."""
     offset = keep_off_faces(context, keep_within_boundary(context, offset_contacts(context, passes))).offset
     cutter = context.settings.cutter
-    if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and cutter.cutter.ring > 0.0:
+    if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and not cutter.cutter.touches_as_ball:
         seated, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
         offset, _ = bounded_by_hub(context, seated, axis)
     return offset.point, offset.polyline, offset.pass_

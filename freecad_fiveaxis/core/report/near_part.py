@@ -11,16 +11,19 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
+from freecad_fiveaxis.core.tool import Cutter
 
 NEAR = 0.5
 """mm: a tool that is lifted farther than this off the part cuts nothing worth a colour."""
 
 
-def stand_of(ring: float, corner: float, normal: Floats, axis: Floats) -> float:
-    """How far from the part the tip stands at most, mm, of a tool with ``ring`` and ``corner`` radius (mm) that touches with unit
-    ``normal`` (k, 3) and stands along ``axis`` (k, 3)."""
+def stand_of(cutter: Cutter, normal: Floats, axis: Floats) -> float:
+    """How far from the part the tip stands at most, mm, of a cutter that touches with unit ``normal`` (k, 3) and stands along
+    ``axis`` (k, 3)."""
     upright = np.clip((normal * axis).sum(axis=1), 0.0, 1.0)
-    stand = ring * np.sqrt(1.0 - upright**2) + corner * (1.0 - upright)
+    stand = cutter.ring * np.sqrt(1.0 - upright**2) + cutter.corner * (1.0 - upright)
+    if (barrel := cutter.barrel) is not None:
+        stand = stand + (barrel.hub_shift(normal, axis) * normal).sum(axis=1)
     return float(stand.max(initial=0.0))
 
 

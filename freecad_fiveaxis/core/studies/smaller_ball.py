@@ -29,7 +29,7 @@ def smaller_ball(
     """The largest radius tried, mm, of a ball that is free on a ``share`` of the area where the cutter is too large; 0.0: none,
     None where the cutter is no ball or nowhere too large. An estimate from about TRIED of those places."""
     tight = np.flatnonzero(found.obstacle == Obstacle.CUTTER)
-    if reacher.cutter.ring > 0.0 or not len(tight):
+    if not reacher.cutter.touches_as_ball or not len(tight):
         return None
     rows, tree = tight[:: max(1, len(tight) // TRIED)], facet_tree(join_obstacles(mesh, fixtures))
     point, normal, area = found.point[rows], mesh.normal[found.facet[rows]], found.area[rows]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The flank of a tangential barrel cutter: an arc of large radius between a ball at the tip and the largest diameter.
 
-flank     the arc: it touches the tip's ball and ends, parallel to the axis, where the cutter is widest; above that the cutter is a
-          cylinder. Makers call this shape the oval or tangential form.
+flank     the arc: it touches the tip's ball and ends, parallel to the axis, where the cutter is widest; above that the cutter is
+          a cylinder. Makers call this shape the oval or tangential form.
 ring      radius of the circle on which the arc's centres lie: diameter / 2 - radius. It is negative: the centre of an arc lies
           beyond the axis. But for that sign the flank touches as the corner of a bull nose does.
 rise      of these centres, and of the largest diameter, above the hub, the centre of the tip's ball.
@@ -78,8 +78,8 @@ def check_flank(diameter: float, corner: float, radius: float, taper: float, len
     """Raise SettingsError for sizes, mm (``taper`` rad), of which no barrel can be made; ``least`` mm of the corner."""
     if not least <= corner < 0.5 * diameter:
         text = say(
-            "cutter corner radius is {corner}; a barrel has a ball of {least} or more at its tip, of less than {radius}, half the "
-            "diameter",
+            "cutter corner radius is {corner}; a barrel has a ball of {least} or more at its tip, of less than {radius}, half "
+            "the diameter",
             corner=Length(corner),
             least=Length(least),
             radius=Length(0.5 * diameter),

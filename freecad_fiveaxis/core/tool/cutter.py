@@ -13,8 +13,8 @@ neck      of a lollipop: a cylinder thinner than the ball that rises from it to 
 undercut  angle by which the axis may lean below the surface while the ball, and not its neck, is what touches it there.
 
 The parameters are those of APT's ``CUTTER/d,r,e,f,a,b,h`` with a level bottom: r the corner radius, e the ring, f = r, a = 0, b
-the taper, h the length. The diameter here is that of the rounded end, 2 (e + r), which is APT's d only where there is no taper; of a barrel it is the largest one, and its hub is the centre of the ball at
-its tip.
+the taper, h the length. The diameter here is that of the rounded end, 2 (e + r), which is APT's d only where there is no
+taper; of a barrel it is the largest one, and its hub is the centre of the ball at its tip.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 
-from .barrel import Flank, check_flank, flank_of
-
 if TYPE_CHECKING:
     from freecad_fiveaxis.core.base.records import Floats
+
+    from .barrel import Flank
 
 LEAST, MOST = 1e-3, 1e4
 """mm; a cutter below a micrometre or above ten metres is a slip of the pen."""
@@ -68,8 +68,8 @@ class Cutter:
     """A cutter, mm and rad: ``diameter`` of its rounded end, ``length`` (cutting edge, tip upwards), each from LEAST to MOST;
     ``corner`` from 0 (flat) to half the diameter (ball, where it is not given); ``taper`` of the flank, 0 to MOST_TAPER;
     ``holder``: shank and holder as frusta above the tip; ``neck``: diameter of a lollipop's neck, from LEAST to less than the
-    ball's; None: there is no neck. ``flank``: radius of a barrel's flank, more than half the diameter; its ``corner`` is the radius
-    of the ball at its tip. None: it is no barrel.
+    ball's; None: there is no neck. ``flank``: radius of a barrel's flank, more than half the diameter; its ``corner`` is the
+    radius of the ball at its tip. None: it is no barrel.
 
     Raises SettingsError for a cutter that cannot be.
     """
@@ -100,6 +100,8 @@ class Cutter:
             object.__setattr__(self, "corner", self.radius)
         _check_corner(self)
         if self.flank is not None:
+            from .barrel import check_flank
+
             check_flank(self.diameter, self.corner, self.flank, self.taper, self.length, LEAST)
         _check_neck(self)
         _check_taper(self)
@@ -119,7 +121,11 @@ class Cutter:
     @property
     def barrel(self) -> Flank | None:
         """The flank of a barrel; None of all others."""
-        return None if self.flank is None else flank_of(self.diameter, self.corner, self.flank)
+        if self.flank is None:
+            return None
+        from .barrel import flank_of
+
+        return flank_of(self.diameter, self.corner, self.flank)
 
     @property
     def touches_as_ball(self) -> bool:

@@ -7,11 +7,14 @@ sharp     the corner of a flat: a ball of some nanometres, so that edges get the
 smooth    a co-edge between facets that approximate one surface. All rows of its contact take out from the mean of both normals,
           as the tool axis does, and the bottom rocks from facet to facet; at any other co-edge each row takes its own normal, and
           the bottom slides over the edge.
+barrel    its flank touches where the axis leans far from the normal: its hub, the centre of the ball at its tip, is shifted from where
+          that ball would touch (core/tool/barrel.py).
 heel      the side of the bottom away from the contact: in a hollow it meets the part although the contact is tangent.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -20,10 +23,11 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Choice, say
+from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Point, say
 from freecad_fiveaxis.core.base.vectors import row_dot, slerp
 from freecad_fiveaxis.core.passes import CREASE
 from freecad_fiveaxis.core.tool import Cutter
+from freecad_fiveaxis.core.tool.barrel import Flank
 from freecad_fiveaxis.core.tool.contact import ring_direction
 
 from .coedge import ROW_COLUMNS, OffsetPath
@@ -55,24 +59,29 @@ def corner_radius(cutter: Cutter) -> float:
     return max(cutter.corner, min(SHARP, cutter.radius))
 
 
-def hub_positions(path: OffsetPath, axis: Floats, ring: float) -> Floats:
-    """The hubs (n, 3) mm of a cutter with that ring (mm) and tool axes (n, 3); ``path.centre`` itself for a ball (ring 0)."""
+def hub_positions(path: OffsetPath, axis: Floats, ring: float, barrel: Flank | None = None) -> Floats:
+    """The hubs (n, 3) mm of a cutter with that ring (mm), or the flank of a barrel, and tool axes (n, 3); ``path.centre`` itself
+    for a ball (ring 0)."""
+    if barrel is not None and len(axis):
+        return np.asarray(path.centre + barrel.hub_shift(seat_normal(path, ring, barrel), axis))
     if ring == 0.0 or not len(axis):
         return path.centre
     return np.asarray(path.centre + ring * ring_direction(seat_normal(path, ring), axis, feed_direction(path, axis), ring))
 
 
-def seat_normal(path: OffsetPath, ring: float) -> Floats:
-    """The unit normal (n, 3) of the surface on which a cutter with that ring (mm) sits at each row.
+def seat_normal(path: OffsetPath, ring: float, barrel: Flank | None = None) -> Floats:
+    """The unit normal (n, 3) of the surface on which a cutter with that ring (mm), or that flank, sits at each row.
 
     Smooth: over a facet of length L whose normal the axis leaves by half of a co-edge's turn t at both its ends, the bottom
     enters it at most by ``t min(L, 16 ring) / 16``: at the share s of the way it leans by t (1 - 2 s) / 2 and has s L of facet
-    behind it.
+    behind it. What is round there, as the flank of a barrel is along its pass with half its diameter r at most, enters by ``r t^2 /
+    8``.
     """
     mean = path.before + path.after
     turn = np.linalg.norm(path.after - path.before, axis=1)
     way = np.minimum(np.maximum(path.step_before, path.step_after), 16.0 * ring)
-    smooth = (turn <= 2.0 * np.sin(0.5 * CREASE)) & (way * turn <= 16.0 * ROCKING)
+    deep = way * turn / 16.0 if barrel is None else (barrel.radius + barrel.ring) * turn * turn / 8.0
+    smooth = (turn <= 2.0 * np.sin(0.5 * CREASE)) & (deep <= ROCKING)
     length = np.linalg.norm(np.where(smooth[:, None], mean, path.normal), axis=1)
     return np.asarray(np.where(smooth[:, None], mean, path.normal) / length[:, None])
 
@@ -83,11 +92,11 @@ def cl_offset_path(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: fl
     A block in which the axis turns so much that the bottom, half-way, would leave the surface by more than ``tolerance`` mm
     gets rows between. A ball's path comes back as it is.
     """
-    if cutter.ring == 0.0 or not len(axis):
+    if cutter.touches_as_ball or not len(axis):
         return path, axis
-    path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter.ring, tolerance)
-    hub = hub_positions(path, axis, cutter.ring)
-    seated = replace(path, centre=hub, findings=path.findings + _heel_findings(path, hub, axis, cutter))
+    path, axis = _swung(*_divided(path, axis, cutter, tolerance), cutter, tolerance)
+    hub = hub_positions(path, axis, cutter.ring, cutter.barrel)
+    seated = replace(path, centre=hub, findings=path.findings + _findings_of(path, hub, axis, cutter))
     rows = np.flatnonzero(~_stands_still(seated, axis))
     return (seated, axis) if len(rows) == len(axis) else (keep_rows(seated, rows), axis[rows])
 
@@ -110,19 +119,19 @@ def _stands_still(path: OffsetPath, axis: Floats) -> Bools:
 def _divided(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
     """Rows put between those of cutting moves in which the axis turns by more than the tolerance allows.
 
-    The bottom's lowest point moves on a circle of at most the cutter's radius while the hub goes straight: over a turn a the
-    two part by at most ``radius a^2 / 8``.
+    The bottom's lowest point, or the flank's contact, moves on a circle of at most its distance from the hub while that goes
+    straight: over a turn a the two part by at most ``distance a^2 / 8``.
     """
     cuts = ~path.fill & (np.diff(path.polyline, prepend=-1) == 0)
     turn = 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(np.diff(axis, axis=0, prepend=axis[:1]), axis=1), 0.0, 1.0))
-    widest = np.sqrt(8.0 * tolerance / cutter.radius)
+    widest = np.sqrt(8.0 * tolerance / cutter.contact_reach)
     pieces = np.where(cuts, np.clip(np.ceil(turn / widest), 1, MOST_PIECES), 1).astype(np.int64)
     if (pieces == 1).all():
         return path, axis
-    return rows_between(path, axis, pieces, cutter.ring)[:2]
+    return rows_between(path, axis, pieces, cutter.ring, cutter.barrel)[:2]
 
 
-def _swung(path: OffsetPath, axis: Floats, ring: float, tolerance: float) -> tuple[OffsetPath, Floats]:
+def _swung(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> tuple[OffsetPath, Floats]:
     """Rows put between those that close a gap over an edge, where the hub swings round the contact.
 
     Where an edge crosses the level bottom's plane aslant, the normal passes the axis at its side, and out swings round with it;
@@ -132,34 +141,41 @@ def _swung(path: OffsetPath, axis: Floats, ring: float, tolerance: float) -> tup
     for _ in range(SWING_HALVINGS):
         fills = path.fill & (np.diff(path.polyline, prepend=-1) == 0)
         row = np.flatnonzero(fills)
-        deep = row[_swing_depth(path, axis, row, ring) > 0.5 * tolerance]
+        deep = row[_swing_depth(path, axis, row, cutter) > 0.5 * tolerance]
         if not len(deep):
             break
         pieces = np.ones(len(axis), np.int64)
         pieces[deep] = 2
-        path, axis = rows_between(path, axis, pieces, ring)[:2]
+        path, axis = rows_between(path, axis, pieces, cutter.ring, cutter.barrel)[:2]
     return path, axis
 
 
-def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, ring: float) -> Floats:
-    """How deep (k,) mm the bottom's rim dips half-way of the moves that arrive at ``row`` (k,), for the chord of out's swing."""
-    seat, feed = seat_normal(path, ring), feed_direction(path, axis)
+def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, cutter: Cutter) -> Floats:
+    """How deep (k,) mm the bottom's rim, or the flank, dips half-way of the moves that arrive at ``row`` (k,), for the chord of the
+    hub's swing."""
+    ring, half = cutter.ring, np.full(len(row), 0.5)
+    seat, feed = seat_normal(path, ring, cutter.barrel), feed_direction(path, axis)
+    normal, upright = slerp(seat[row - 1], seat[row], half), slerp(axis[row - 1], axis[row], half)
+    if (barrel := cutter.barrel) is not None:
+        ends = barrel.hub_shift(seat, axis)
+        return np.asarray(row_dot(barrel.hub_shift(normal, upright) - 0.5 * (ends[row - 1] + ends[row]), normal))
     out = ring_direction(seat, axis, feed, ring)
     chord = 0.5 * (out[row - 1] + out[row])
-    half = np.full(len(row), 0.5)
-    normal, upright = slerp(seat[row - 1], seat[row], half), slerp(axis[row - 1], axis[row], half)
     sine = np.linalg.norm(np.cross(normal, upright), axis=1)
     return np.asarray(ring * (sine - row_dot(chord, normal)))
 
 
-def rows_between(path: OffsetPath, axis: Floats, pieces: Ints, ring: float) -> tuple[OffsetPath, Floats, Ints]:
+def rows_between(
+    path: OffsetPath, axis: Floats, pieces: Ints, ring: float, barrel: Flank | None = None
+) -> tuple[OffsetPath, Floats, Ints]:
     """The move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its axes, and the row (k,) of the
-    path given that each row is, or leads to. ``ring`` mm of the cutter."""
+    path given that each row is, or leads to. ``ring`` mm of the cutter, or the flank of a barrel."""
     row = np.repeat(np.arange(len(axis)), pieces)
     step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
     share = step / pieces[row]
     new = np.flatnonzero(share < 1.0)
-    return *_with_rows(path, axis, row, new, share[new], ring), row
+    seat = seat_normal(path, ring, barrel) if ring > 0.0 or barrel is not None else None
+    return *_with_rows(path, axis, row, new, share[new], seat), row
 
 
 def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
@@ -167,15 +183,17 @@ def keep_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
     return OffsetPath(**_columns(path, rows), findings=path.findings)
 
 
-def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, ring: float) -> tuple[OffsetPath, Floats]:
+def _with_rows(
+    path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floats, seat: Floats | None
+) -> tuple[OffsetPath, Floats]:
     """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet, or
     round its co-edge where both are rows of one contact.
 
-    Corner circles go straight there, along the facet; axis and seat turn evenly. A ball sits on the facet itself."""
+    Corner circles go straight there, along the facet; axis and ``seat`` (n, 3) turn evenly. A ball, which has no seat, sits on the
+    facet itself."""
     end, swung = row[new], axis[row]
     start, part = end - 1, share[:, None]
-    seat = seat_normal(path, ring)
-    normal = slerp(seat[start], seat[end], share) if ring > 0.0 else path.before[end]
+    normal = slerp(seat[start], seat[end], share) if seat is not None else path.before[end]
     columns = _columns(path, row)
     for name in ("point", "centre"):
         given = getattr(path, name)
@@ -190,6 +208,31 @@ def _with_rows(path: OffsetPath, axis: Floats, row: Ints, new: Ints, share: Floa
 
 
 # ------------------------------------------------------------------------------------------------ hollows
+
+
+def _findings_of(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:
+    """What there is to say of a ring in hollows, or of a barrel."""
+    if (barrel := cutter.barrel) is not None:
+        return _report_off_flank(path, axis, barrel)
+    return _heel_findings(path, hub, axis, cutter)
+
+
+def _report_off_flank(path: OffsetPath, axis: Floats, barrel: Flank) -> tuple[Finding, ...]:
+    """Say over which length of the passes it is not the flank that touches."""
+    off = ~barrel.touches(seat_normal(path, 0.0, barrel), axis)
+    steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), np.diff(path.polyline) == 0
+    length = float(steps[joined & (off[1:] | off[:-1])].sum())
+    if length <= NOTABLE:
+        return ()
+    x, y, z = path.point[int(off.argmax())].tolist()
+    text = say(
+        "Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with its "
+        "flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the surface, as "
+        "with {tilt} {middle}.",
+        length=Length(length, ".4g"), place=Point((x, y, z), "g"), corner=Length(barrel.corner), tilt=Option("tilt"),
+        begins=Angle(math.degrees(barrel.begins), ".1f"), most=Angle(90.0, "g"), middle=Angle(math.degrees(barrel.middle), ".0f"),
+    )  # fmt: skip
+    return (report_finding(Code.OFF_FLANK, text, length, 0.0, place=(x, y, z)),)
 
 
 def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:

@@ -157,8 +157,8 @@ class ToolAxisSettings:
 
     tool_axis: str = option("auto", "text", "tool-axis strategy (see `strategies`); facet_mean for planes and what is no ball")
     axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder", least=-LONGEST, most=LONGEST)
-    lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 3, most=math.pi / 3)
-    tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 3, most=math.pi / 3)
+    lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 2, most=math.pi / 2)
+    tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 2, most=math.pi / 2)
     max_tilt: float = option(
         math.radians(5.0), "angle",
         "how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any strategy",

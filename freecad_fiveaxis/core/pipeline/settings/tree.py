@@ -164,7 +164,7 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
         return settings
     if "tool_axis" not in given and settings.passes.passes == ROTARY:
         return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=FROM_AXIS))
-    if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or settings.cutter.cutter.ring > 0.0):
+    if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or not settings.cutter.cutter.touches_as_ball):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
 
@@ -247,6 +247,7 @@ def _check_together(settings: Settings) -> None:
         _refuse_of_cl_file(settings)
     _check_frames(settings)
     _check_tool_axis(settings.tool_axis)
+    _check_barrel(settings)
 
 
 def _check_boundary(settings: Settings) -> None:
@@ -325,6 +326,19 @@ def _check_tool_axis(tool: ToolAxisSettings) -> None:
                 ),
                 lean,
             )
+
+
+def _check_barrel(settings: Settings) -> None:
+    """An axis that leans otherwise cuts with another place of the arc: minimax, which lets it lean as the machine likes, cannot."""
+    if settings.cutter.cutter.barrel is not None and settings.tool_axis.tool_axis == "minimax":
+        raise SettingsError(
+            say(
+                "{minimax} would lean a barrel off its flank; choose {facet_mean}, or a ball cutter",
+                minimax=Choice("tool_axis", ("minimax",), alone=True),
+                facet_mean=Choice("tool_axis", ("facet_mean",), alone=True),
+            ),
+            "minimax",
+        )
 
 
 def _check_gouge(settings: Settings) -> None:

@@ -19,7 +19,8 @@ open."""
 class ClHead:
     """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
     the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg; ``neck`` (0
-    or 2 numbers) diameter and upper end of a lollipop's neck, mm; ``flank`` (0 or 2) radius of a barrel's flank and its length."""
+    or 2 numbers) diameter and upper end of a lollipop's neck, mm; ``flank`` (0 or 2) radius of a barrel's flank, and
+    its length."""
 
     tool: int | None = None
     speed: float = 0.0
