@@ -14,6 +14,7 @@ way, are followed to their least height. Every height found is that of a real po
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
@@ -190,7 +191,7 @@ def _sampled(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) ->
     poses = [swept.pose(blocks, np.full(len(blocks), u)) for u in (0.0, 0.5, 1.0)]
     steps = [
         np.linalg.norm(_middle(lowest, q) - _middle(lowest, p), axis=0)
-        + lowest.low_radius * np.linalg.norm(q.axis - p.axis, axis=0)
+        + _wide(lowest)[0] * np.linalg.norm(q.axis - p.axis, axis=0)
         for p, q in pairwise(poses)
     ]
     length = np.append(0.0, np.cumsum(steps[0] + steps[1]))
@@ -210,17 +211,25 @@ def _sampled(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) ->
 
 
 def _middle(piece: Piece, pose: Poses) -> Floats:
-    """The middle of a piece's lower disc at each pose (3, n)."""
-    return np.asarray(pose.tip + piece.low * pose.axis)
+    """The middle of a piece's lower disc, of a bulge that between its ends, at each pose (3, n)."""
+    height = piece.low if piece.bulge == 0.0 else 0.5 * (piece.low + piece.arc[1])
+    return np.asarray(pose.tip + height * pose.axis)
+
+
+def _wide(piece: Piece) -> tuple[float, float]:
+    """How much, mm, of a piece is no ball: the radius of its lower disc, of a bulge how far its ends are from its middle; and how
+    far what touches is from there."""
+    flat = piece.low_radius if piece.bulge == 0.0 else math.hypot(piece.high_radius, 0.5 * (piece.arc[1] - piece.low))
+    return flat, flat + piece.round
 
 
 def _sampled_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Way, int]:
     """The sampled way, and how many samples must be looked at for all that could touch one of some points (n, 3) to be among
     them; where that is too many, the samples lie farther apart."""
     lowest = _lowest_piece(body)
-    wide = lowest.low_radius + lowest.round
+    flat, wide = _wide(lowest)
     way, count = _sampled(lowest, swept, blocks, CLOSE * wide), NEAREST
-    if lowest.low_radius > 0.0:
+    if flat > 0.0:
         some = point[:: max(len(point) // SOME, 1)]
         count = int(way.tree.query_ball_point(some, wide + way.spacing, return_length=True).max())
         if count > MOST_NEAREST:
@@ -239,7 +248,7 @@ def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Flo
     there, place = near.ravel(), np.repeat(point, near.shape[1], axis=0).T
     pose = Poses(way.pose.tip.take(there, axis=1), way.pose.axis.take(there, axis=1))
     height, at = _height(body, pose, place).reshape(near.shape), way.at[near]
-    level = any(piece.low_radius > 0.0 for piece in body.pieces)
+    level = any(piece.low_radius > 0.0 or piece.bulge > 0.0 for piece in body.pieces)
     rows, starts, least = np.arange(len(point)), [], height.min(axis=1)
     for _ in range(FOLLOWED * (1 + level)):
         best = height.argmin(axis=1)

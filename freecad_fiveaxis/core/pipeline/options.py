@@ -129,8 +129,8 @@ def travels(settings: Settings) -> tuple[float, ...]:
 
 
 def axis_options(settings: Settings) -> AxisOptions:
-    """Options of the strategies for the tool axis. Where neither lead nor tilt is asked for, a barrel is tilted from the normals so
-    far that the middle of its flank touches, to the side that is up."""
+    """Options of the strategies for the tool axis. Where neither lead nor tilt is asked for, a barrel is tilted from the normals
+    so far that the middle of its flank touches, to the side that is up."""
     tool, barrel = settings.tool_axis, settings.cutter.cutter.barrel
     centre, about = settings.passes.pass_centre, settings.passes.pass_axis or UPRIGHT
     through = (0.0, 0.0, 0.0) if isinstance(centre, str) else centre

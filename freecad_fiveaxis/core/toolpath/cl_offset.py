@@ -7,8 +7,8 @@ sharp     the corner of a flat: a ball of some nanometres, so that edges get the
 smooth    a co-edge between facets that approximate one surface. All rows of its contact take out from the mean of both normals,
           as the tool axis does, and the bottom rocks from facet to facet; at any other co-edge each row takes its own normal, and
           the bottom slides over the edge.
-barrel    its flank touches where the axis leans far from the normal: its hub, the centre of the ball at its tip, is shifted from where
-          that ball would touch (core/tool/barrel.py).
+barrel    its flank touches where the axis leans far from the normal: its hub, the centre of the ball at its tip, is shifted from
+          where that ball would touch (core/tool/barrel.py).
 heel      the side of the bottom away from the contact: in a hollow it meets the part although the contact is tangent.
 """
 
@@ -74,8 +74,8 @@ def seat_normal(path: OffsetPath, ring: float, barrel: Flank | None = None) -> F
 
     Smooth: over a facet of length L whose normal the axis leaves by half of a co-edge's turn t at both its ends, the bottom
     enters it at most by ``t min(L, 16 ring) / 16``: at the share s of the way it leans by t (1 - 2 s) / 2 and has s L of facet
-    behind it. What is round there, as the flank of a barrel is along its pass with half its diameter r at most, enters by ``r t^2 /
-    8``.
+    behind it. What is round there, as the flank of a barrel is along its pass with half its diameter r at most, enters by ``r t^2
+    / 8``.
     """
     mean = path.before + path.after
     turn = np.linalg.norm(path.after - path.before, axis=1)
@@ -151,8 +151,8 @@ def _swung(path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float) -> 
 
 
 def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, cutter: Cutter) -> Floats:
-    """How deep (k,) mm the bottom's rim, or the flank, dips half-way of the moves that arrive at ``row`` (k,), for the chord of the
-    hub's swing."""
+    """How deep (k,) mm the bottom's rim, or the flank, dips half-way of the moves that arrive at ``row`` (k,), for the chord of
+    the hub's swing."""
     ring, half = cutter.ring, np.full(len(row), 0.5)
     seat, feed = seat_normal(path, ring, cutter.barrel), feed_direction(path, axis)
     normal, upright = slerp(seat[row - 1], seat[row], half), slerp(axis[row - 1], axis[row], half)
@@ -189,8 +189,8 @@ def _with_rows(
     """Rows ``row`` (k,) of the path, those at ``new`` moved to ``share`` of the way from the row before, inside its facet, or
     round its co-edge where both are rows of one contact.
 
-    Corner circles go straight there, along the facet; axis and ``seat`` (n, 3) turn evenly. A ball, which has no seat, sits on the
-    facet itself."""
+    Corner circles go straight there, along the facet; axis and ``seat`` (n, 3) turn evenly. A ball, which has no seat, sits on
+    the facet itself."""
     end, swung = row[new], axis[row]
     start, part = end - 1, share[:, None]
     normal = slerp(seat[start], seat[end], share) if seat is not None else path.before[end]
@@ -226,9 +226,9 @@ def _report_off_flank(path: OffsetPath, axis: Floats, barrel: Flank) -> tuple[Fi
         return ()
     x, y, z = path.point[int(off.argmax())].tolist()
     text = say(
-        "Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with its "
-        "flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the surface, as "
-        "with {tilt} {middle}.",
+        "Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with "
+        "its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the surface, "
+        "as with {tilt} {middle}.",
         length=Length(length, ".4g"), place=Point((x, y, z), "g"), corner=Length(barrel.corner), tilt=Option("tilt"),
         begins=Angle(math.degrees(barrel.begins), ".1f"), most=Angle(90.0, "g"), middle=Angle(math.degrees(barrel.middle), ".0f"),
     )  # fmt: skip

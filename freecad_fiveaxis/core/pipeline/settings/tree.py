@@ -329,7 +329,7 @@ def _check_tool_axis(tool: ToolAxisSettings) -> None:
 
 
 def _check_barrel(settings: Settings) -> None:
-    """An axis that leans otherwise cuts with another place of the arc: minimax, which lets it lean as the machine likes, cannot."""
+    """Refuse minimax with a barrel: it lets the axis lean as the machine likes, and with that another place of the arc cuts."""
     if settings.cutter.cutter.barrel is not None and settings.tool_axis.tool_axis == "minimax":
         raise SettingsError(
             say(
