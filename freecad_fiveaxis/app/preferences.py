@@ -35,6 +35,7 @@ DEFAULTS: dict[str, str | float | int] = {
     "CutterCorner": 1.0,
     "CutterTaper": 5.0,
     "CutterNeck": 3.0,
+    "CutterFlank": 85.0,
     "Shank": "",
     "Holder": "",
     "Scallop": 0.01,
@@ -118,7 +119,7 @@ def cutter() -> str:
 
     kind = _text("CutterKind")
     kind = kind if kind in KINDS else str(DEFAULTS["CutterKind"])
-    sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper", "neck")}
+    sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper", "neck", "flank")}
     return sizes_text(kind, sizes | {"length": LENGTH})
 
 

@@ -104,21 +104,21 @@ WORK_ZERO = Property(
     "WorkZero", "App::PropertyVectorDistance", QT_TRANSLATE_NOOP("App::Property", "Part"),
     QT_TRANSLATE_NOOP("App::Property", "The place of the work zero in the document"), (0.0, 0.0, 0.0),
 )  # fmt: skip
-CORNER, TAPER, NECK = 1.0, 5.0, 3.0
-"""mm, deg and mm: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
+CORNER, TAPER, NECK, FLANK = 1.0, 5.0, 3.0, 85.0
+"""mm, deg, mm and mm: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
 CUTTER = (
     Property(
         "CutterKind", KINDS["choice"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop"),
+        QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel"),
         choices=tuple(CUTTER_KINDS),
     ),
     Property(
         "CutterDiameter", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one that of its rounded end"),
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one that of its rounded end, of a barrel the largest"),
     ),
     Property(
         "CutterCorner", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, tapered or not; other kinds have none"),
+        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, tapered or not, or of the ball at a barrel's tip; other kinds have none"),
     ),
     Property(
         "CutterTaper", KINDS["angle"], "Tool",
@@ -127,6 +127,10 @@ CUTTER = (
     Property(
         "CutterNeck", KINDS["length"], "Tool",
         QT_TRANSLATE_NOOP("App::Property", "Diameter of a lollipop's neck, less than that of its ball; other kinds have none"),
+    ),
+    Property(
+        "CutterFlank", KINDS["length"], "Tool",
+        QT_TRANSLATE_NOOP("App::Property", "Radius of a barrel's flank, more than half its diameter; other kinds have none"),
     ),
     Property(
         "CutterLength", KINDS["length"], "Tool",
@@ -183,7 +187,7 @@ def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     return properties
 
 
-_UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER, "CutterNeck": NECK}
+_UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER, "CutterNeck": NECK, "CutterFlank": FLANK}
 
 
 def cutter_values(cutter: Cutter) -> dict[str, Any]:

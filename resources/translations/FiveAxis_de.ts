@@ -244,8 +244,8 @@
         <translation>Kühlmittel ein, solange das Programm läuft</translation>
     </message>
     <message>
-        <source>Corner radius of a bull nose, tapered or not; other kinds have none</source>
-        <translation>Eckenradius eines Torusfräsers, auch eines konischen; andere Arten haben keinen</translation>
+        <source>Corner radius of a bull nose, tapered or not, or of the ball at a barrel's tip; other kinds have none</source>
+        <translation>Eckenradius eines Torusfräsers, auch eines konischen, oder Radius der Kugel an der Spitze eines Tonnenfräsers; andere Arten haben keinen</translation>
     </message>
     <message>
         <source>Corner rounding: how far the controller may round corners, where it can; 0: exact path</source>
@@ -266,6 +266,10 @@
     <message>
         <source>Cutter Diameter</source>
         <translation>Fräserdurchmesser</translation>
+    </message>
+    <message>
+        <source>Cutter Flank</source>
+        <translation>Fräser-Flanke</translation>
     </message>
     <message>
         <source>Cutter Kind</source>
@@ -320,8 +324,8 @@
         <translation>Durchmesser des Halses eines Lollipop-Fräsers, kleiner als der seiner Kugel; andere Arten haben keinen</translation>
     </message>
     <message>
-        <source>Diameter of the cutter; of a tapered one that of its rounded end</source>
-        <translation>Durchmesser des Fräsers; eines konischen der seines runden Endes</translation>
+        <source>Diameter of the cutter; of a tapered one that of its rounded end, of a barrel the largest</source>
+        <translation>Durchmesser des Fräsers; eines konischen der seines runden Endes, eines Tonnenfräsers der größte</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -912,6 +916,10 @@
         <translation>Radius zu groß um</translation>
     </message>
     <message>
+        <source>Radius of a barrel's flank, more than half its diameter; other kinds have none</source>
+        <translation>Radius der Flanke eines Tonnenfräsers, größer als sein halber Durchmesser; andere Arten haben keinen</translation>
+    </message>
+    <message>
         <source>Radius of the arc tangent to the surface on which the tool enters and leaves a pass; 0: along its axis</source>
         <translation>Radius des Bogens tangential zur Fläche, auf dem das Werkzeug in eine Bahn ein- und aus ihr ausfährt; 0: entlang seiner Achse</translation>
     </message>
@@ -996,8 +1004,8 @@
         <translation>Form und Maße des Fräsers</translation>
     </message>
     <message>
-        <source>Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop</source>
-        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus, Lollipop</translation>
+        <source>Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel</source>
+        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus, Lollipop, Tonne</translation>
     </message>
     <message>
         <source>Show All Places</source>
@@ -2001,6 +2009,10 @@
     <message>
         <source>Fixtures</source>
         <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Flank radius</source>
+        <translation>Flankenradius</translation>
     </message>
     <message>
         <source>Fold the legend</source>
@@ -3265,6 +3277,10 @@
     <message>
         <source>ball end mill</source>
         <translation>Kugelfräser</translation>
+    </message>
+    <message>
+        <source>barrel</source>
+        <translation>Tonnenfräser</translation>
     </message>
     <message>
         <source>below the table</source>
@@ -4532,6 +4548,10 @@
         <translation>Auf {length} der Bahnen hält keine Neigung bis {most} Schaft und Halter aus dem Werkstück, am tiefsten bei {place}. Mehr Neigung erlauben ({max_tilt}), ein längeres Werkzeug nehmen oder diese Stellen auslassen.</translation>
     </message>
     <message>
+        <source>Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the normal, as with {tilt} {middle}.</source>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Rillen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
+    </message>
+    <message>
         <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.</source>
         <translation>Auf {length} der Bahnen, zuerst bei {place}, ist das Werkzeug frei, aber das Teil liegt darüber, und es käme entlang seiner Achse nicht heraus; sie werden ausgelassen. Das Teil drehen oder einen kleineren Halter nehmen.</translation>
     </message>
@@ -5412,8 +5432,24 @@
         <translation>Fräserradiuskorrektur; die Wörter werden genommen, wie sie sind</translation>
     </message>
     <message>
+        <source>cutter corner radius is {corner}; a barrel has a ball of {least} or more at its tip, of less than {radius}, half the diameter</source>
+        <translation>der Eckenradius des Fräsers ist {corner}; ein Tonnenfräser hat an der Spitze eine Kugel von mindestens {least} und weniger als {radius}, dem halben Durchmesser</translation>
+    </message>
+    <message>
         <source>cutter corner radius is {corner}; give 0 to {radius}, half the diameter</source>
         <translation>der Eckenradius des Fräsers ist {corner}; 0 bis {radius} angeben, den halben Durchmesser</translation>
+    </message>
+    <message>
+        <source>cutter flank radius is {flank}; give more than {radius}, half the diameter, and at most {most}</source>
+        <translation>der Flankenradius des Fräsers ist {flank}; mehr als {radius}, den halben Durchmesser, und höchstens {most} angeben</translation>
+    </message>
+    <message>
+        <source>cutter flank radius: only a barrel has one, and it has no taper; leave one of them out</source>
+        <translation>Flankenradius des Fräsers: nur ein Tonnenfräser hat einen, und der hat keinen Kegel; eines von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>cutter length is {length}, its flank ends {ends} above the tip; give a longer cutter or a smaller flank radius</source>
+        <translation>die Länge des Fräsers ist {length}, seine Flanke endet {ends} über der Spitze; einen längeren Fräser oder einen kleineren Flankenradius angeben</translation>
     </message>
     <message>
         <source>cutter length is {length}, the neck begins {begins} above the tip; give a longer cutter</source>
@@ -7716,6 +7752,10 @@
         <translation>{merge} nimmt keine Aufträge; {source} weglassen</translation>
     </message>
     <message>
+        <source>{minimax} would lean a barrel off its flank; choose {facet_mean}, or a ball cutter</source>
+        <translation>{minimax} würde einen Tonnenfräser von seiner Flanke wegneigen; {facet_mean} oder einen Kugelfräser wählen</translation>
+    </message>
+    <message>
         <source>{missing} is missing before {rest}</source>
         <translation>{missing} fehlt vor {rest}</translation>
     </message>
@@ -8487,8 +8527,8 @@
         <translation>Eckenradius</translation>
     </message>
     <message>
-        <source>Corner radius of a bull nose, tapered or not</source>
-        <translation>Eckenradius eines Torusfräsers, auch eines konischen</translation>
+        <source>Corner radius of a bull nose, tapered or not, or of the ball at a barrel's tip</source>
+        <translation>Eckenradius eines Torusfräsers, auch eines konischen, oder Radius der Kugel an der Spitze eines Tonnenfräsers</translation>
     </message>
     <message>
         <source>Cutter</source>
@@ -8525,6 +8565,10 @@
     <message>
         <source>Feed of the tip over the part</source>
         <translation>Vorschub der Werkzeugspitze über das Werkstück</translation>
+    </message>
+    <message>
+        <source>Flank radius</source>
+        <translation>Flankenradius</translation>
     </message>
     <message>
         <source>Folder that is offered for NC files; empty: the folder of the document</source>
@@ -8589,6 +8633,10 @@
     <message>
         <source>Processes</source>
         <translation>Prozesse</translation>
+    </message>
+    <message>
+        <source>Radius of a barrel's flank, more than half its diameter</source>
+        <translation>Radius der Flanke eines Tonnenfräsers, größer als sein halber Durchmesser</translation>
     </message>
     <message>
         <source>Scallop height</source>

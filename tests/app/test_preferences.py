@@ -72,7 +72,7 @@ def test_an_emptied_machine_is_the_default():
 
 
 def test_a_kind_of_cutter_that_is_not_known_is_the_default():
-    preferences.write("CutterKind", "barrel")
+    preferences.write("CutterKind", "lens")
     assert preferences.cutter() == "ball:10.0:50.0"
 
 

@@ -142,7 +142,10 @@ def test_the_core_checks_the_properties(path, name, value, says):
         convert.settings_of(path, MILL, "x")
 
 
-SHAPES = ["ball:10", "flat:10:20", "bull:0.5in:2", "taperball:6:5deg:30", "taperbull:10:1.25:0.1rad", "lollipop:0.5in:6:40"]
+SHAPES = [
+    "ball:10", "flat:10:20", "bull:0.5in:2", "taperball:6:5deg:30", "taperbull:10:1.25:0.1rad", "lollipop:0.5in:6:40",
+    "barrel:10:80:2.5",
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("text", SHAPES)
@@ -150,7 +153,10 @@ def test_every_cutter_comes_back_as_it_was_given_and_survives_the_file(path, tex
     convert.put_options(path, MILL, {"cutter": text})
     got, wanted = convert.settings_of(path, MILL, "x").cutter.cutter, parse_cutter(text)
     assert path.CutterKind == kind_of(wanted) == text.partition(":")[0]
-    assert astuple(got)[:4] == pytest.approx(astuple(wanted)[:4], rel=1e-11) and got.neck == wanted.neck
+    assert astuple(got)[:4] == pytest.approx(astuple(wanted)[:4], rel=1e-11) and (got.neck, got.flank) == (
+        wanted.neck,
+        wanted.flank,
+    )
     assert convert.settings_of(reopen(path.Document).Toolpath, MILL, "x").cutter.cutter == got
 
 
@@ -171,6 +177,7 @@ def test_a_cutters_sizes_have_units(path):
     [
         ({"CutterKind": "bull", "CutterCorner": 6}, "corner radius is 6 mm; give 0 to 5 mm"),
         ({"CutterKind": "lollipop", "CutterNeck": 10}, "neck is 10 mm; give 0.001 mm or more, and less than 10 mm"),
+        ({"CutterKind": "barrel", "CutterFlank": 4}, "flank radius is 4 mm; give more than 5 mm, half the diameter"),
         ({"CutterKind": "taperball", "CutterTaper": 70}, "taper is 70 deg; give 0 to 60 deg"),
         ({"CutterKind": "taperball", "CutterLength": 2}, "the taper begins"),
         ({"Holder": "40"}, "diameter x length"),
@@ -190,24 +197,26 @@ def test_the_property_editor_shows_the_sizes_that_the_kind_has(path, reopen):
     def hidden(obj):
         return {
             name
-            for name in ("CutterDiameter", "CutterCorner", "CutterTaper", "CutterNeck")
+            for name in ("CutterDiameter", "CutterCorner", "CutterTaper", "CutterNeck", "CutterFlank")
             if "Hidden" in obj.getEditorMode(name)
         }
 
-    assert hidden(path) == {"CutterCorner", "CutterTaper", "CutterNeck"}
+    assert hidden(path) == {"CutterCorner", "CutterTaper", "CutterNeck", "CutterFlank"}
     path.Document.recompute()
     path.purgeTouched()
     for kind, lacks in (
         ("bull", {"CutterTaper"}),
         ("taperbull", set()),
         ("flat", {"CutterCorner", "CutterTaper"}),
-    ):  # and no neck
+    ):  # and neither neck nor flank
         path.CutterKind = kind
-        assert hidden(path) == lacks | {"CutterNeck"}
+        assert hidden(path) == lacks | {"CutterNeck", "CutterFlank"}
     path.CutterKind = "lollipop"
-    assert hidden(path) == {"CutterCorner", "CutterTaper"}
+    assert hidden(path) == {"CutterCorner", "CutterTaper", "CutterFlank"}
+    path.CutterKind = "barrel"
+    assert hidden(path) == {"CutterTaper", "CutterNeck"}
     path.CutterKind = "taperball"
-    assert hidden(reopen(path.Document).Toolpath) == {"CutterCorner", "CutterNeck"}
+    assert hidden(reopen(path.Document).Toolpath) == {"CutterCorner", "CutterNeck", "CutterFlank"}
 
 
 def test_sizes_that_the_kind_has_not_are_not_looked_at(path):

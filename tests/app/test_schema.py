@@ -110,7 +110,7 @@ def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen, a
     assert path.State == ["Up-to-date"] and path.GuidedBlocks > 0 and b"LN X" in results.nc_of(path)
 
 
-VERSION_4 = ("CutterKind", "CutterCorner", "CutterTaper", "CutterNeck", "Gouge", "Shank", "Holder", "Links")
+VERSION_4 = ("CutterKind", "CutterCorner", "CutterTaper", "CutterNeck", "CutterFlank", "Gouge", "Shank", "Holder", "Links")
 """What version 3 had not."""
 
 

@@ -31,7 +31,7 @@ def test_units_are_turned_once_at_the_border():
 @pytest.mark.parametrize(
     "options",
     [{"scallop": "-0.01"}, {"scallop": "0"}, {"stepover": 0}, {"tolerance": "0"}, {"feed": "-1"}, {"cutter": "ball:0"},
-     {"cutter": "ball:-3"}, {"cutter": "cone:3"}, {"order": "spiral"}, {"lead": "80"}, {"max_axis_angle": "200"}, {"origin": "1,2"},
+     {"cutter": "ball:-3"}, {"cutter": "cone:3"}, {"order": "spiral"}, {"lead": "100"}, {"max_axis_angle": "200"}, {"origin": "1,2"},
      {"clearance": "nan"}, {"scallop": "0.1", "stepover": "1"}, {"scalop": "0.1"}, {"linearize": "maybe"}, {"singularity": "ignore"}, {"tool_length": "-1"},
      {"machine": ""}, {"output": 5}, {"report": [3]}, {"axis": "a,b,c"}],
 )  # fmt: skip

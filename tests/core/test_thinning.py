@@ -75,7 +75,7 @@ def test_a_flat_tool_that_leans_may_stand_off_and_one_that_stands_upright_may_no
     up, lean = np.array([[0.0, 0.0, 1.0]]), np.array([[np.sin(0.1), 0.0, np.cos(0.1)]])
     assert stand_of(Cutter(10.0, corner=1.0), up, up) == 0.0
     assert stand_of(Cutter(10.0, corner=1.0), up, lean) == pytest.approx(4.0 * np.sin(0.1) + 1.0 - np.cos(0.1))
-    assert stand_of(0.0, 5.0, up, lean) < 0.03
+    assert stand_of(Cutter(10.0), up, lean) < 0.03
 
 
 def test_strokes_to_lifted_rows_do_not_cut():

@@ -232,6 +232,7 @@ def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):
 
 CUTTER_SIZES = {
     "ball": (), "flat": (), "bull": ("corner",), "taperball": ("taper",), "taperbull": ("corner", "taper"), "lollipop": ("neck",),
+    "barrel": ("flank", "corner"),
 }  # fmt: skip
 
 
@@ -249,7 +250,7 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_i
 
     until(lambda: asked(lambda part: part.editor) == wanted, 20000, f"fields of {wanted}")
     until(lambda: asked(lambda part: cutter.rows[part.name][0]) == wanted, 20000, f"labels of {wanted}")
-    sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg"), "neck": ("2.5 mm", "2.5")}
+    sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg"), "neck": ("2.5 mm", "2.5"), "flank": ("70 mm", "70.0")}
     for size in CUTTER_SIZES[kind]:
         type_into(field("cutter_" + size), sizes[size][0])
     text = ":".join([kind, "6.0", *(sizes[size][1] for size in CUTTER_SIZES[kind]), "30.0"])
@@ -404,6 +405,18 @@ def test_a_lollipop_is_chosen_with_the_diameter_of_its_neck(dome, field, choose,
     assert panel.options.options()["cutter"] == "lollipop:10.0:6.35:50.0"
     type_into(field("cutter_neck"), "10 mm")
     until(lambda: "less than 10 mm" in shown("cutter_error").text(), 20000, "what is wrong")
+    panel.reject()
+
+
+def test_a_barrel_is_chosen_with_the_radius_of_its_flank(dome, field, choose, type_into, pump, until):
+    panel = toolpath.create(dome)
+    pump(200)
+    assert not shown("cutter_flank").isVisible()
+    choose(field("cutter_kind"), "barrel")
+    until(lambda: shown("cutter_flank").isVisible() and shown("cutter_corner").isVisible(), 20000, "a flank and a corner")
+    assert panel.options.options()["cutter"] == "barrel:10.0:85.0:1.0:50.0", "another kind is a cutter at once"
+    type_into(field("cutter_flank"), "4 mm")
+    until(lambda: "more than 5 mm" in shown("cutter_error").text(), 20000, "what is wrong")
     panel.reject()
 
 

@@ -124,7 +124,7 @@ def test_cancel_keeps_nothing(ours, in_dialog, choose):
 def test_the_page_shows_and_keeps_every_parameter(ours, window):
     given = {
         "Machine": "/my/own.fcm", "Controller": "fanuc", "MachineFolder": "/my", "OutputFolder": "/nc", "CutterKind": "taperbull",
-        "CutterDiameter": 6.0, "CutterCorner": 1.5, "CutterTaper": 2.5, "CutterNeck": 2.0, "Shank": "6x20", "Holder": "40x25",
+        "CutterDiameter": 6.0, "CutterCorner": 1.5, "CutterTaper": 2.5, "CutterNeck": 2.0, "CutterFlank": 60.0, "Shank": "6x20", "Holder": "40x25",
         "Scallop": 0.02, "Tolerance": 0.05, "Feed": 20.0, "ColourGood": 0x102030FF, "ColourBad": 0x405060FF,
         "ColourSingular": 0x708090FF, "Processes": 3,
     }  # fmt: skip

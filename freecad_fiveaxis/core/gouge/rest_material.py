@@ -228,7 +228,8 @@ def _sampled_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats)
     them; where that is too many, the samples lie farther apart."""
     lowest = _lowest_piece(body)
     flat, wide = _wide(lowest)
-    way, count = _sampled(lowest, swept, blocks, CLOSE * wide), NEAREST
+    round_ = wide if lowest.bulge == 0.0 else lowest.widest  # a bulge is longer than it is wide
+    way, count = _sampled(lowest, swept, blocks, CLOSE * round_), NEAREST
     if flat > 0.0:
         some = point[:: max(len(point) // SOME, 1)]
         count = int(way.tree.query_ball_point(some, wide + way.spacing, return_length=True).max())

@@ -227,7 +227,7 @@ def _report_off_flank(path: OffsetPath, axis: Floats, barrel: Flank) -> tuple[Fi
     x, y, z = path.point[int(off.argmax())].tolist()
     text = say(
         "Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with "
-        "its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the surface, "
+        "its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the normal, "
         "as with {tilt} {middle}.",
         length=Length(length, ".4g"), place=Point((x, y, z), "g"), corner=Length(barrel.corner), tilt=Option("tilt"),
         begins=Angle(math.degrees(barrel.begins), ".1f"), most=Angle(90.0, "g"), middle=Angle(math.degrees(barrel.middle), ".0f"),

@@ -106,7 +106,14 @@ class SpacingField(Field):
                 self.kind.show_value(kind)
 
 
-CUTTER_SIZES = {"diameter": "length", "corner": "length", "taper": "angle", "neck": "length", "length": "length"}
+CUTTER_SIZES = {
+    "diameter": "length",
+    "corner": "length",
+    "taper": "angle",
+    "neck": "length",
+    "flank": "length",
+    "length": "length",
+}
 """The sizes of all kinds of cutters, and what each is."""
 
 
@@ -152,7 +159,7 @@ class CutterField(Field):
     has_own_labels = True
 
     def __init__(self, name: str, hint: str, doc: Any) -> None:
-        from freecad_fiveaxis.app.properties import CORNER, CUTTER, NECK, TAPER
+        from freecad_fiveaxis.app.properties import CORNER, CUTTER, FLANK, NECK, TAPER
         from freecad_fiveaxis.core.tool import KINDS
 
         super().__init__(name, Rows(indent=0), hint)
@@ -165,6 +172,7 @@ class CutterField(Field):
         self.sizes["corner"].show_value(CORNER)
         self.sizes["taper"].show_value(TAPER)
         self.sizes["neck"].show_value(NECK)
+        self.sizes["flank"].show_value(FLANK)
         self.file = QtWidgets.QPushButton(translate("FiveAxis", "From a tool file…"))
         self.job = ToolList("cutter_job", translate("FiveAxis", "From a CAM Job…"))
         self.setup = ToolList("cutter_setup", translate("FiveAxis", "From the setup…"))
