@@ -109,16 +109,16 @@ CORNER, TAPER, NECK, FLANK = 1.0, 5.0, 3.0, 85.0
 CUTTER = (
     Property(
         "CutterKind", KINDS["choice"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel"),
+        QT_TRANSLATE_NOOP("App::Property", "Cutter shape: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel"),
         choices=tuple(CUTTER_KINDS),
     ),
     Property(
         "CutterDiameter", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one that of its rounded end, of a barrel the largest"),
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one at its round end, of a barrel the largest"),
     ),
     Property(
         "CutterCorner", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, tapered or not, or of the ball at a barrel's tip; other kinds have none"),
+        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, or radius of a barrel's tip; other kinds have none"),
     ),
     Property(
         "CutterTaper", KINDS["angle"], "Tool",

@@ -244,8 +244,8 @@
         <translation>Kühlmittel ein, solange das Programm läuft</translation>
     </message>
     <message>
-        <source>Corner radius of a bull nose, tapered or not, or of the ball at a barrel's tip; other kinds have none</source>
-        <translation>Eckenradius eines Torusfräsers, auch eines konischen, oder Radius der Kugel an der Spitze eines Tonnenfräsers; andere Arten haben keinen</translation>
+        <source>Corner radius of a bull nose, or radius of a barrel's tip; other kinds have none</source>
+        <translation>Eckenradius eines Torusfräsers oder Radius der Spitze eines Tonnenfräsers; andere Arten haben keinen</translation>
     </message>
     <message>
         <source>Corner rounding: how far the controller may round corners, where it can; 0: exact path</source>
@@ -288,6 +288,10 @@
         <translation>Fräser-Kegelwinkel</translation>
     </message>
     <message>
+        <source>Cutter shape: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel</source>
+        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus, Lollipop, Tonne</translation>
+    </message>
+    <message>
         <source>Cylinders above the cutter, from below: diameter x length in mm, as 8x20,12x30</source>
         <translation>Zylinder über dem Fräser, von unten: Durchmesser x Länge in mm, etwa 8x20,12x30</translation>
     </message>
@@ -324,7 +328,7 @@
         <translation>Durchmesser des Halses eines Lollipop-Fräsers, kleiner als der seiner Kugel; andere Arten haben keinen</translation>
     </message>
     <message>
-        <source>Diameter of the cutter; of a tapered one that of its rounded end, of a barrel the largest</source>
+        <source>Diameter of the cutter; of a tapered one at its round end, of a barrel the largest</source>
         <translation>Durchmesser des Fräsers; eines konischen der seines runden Endes, eines Tonnenfräsers der größte</translation>
     </message>
     <message>
@@ -1002,10 +1006,6 @@
     <message>
         <source>Shape and sizes of the cutter</source>
         <translation>Form und Maße des Fräsers</translation>
-    </message>
-    <message>
-        <source>Shape of the cutter: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel</source>
-        <translation>Form des Fräsers: Kugel, Schaftfräser, Torus, konische Kugel, konischer Torus, Lollipop, Tonne</translation>
     </message>
     <message>
         <source>Show All Places</source>
@@ -4549,7 +4549,7 @@
     </message>
     <message>
         <source>Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at its tip, not with its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to {most} from the normal, as with {tilt} {middle}.</source>
-        <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Rillen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
+        <translation>Auf {length} der Bahnen, zuerst bei {place}, berührt der Tonnenfräser mit der Kugel von {corner} an seiner Spitze, nicht mit seiner Flanke, und die Kuppen werden so hoch, wie diese Kugel sie lässt. Die Achse um {begins} bis {most} zur Flächennormalen neigen, etwa mit {tilt} {middle}.</translation>
     </message>
     <message>
         <source>Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.</source>
@@ -8527,8 +8527,8 @@
         <translation>Eckenradius</translation>
     </message>
     <message>
-        <source>Corner radius of a bull nose, tapered or not, or of the ball at a barrel's tip</source>
-        <translation>Eckenradius eines Torusfräsers, auch eines konischen, oder Radius der Kugel an der Spitze eines Tonnenfräsers</translation>
+        <source>Corner radius of a bull nose, or radius of a barrel's tip</source>
+        <translation>Eckenradius eines Torusfräsers oder Radius der Spitze eines Tonnenfräsers</translation>
     </message>
     <message>
         <source>Cutter</source>

@@ -131,7 +131,7 @@ def test_nothing_given_is_0_or_the_machines_own(path):
     [
         ("Tolerance", 0, "tolerance"),
         ("CutterDiameter", 0, "cutter diameter"),
-        ("Lead", 80, "lead"),
+        ("Lead", 100, "lead"),
         ("Tool", -1, "tool"),
         ("Machine", "", "machine"),
     ],
