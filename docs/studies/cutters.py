@@ -16,7 +16,8 @@ from freecad_fiveaxis.core.orientation.strategies import leaned
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, parse_cutter
 
 PICTURE = Path(__file__).resolve().parents[1] / "images" / "cutters.png"
-SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16", "lollipop:10:5:16")
+SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16", "lollipop:10:5:16",
+          "barrel:8:30:1.5:16")  # fmt: skip
 BODY, PART, MARK = "#c9d4e3", "#e9dfcf", "#c8442a"
 X, Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
 
@@ -26,6 +27,8 @@ def outline(cutter: Cutter) -> np.ndarray:
     (ring, corner, height), last = cutter.profile().rounds[0], cutter.undercut - cutter.taper
     angle = np.linspace(-np.pi / 2, last, 90)
     half = np.stack([ring + corner * np.cos(angle), height + corner * np.sin(angle)], axis=1)
+    if cutter.barrel is not None:
+        half = np.concatenate([half[angle < cutter.barrel.begins - np.pi / 2], cutter.profile().flanks[:, 1::-1]])
     half = np.concatenate([half, [(cutter.top_radius, cutter.length)]])
     return np.concatenate([half, half[::-1] * (-1.0, 1.0)])
 
@@ -38,7 +41,7 @@ def shape(axes: Any, text: str) -> None:
     axes.plot([-cutter.ring, cutter.ring], [cutter.corner] * 2, "o", color=MARK, ms=4)
     axes.plot([0], [cutter.corner], "x", color=MARK)
     axes.plot([0], [0], "k.", ms=6)
-    axes.set_title(text.rpartition(":")[0] + "\n" + cutter_name(cutter), fontsize=8)
+    axes.set_title(text.rpartition(":")[0] + "\n" + cutter_name(cutter).replace(", flank", ",\nflank"), fontsize=8)
     axes.set(xlim=(-9, 9), ylim=(-3, 19), aspect="equal")
     axes.axis("off")
 
@@ -64,8 +67,8 @@ def stand(axes: Any, text: str, lead: float, title: str) -> None:
 
 
 def main() -> None:
-    """Six shapes above, six stands below."""
-    figure, axes = plt.subplots(2, 6, figsize=(14, 6.2), constrained_layout=True)
+    """Seven shapes above, seven stands below."""
+    figure, axes = plt.subplots(2, 7, figsize=(16.4, 6.2), constrained_layout=True)
     for place, text in zip(axes[0], SHAPES, strict=True):
         shape(place, text)
     stand(axes[1, 0], "bull:10:2:16", 15.0, "lead 15 deg: contact, corner centre,\nhub (x), tip (dot)")
@@ -74,6 +77,12 @@ def main() -> None:
     stand(axes[1, 3], "flat:10:16", -15.0, "flat, lead -15 deg: touches behind")
     stand(axes[1, 4], "taperball:6:8deg:16", 30.0, "taper ball, lead 30 deg")
     stand(axes[1, 5], "lollipop:10:5:16", 105.0, "lollipop, below the surface: the ball\ntouches, the neck clears the edge")
+    stand(
+        axes[1, 6],
+        "barrel:8:30:1.5:16",
+        78.0,
+        "barrel, 78 deg: its flank touches,\nthe hub (x) is far from the contact",
+    )
     figure.savefig(PICTURE, dpi=73, metadata={"Software": None})
 
 

@@ -8,7 +8,8 @@ from freecad_fiveaxis.core.gouge import outline
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, body_of, depth_of
 
-CUTTERS = ("ball:10:30", "flat:10:30", "bull:10:2:30", "taperball:6:5deg:30", "taperbull:10:2:15deg:30", "lollipop:10:4:30")
+CUTTERS = ("ball:10:30", "flat:10:30", "bull:10:2:30", "taperball:6:5deg:30", "taperbull:10:2:15deg:30", "lollipop:10:4:30",
+           "barrel:10:40:2:30")  # fmt: skip
 SHANK_OF, HOLDER_OF = ((8.0, 20.0), (14.0, 5.0)), ((40.0, 25.0), (63.0, 50.0))
 
 

@@ -69,6 +69,8 @@ def _straight(start: Floats, end: Floats, part: int) -> Outline:
 def _side(piece: Piece, after: Piece | None) -> tuple[Floats, Floats]:
     """Points (n, 2) and normals (n, 2) along a piece: lower rounding, flank, and the upper rounding up to the piece that follows
     it; nothing of it where that begins within the core."""
+    if piece.bulge > 0.0:
+        return _bulging_side(piece)
     lean = math.atan2(piece.high_radius - piece.low_radius, piece.high - piece.low) if piece.high > piece.low else 0.0
     low, high = (piece.low_radius, piece.low), (piece.high_radius, piece.high)
     if piece.round == 0.0:
@@ -81,3 +83,15 @@ def _side(piece: Piece, after: Piece | None) -> tuple[Floats, Floats]:
     normals = np.stack([np.cos(turn), np.sin(turn)], axis=1)
     cores = np.repeat([low, high], [len(lower), len(upper)], axis=0)
     return cores + piece.round * normals, normals
+
+
+def _bulging_side(piece: Piece) -> tuple[Floats, Floats]:
+    """The same along a piece with a bulge: lower rounding, arc, and the side up to where its core ends."""
+    middle, crest = piece.arc
+    begins = math.asin((piece.low - crest) / piece.bulge)
+    lower, arc = np.linspace(-0.5 * math.pi, begins, STRETCHES + 1), np.linspace(begins, 0.0, STRETCHES + 1)
+    turn = np.concatenate([lower, arc, [0.0]])
+    normals = np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    about = np.repeat([(0.0, piece.low), (middle, crest), (piece.high_radius, piece.high)], [len(lower), len(arc), 1], axis=0)
+    far = np.repeat([piece.round, piece.bulge + piece.round, piece.round], [len(lower), len(arc), 1])
+    return about + far[:, None] * normals, normals
