@@ -89,7 +89,8 @@ def _other_changes(
     offset: OffsetPath, axis: Floats, kinematics: Chain, options: AxisCorrectionOptions, progress: Progress
 ) -> Findings:
     change, hub = options.max_change, options.driven_to_hub
-    return trade_findings(offset, axis, kinematics, change, options.tolerance, hub, progress, options.ring)
+    barrel = None if options.part is None else options.part.reacher.cutter.barrel
+    return trade_findings(offset, axis, kinematics, change, options.tolerance, hub, progress, options.ring, barrel)
 
 
 def _to_free_axes(

@@ -22,6 +22,7 @@ from freecad_fiveaxis.core.base.records import Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import Angle, Length, Sentence, Turn, joined, say
 from freecad_fiveaxis.core.machine.kinematics import Chain, joint_words, q_to_words
 from freecad_fiveaxis.core.motion.deviation import measure
+from freecad_fiveaxis.core.tool.barrel import Flank
 from freecad_fiveaxis.core.toolpath.cl_offset import hub_positions
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, take_path_rows
 
@@ -72,12 +73,12 @@ class Trade:
 
 def trade_off(
     offset: OffsetPath, axis: Floats, kinematics: Chain, changes: Sequence[float], tolerance: float, radius: float = 0.0,
-    progress: Progress = silent, ring: float = 0.0,
+    progress: Progress = silent, ring: float = 0.0, barrel: Flank | None = None,
 ) -> Trade:  # fmt: skip
     """Lead the axes within each of ``changes`` (rad) and say what comes of it.
 
     ``tolerance`` mm for the number of blocks; ``radius`` mm from the ball's centre to the driven point (0: the centre is driven);
-    ``ring`` mm of a cutter that is no ball, whose hub takes the place of the ball's centre.
+    ``ring`` mm of a cutter that is no ball, or the flank of a barrel: its hub takes the place of the ball's centre.
     All rows are measured before rounding. Raises SettingsError for a change or tolerance out of range.
     """
     for change in changes:
@@ -101,7 +102,7 @@ def trade_off(
                 change,
                 float(angle_between(corrected, axis).max()),
                 passes,
-                *_driven(offset, corrected, kinematics, tolerance, (radius, ring)),
+                *_driven(offset, corrected, kinematics, tolerance, (radius, ring, barrel)),
             )
         )
     return Trade(*(np.array(column) for column in zip(*table, strict=True)))
@@ -109,7 +110,7 @@ def trade_off(
 
 def trade_findings(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, tolerance: float, radius: float = 0.0,
-    progress: Progress = silent, ring: float = 0.0,
+    progress: Progress = silent, ring: float = 0.0, barrel: Flank | None = None,
 ) -> tuple[Finding, ...]:  # fmt: skip
     """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change`` of the pole, as a
     note; none where no pass does. Other arguments as in :func:`trade_off`."""
@@ -120,7 +121,7 @@ def trade_findings(
     begin = starts(offset.polyline)
     chosen = np.arange(len(begin)) % math.ceil(len(axis) / MOST_ROWS) == 0
     rows = np.flatnonzero(np.repeat(chosen, np.diff(begin, append=len(axis))))
-    trade = trade_off(take_path_rows(offset, rows), axis[rows], kinematics, changes, tolerance, radius, progress, ring)
+    trade = trade_off(take_path_rows(offset, rows), axis[rows], kinematics, changes, tolerance, radius, progress, ring, barrel)
     part = say("the {all}", all=len(begin))
     if not chosen.all():
         part = say("{count} of the {all}", count=int(chosen.sum()), all=len(begin))
@@ -156,14 +157,14 @@ def _near(offset: OffsetPath, axis: Floats, kinematics: Chain, angle: float) -> 
 
 
 def _driven(
-    offset: OffsetPath, axis: Floats, kinematics: Chain, tolerance: float, sizes: tuple[float, float]
+    offset: OffsetPath, axis: Floats, kinematics: Chain, tolerance: float, sizes: tuple[float, float, Flank | None]
 ) -> tuple[float, float, float, float, int]:
     """Peak rate, turns of both words, largest deviation and number of blocks of the moves on the part.
 
-    ``sizes`` mm: of radius and ring."""
+    ``sizes`` mm: of radius and ring, and the flank."""
     angles = drive(offset, axis, kinematics)
     found = figures(offset, angles)
-    words = q_to_words(joint_words(kinematics, hub_positions(offset, axis, sizes[1]) - sizes[0] * axis, angles))
+    words = q_to_words(joint_words(kinematics, hub_positions(offset, axis, *sizes[1:]) - sizes[0] * axis, angles))
     on_part = np.diff(offset.polyline, prepend=offset.polyline[:1] - 1) == 0
     deviation = measure(kinematics, words).segment[on_part]
     pieces = np.maximum(np.ceil(np.sqrt(deviation / tolerance)), 1.0)
