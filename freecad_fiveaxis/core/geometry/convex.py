@@ -28,7 +28,7 @@ AT_ONCE = 2_000_000
 """Products of directions and corners at a time."""
 
 EVEN = 1e-7
-"""The share of a distance to which it is found; a flat simplex is one whose area or volume is such a share of what it could be."""
+"""The share of a distance to which it is found; a simplex is flat where its area or volume is such a share of the most."""
 
 NOTHING = 1e-9
 """mm; pieces that are nearer than this touch."""
@@ -169,8 +169,10 @@ class _Simplices:
         return new
 
     def take(self, keep: Ints) -> _Simplices:
-        parts = (part[keep] for part in (self.rows, self.point, self.own, self.weight, self.near))
-        return _Simplices(self.moved, self.standing, self.poses.take(keep), *parts)
+        """Keep some of them."""
+        poses, weight, near = self.poses.take(keep), self.weight[keep], self.near[keep]
+        rows, point, own = self.rows[keep], self.point[keep], self.own[keep]
+        return _Simplices(self.moved, self.standing, poses, rows, point, own, weight, near)
 
     def farthest(self, g: Floats) -> tuple[Floats, Ints]:
         """The points (n, 3) of the difference that are least along g (n, 3), and the moved piece's corners in them."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """In which blocks two convex pieces of a machine meet, with a proof for all others.
 
-free      a cell of joints, if a gap is left in it along some direction (:mod:`.carried_motion`). What is not free and does not meet
-          in its middle is halved.
+free      a cell of joints, if a gap is left in it along some direction (:mod:`.carried_motion`). What is not free and does not
+          meet in its middle is halved.
 grid      cells whose ends lie on a grid of each joint. Blocks that stay in one cell are free together, and a program comes to
           the same cells again and again: so most of it is proven with few cells, from a coarse grid to finer ones.
 """
@@ -40,8 +40,8 @@ class Pair(NamedTuple):
 
 
 class Meetings(NamedTuple):
-    """Of m blocks: ``met`` (m,), at ``u`` (m,), with joints (m, k) mm and rad, at ``place`` (m, 3) mm, seen from the standing piece;
-    ``unproven`` (m,): neither met nor free."""
+    """Of m blocks: ``met`` (m,), at ``u`` (m,), with joints (m, k) mm and rad, at ``place`` (m, 3) mm, seen from the standing
+    piece; ``unproven`` (m,): neither met nor free."""
 
     met: Bools
     u: Floats
@@ -51,12 +51,10 @@ class Meetings(NamedTuple):
 
 
 def find_meetings(pair: Pair, start: Floats, end: Floats, joined: bool, slack: float) -> Meetings:
-    """Find in which blocks, from joints ``start`` to ``end`` (m, k) mm and rad, the pieces meet; ``joined``: all joints go in step,
-    else each as it will. What comes nearer by less than ``slack`` mm may be called free."""
+    """Find in which blocks, from joints ``start`` to ``end`` (m, k) mm and rad, the pieces meet; ``joined``: all joints go in
+    step, else each as it will. What comes nearer by less than ``slack`` mm may be called free."""
     count = len(start)
-    found = Meetings(
-        np.zeros(count, np.bool_), np.zeros(count), start.copy(), np.zeros((count, 3)), np.zeros(count, np.bool_)
-    )
+    found = Meetings(np.zeros(count, np.bool_), np.zeros(count), start.copy(), np.zeros((count, 3)), np.zeros(count, np.bool_))
     rows = open_blocks(pair, np.minimum(start, end), np.maximum(start, end))
     if len(rows):
         only, which = np.unique(np.concatenate([start[rows], end[rows]], axis=1), axis=0, return_inverse=True)
@@ -68,8 +66,11 @@ def find_meetings(pair: Pair, start: Floats, end: Floats, joined: bool, slack: f
 
 def open_blocks(pair: Pair, low: Floats, high: Floats) -> Ints:
     """Pick the blocks that no cell of a grid proves to be free; joints (m, k) between ``low`` and ``high``."""
-    rows, first = np.arange(len(low)), low.min(axis=0, initial=np.inf)
+    rows: Ints = np.arange(len(low))
+    first = low.min(axis=0, initial=np.inf)
     span = high.max(axis=0, initial=-np.inf) - first
+    if not len(rows):
+        return rows
     for parts in (1, *GRIDS):
         size = np.where(span > 0.0, span / parts, 1.0)
         corner = np.floor((low[rows] - first) / size), np.ceil((high[rows] - first) / size)
@@ -96,8 +97,8 @@ def _cells(start: Floats, end: Floats) -> Cells:
 
 
 def _look(pair: Pair, cells: Cells, joined: bool) -> tuple[Bools, Bools, Floats, Floats, Floats]:
-    """Tell of cells (n) which are free and which meet in the middle; the directions (n, 3) of the gaps, the places (n, 3), and how
-    far (n,) mm each cell reaches."""
+    """Tell of cells (n) which are free and which meet in the middle; the directions (n, 3) of the gaps, the places (n, 3), and
+    how far (n,) mm each cell reaches."""
     motion, standing, within = pair
     lines = motion.lines(cells.middle)
     _, far = motion.travel(lines, cells.half)

@@ -49,7 +49,8 @@ class Cells(NamedTuple):
 
     def take(self, rows: Ints | Bools) -> Cells:
         """Pick some of them."""
-        return Cells(*(part[rows] for part in self))
+        owner, middle, half, u, wide, guess = self
+        return Cells(owner[rows], middle[rows], half[rows], u[rows], wide[rows], guess[rows])
 
 
 class Lines(NamedTuple):
@@ -133,7 +134,7 @@ class CarriedMotion:
         return bend, (size * lines.lever).sum(axis=0)
 
     def least_gap(self, standing: Convex, lines: Lines, half: Floats, g: Floats, joined: bool) -> Floats:
-        """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left everywhere in cells of ``half`` (n, k), rounds taken off."""
+        """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left all over cells of ``half`` (n, k), rounds taken off."""
         bend, _ = self.travel(lines, half)
         axis = np.cross(g, lines.direction) * self.rotary[:, None, None]
         flat = np.where(self.rotary[:, None], -(axis * lines.point).sum(axis=2), (g * lines.direction).sum(axis=2))
@@ -141,7 +142,9 @@ class CarriedMotion:
         if joined:
             return np.asarray(self._both(standing, lines, g, axis.sum(axis=0), flat.sum(axis=0)) - bend)
         gap = support_gap(self.moved, standing, lines.poses, g)
-        lost = [gap - self._both(standing, lines, g, *one) for one in zip(axis, flat, strict=True) if one[1].any() or one[0].any()]
+        lost = [
+            gap - self._both(standing, lines, g, *one) for one in zip(axis, flat, strict=True) if one[1].any() or one[0].any()
+        ]
         return np.asarray(gap - np.sum(lost, axis=0) - bend) if lost else gap - bend
 
     def _both(self, standing: Convex, lines: Lines, g: Floats, tilt: Floats, flat: Floats) -> Floats:
