@@ -57,10 +57,10 @@ def find_meetings(pair: Pair, start: Floats, end: Floats, joined: bool, slack: f
     found = Meetings(np.zeros(count, np.bool_), np.zeros(count), start.copy(), np.zeros((count, 3)), np.zeros(count, np.bool_))
     rows = open_blocks(pair, np.minimum(start, end), np.maximum(start, end))
     if len(rows):
-        only, which = np.unique(np.concatenate([start[rows], end[rows]], axis=1), axis=0, return_inverse=True)
+        only, which = _different(np.concatenate([start[rows], end[rows]], axis=1))
         one = _search(pair, only[:, : start.shape[1]], only[:, start.shape[1] :], joined, slack)
         for part, new in zip(found, one, strict=True):
-            part[rows] = new[which.reshape(-1)]
+            part[rows] = new[which]
     return found
 
 
@@ -74,7 +74,7 @@ def open_blocks(pair: Pair, low: Floats, high: Floats) -> Ints:
     for parts in (1, *GRIDS):
         size = np.where(span > 0.0, span / parts, 1.0)
         corner = np.floor((low[rows] - first) / size), np.ceil((high[rows] - first) / size)
-        cells, which = np.unique(np.concatenate(corner, axis=1), axis=0, return_inverse=True)
+        cells, which = _different(np.concatenate(corner, axis=1))
         if parts > 1 and WORTH * len(cells) > len(rows):
             return rows
         low_, high_ = cells[:, : low.shape[1]] * size + first, cells[:, low.shape[1] :] * size + first
@@ -84,10 +84,18 @@ def open_blocks(pair: Pair, low: Floats, high: Floats) -> Ints:
                 for k in range(0, len(cells), SLICE)
             ]
         )  # fmt: skip
-        rows = rows[~free[which.reshape(-1)]]
+        rows = rows[~free[which]]
         if not len(rows):
             return rows
     return rows
+
+
+def _different(rows: Floats) -> tuple[Floats, Ints]:
+    """Give the different ones of rows (n, k), and which of them each is (n,). Those that follow their like are dropped before the
+    rest is sorted, which is dear."""
+    new = np.concatenate([[True], (np.diff(rows, axis=0) != 0.0).any(axis=1)])
+    only, which = np.unique(rows[new], axis=0, return_inverse=True)
+    return only, which.reshape(-1)[np.cumsum(new) - 1]
 
 
 def _cells(start: Floats, end: Floats) -> Cells:
