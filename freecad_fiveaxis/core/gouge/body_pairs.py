@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.motion.program import Program
 
 from .body_search import Meetings, Pair, find_meetings
 from .carried_motion import Step
-from .carried_pieces import Carried, CarriedPair, pair_up
+from .carried_pieces import TOOL, Carried, CarriedPair, pair_up
 from .rapid_check import independent_rapids
 
 PARED, SLACK = 0.9, 0.1
@@ -55,7 +55,8 @@ class PairCheck:
 
 class Closest(NamedTuple):
     """Of one pair: ``block`` and ``u`` (None: not known) of the deepest place, or of the nearest; ``level`` mm: how deep at
-    least, or less than 0: how near at most; ``place`` (3,) mm, seen from the standing piece; ``blocks``: how many there are."""
+    least, or less than 0: how near at most; ``place`` (3,) mm, seen from what carries the entered piece; ``blocks``: how many
+    there are."""
 
     block: int
     u: float | None
@@ -68,13 +69,31 @@ def check_pairs(given: PairCheck, carried: Sequence[Carried], progress: Progress
     """Find where bodies go more than the tolerance into each other, or nearer than the clearance, on any block. None deeper is
     missed; told of each pair is the deepest place, or the nearest where they stay out of each other."""
     pairs, touching = pair_up(given.machine, carried)
-    found = list(_touching(touching))
+    found, of_tool = list(_touching(touching)), list[Finding]()
     for k, pair in enumerate(pairs):
         progress("gouge", k / len(pairs))
         columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
         if given.known[columns].all():
-            found += _look_at(given, pair, _joints(given, pair.motion.steps, columns))
-    return tuple(found)
+            new = _look_at(given, pair, _joints(given, pair.motion.steps, columns))
+            (of_tool if pair.enters.kind == TOOL else found).extend(new)
+    return (*found, *_worst_of_tool(of_tool))
+
+
+def _worst_of_tool(found: Sequence[Finding]) -> Iterator[Finding]:
+    """Of each body the worst of what the tool's many pieces do to it."""
+    worst: dict[str, Finding] = {}
+    for one in found:
+        met = one.hit or one.near
+        name = met.entered if met else one.text
+        other = worst.setdefault(name, one)
+        if (one.severity, one.hit is not None, _badness(one)) > (other.severity, other.hit is not None, _badness(other)):
+            worst[name] = one
+    yield from worst.values()
+
+
+def _badness(one: Finding) -> float:
+    """What is deeper is worse, and what is nearer."""
+    return (one.value or 0.0) if one.hit else -(one.value or 0.0)
 
 
 def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
@@ -163,21 +182,24 @@ class _Levels:
                 most = middle
         return best, unproven
 
-    @staticmethod
-    def _one(level: float, blocks: Ints, met: Meetings, count: int, joined: bool) -> Closest:
+    def _one(self, level: float, blocks: Ints, met: Meetings, count: int, joined: bool) -> Closest:
         """The first that is met."""
         at = int(met.met.argmax())
-        x, y, z = met.place[at].tolist()
+        place = met.place[at]
+        if self.pair.entered is self.pair.moved:
+            turn, shift = (part[0] for part in self.pair.motion.lines(met.joints[at : at + 1]).poses)
+            place = (place - shift) @ turn
+        x, y, z = place.tolist()
         return Closest(int(blocks[at]), float(met.u[at]) if joined else None, level, (x, y, z), count)
 
 
 def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
     text = say(
-        "The {moved} goes at least {depth} into the {standing}, at {at}, deepest of {count} blocks.",
-        moved=pair.moved.name, depth=Length(deep.level, ".3g"), standing=pair.standing.name, at=_at(deep), count=deep.blocks,
+        "The {part} goes at least {depth} into the {name}, at {at}, deepest of {count} blocks.",
+        part=pair.enters.name, depth=Length(deep.level, ".4g"), name=pair.entered.name, at=_at(deep), count=deep.blocks,
     )  # fmt: skip
     row, line, place = _where(given, deep.block)
-    text, hit = joined((text, REMEDY)), Hit(*_keys(pair), deep.u)
+    text, hit = joined((text, REMEDY)), Hit(pair.enters.key, pair.entered.key, deep.u)
     return report_finding(Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit)
 
 
@@ -185,27 +207,23 @@ def _near(given: PairCheck, pair: CarriedPair, near: Closest, wanted: float) -> 
     distance = min(given.tolerance - near.level, wanted)
     text = say(
         "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.",
-        part=pair.moved.name, distance=Length(distance, ".3g"), name=pair.standing.name, at=_at(near), count=near.blocks,
+        part=pair.enters.name, distance=Length(distance, ".3g"), name=pair.entered.name, at=_at(near), count=near.blocks,
         clearance=Length(wanted),
     )  # fmt: skip
     row, line, place = _where(given, near.block)
-    return report_finding(Code.MACHINE_NEAR, text, distance, wanted, row, line, place, near=Hit(*_keys(pair), near.u))
+    return report_finding(
+        Code.MACHINE_NEAR, text, distance, wanted, row, line, place, near=Hit(pair.enters.key, pair.entered.key, near.u)
+    )
 
 
 def _unproven(given: PairCheck, pair: CarriedPair, blocks: Ints) -> Finding:
     row, line, _ = _where(given, int(blocks[0]))
     text = say(
-        "In {count} blocks it is not proven that the {moved} stays out of the {standing}, the first in NC line {line}. Drive one "
+        "In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one "
         "group of axes after the other, or place the part otherwise on the table.",
-        count=len(blocks), moved=pair.moved.name, standing=pair.standing.name, line=line,
+        count=len(blocks), part=pair.enters.name, name=pair.entered.name, line=line,
     )  # fmt: skip
     return report_finding(Code.MACHINE_UNPROVEN, text, block=row, line=line)
-
-
-def _keys(pair: CarriedPair) -> tuple[str, str]:
-    """What enters and what is entered, as in a Hit: the part, which has no name there, is what is entered."""
-    enters, entered = pair.moved, pair.standing
-    return (enters.key, entered.key) if enters.key else (entered.key, enters.key)
 
 
 def _at(closest: Closest) -> Sentence:

@@ -31,29 +31,32 @@ from .machine_bodies import make_mesh
 TOUCHING = 0.05
 """mm; pieces of neighbours that are nearer with all joints at zero touch by construction."""
 
-BODY, HELD, TOOL = "body", "held", "tool"
-"""Bodies of the machine's file; part and fixtures; cutter, shank and holder."""
+TOOL, BODY, HELD = 0, 1, 2
+"""Cutter, shank and holder; bodies of the machine's file; part and fixtures: it is always the first that enters the last."""
 
 
 class Carried(NamedTuple):
-    """``name`` as it is told of, ``key`` as in a Hit; ``carrier``; ``kind``: BODY, HELD or TOOL; ``clearance`` mm of its own;
+    """``name`` as it is told of, ``key`` as in a Hit; ``carrier``; ``kind``: TOOL, BODY or HELD; ``clearance`` mm of its own;
     ``stacked``: whether it goes with the tool wherever that is proven against what table and base carry."""
 
     name: str
     key: str
     carrier: str
     piece: Convex
-    kind: str
+    kind: int
     clearance: float = 0.0
     stacked: bool = False
 
 
 class CarriedPair(NamedTuple):
-    """What is ``moved``, and how, seen from the carrier of what is ``standing``."""
+    """What is ``moved``, and how, seen from the carrier of what is ``standing``; ``enters`` and ``entered``: the same two as they
+    are told of."""
 
     moved: Carried
     standing: Carried
     motion: CarriedMotion
+    enters: Carried
+    entered: Carried
 
 
 def carry_bodies(machine: Machine, progress: Progress = silent) -> list[Carried]:
@@ -134,8 +137,10 @@ def touches(one: Convex, other: Convex) -> bool:
 
 
 def _ways(machine: Machine, one: Carried, other: Carried) -> Iterator[CarriedPair]:
+    told = sorted((one, other), key=lambda each: each.kind)
     for standing, moved in ((one, other), (other, one)):
-        yield CarriedPair(moved, standing, CarriedMotion(steps_between(machine, standing.carrier, moved.carrier), moved.piece))
+        motion = CarriedMotion(steps_between(machine, standing.carrier, moved.carrier), moved.piece)
+        yield CarriedPair(moved, standing, motion, *(told if one.kind != other.kind else (moved, standing)))
 
 
 def _lever(pair: CarriedPair) -> float:
