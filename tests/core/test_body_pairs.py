@@ -23,7 +23,7 @@ from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 SETUP = Setup(ORIGIN, LENGTH)
 TOLERANCE = 0.01
 CRADLE = MachineBody("cradle", "A", "box", ((-100.0, -60.0, -170.0), (100.0, 60.0, -140.0)))
@@ -342,3 +342,29 @@ def test_the_command_line_tells_of_a_cradle_in_a_column(tmp_path):
     machine = machine_file(tmp_path, [cradle, {**column, "box": {"low": [-200, 100, -300], "high": [200, 150, 300]}}])
     assert cli.main([*audit, str(machine)]) == 1
     assert "machine-collision" in [one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]]
+
+
+def test_the_head_table_machine_of_the_examples_moves_free_and_hits_where_it_leans_low():
+    """Its fork and housing stay out of everything while it leans to both sides above the table, and lean into it below."""
+    machine = load_machine(EXAMPLES / "head_table_with_bodies.fcm")
+    above = [{"Z": 50.0}, {"Z": 50.0, "B": 90.0, "C": 200.0}, {"Z": 40.0, "B": -90.0, "X": 200.0}, {"Z": 45.0, "Y": 150.0}]
+    found = checked(machine, words_at(machine, *above), rapids="independent")
+    assert codes(found) == ["machine-touching"] and "table slide, platter" in found[0].text
+    low = checked(machine, words_at(machine, {"Z": 50.0}, {"Z": 50.0, "B": 90.0}, {"Z": -220.0, "B": 90.0}))
+    met = {(one.hit.enters, one.hit.entered) for one in low if one.hit}
+    assert ("housing", "platter") in {tuple(sorted(pair)) for pair in met}
+    assert any({"platter", "rear cheek"} == set(pair) for pair in met)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize(("height", "free"), [(-60.0, True), (-140.0, False)])
+def test_a_part_is_milled_free_of_bodies_on_that_machine_where_it_stands_high_enough(tmp_path, height, free):
+    from freecad_fiveaxis.core.pipeline import job
+    from freecad_fiveaxis.core.pipeline.settings import build_settings
+
+    write_stl(from_triangles(box((-30, -20, height), (30, 20, height + 10))), tmp_path / "part.stl")
+    given = {"machine": str(EXAMPLES / "head_table_with_bodies.fcm"), "cutter": "ball:6:30", "passes": "planes", "stepover": 6}
+    given |= {"tool_axis": "facet_mean", "max_axis_angle": 91, "spindle": "off", "linearize": "off", "gouge": "off"}
+    found = job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "tool_length": 150})).findings
+    met = {(one.hit.enters, one.hit.entered) for one in found if one.code == "machine-collision"}
+    assert (not met) == free and (free or any("table slide" in pair and "housing" in pair for pair in met))

@@ -139,6 +139,12 @@ def support_gap(moved: Convex, standing: Convex, poses: Poses, g: Floats, tilt: 
     return np.asarray(np.concatenate(parts) - (moved.round + standing.round))
 
 
+def crossed(one: Floats, other: Floats) -> Floats:
+    """Give the cross products (..., 3); numpy's own is slow for few rows."""
+    (a, b, c), (x, y, z) = np.moveaxis(one, -1, 0), np.moveaxis(other, -1, 0)
+    return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
+
+
 def _local(turn: Floats, g: Floats) -> Floats:
     """Directions (n, 3) as the moved piece has them."""
     return np.asarray(np.matmul(g[:, None, :], turn)[:, 0])
@@ -264,7 +270,7 @@ def _in_all(point: Floats) -> tuple[Floats, Bools]:
     """The weights (n, 4) of 0 in the simplices, and which do not hold it (n,)."""
     one = point[:, 0]
     u, v, w = (point[:, k] - one for k in (1, 2, 3))
-    vw, wu, uv = np.cross(v, w), np.cross(w, u), np.cross(u, v)
+    vw, wu, uv = crossed(v, w), crossed(w, u), crossed(u, v)
     volume = (u * vw).sum(axis=1)
     size = np.linalg.norm(u, axis=1) * np.linalg.norm(v, axis=1) * np.linalg.norm(w, axis=1)
     flat = np.abs(volume) <= EVEN * size

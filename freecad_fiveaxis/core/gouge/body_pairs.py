@@ -35,7 +35,9 @@ PARED, SLACK = 0.9, 0.1
 FINEST = 0.1
 """Depths and distances are known to this share of themselves, or to the tolerance."""
 
-REMEDY = say("Place the part otherwise on the table, or lean the tool less, so that the axes need not go there.")
+REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
+SAME_SIDE = say("Place the part otherwise on the table, or lean the tool less, so that the axes need not go there.")
+"""What helps, and what does where the tool's length changes nothing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +201,8 @@ def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
         part=pair.enters.name, depth=Length(deep.level, ".4g"), name=pair.entered.name, at=_at(deep), count=deep.blocks,
     )  # fmt: skip
     row, line, place = _where(given, deep.block)
-    text, hit = joined((text, REMEDY)), Hit(pair.enters.key, pair.entered.key, deep.u)
+    remedy = SAME_SIDE if len({step.axis.side for step in pair.motion.steps}) == 1 else REMEDY
+    text, hit = joined((text, remedy)), Hit(pair.enters.key, pair.entered.key, deep.u)
     return report_finding(Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit)
 
 

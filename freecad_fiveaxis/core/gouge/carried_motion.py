@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.geometry.convex import Convex, Poses, support_gap
+from freecad_fiveaxis.core.geometry.convex import Convex, Poses, crossed, support_gap
 from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE
 
@@ -136,7 +136,7 @@ class CarriedMotion:
     def least_gap(self, standing: Convex, lines: Lines, half: Floats, g: Floats, joined: bool) -> Floats:
         """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left all over cells of ``half`` (n, k), rounds taken off."""
         bend, _ = self.travel(lines, half)
-        axis = np.cross(g, lines.direction) * self.rotary[:, None, None]
+        axis = crossed(g, lines.direction) * self.rotary[:, None, None]
         flat = np.where(self.rotary[:, None], -(axis * lines.point).sum(axis=2), (g * lines.direction).sum(axis=2))
         axis, flat = axis * half.T[:, :, None], flat * half.T
         if joined:

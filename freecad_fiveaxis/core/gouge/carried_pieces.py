@@ -137,10 +137,10 @@ def touches(one: Convex, other: Convex) -> bool:
 
 
 def _ways(machine: Machine, one: Carried, other: Carried) -> Iterator[CarriedPair]:
-    told = sorted((one, other), key=lambda each: each.kind)
+    named = sorted((one, other), key=lambda each: each.kind)
     for standing, moved in ((one, other), (other, one)):
         motion = CarriedMotion(steps_between(machine, standing.carrier, moved.carrier), moved.piece)
-        yield CarriedPair(moved, standing, motion, *(told if one.kind != other.kind else (moved, standing)))
+        yield CarriedPair(moved, standing, motion, *(named if one.kind != other.kind else (moved, standing)))
 
 
 def _lever(pair: CarriedPair) -> float:

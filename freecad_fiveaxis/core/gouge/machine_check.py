@@ -27,14 +27,12 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, word
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
-from .body_pairs import PairCheck, check_pairs
+from .body_pairs import REMEDY, PairCheck, check_pairs
 from .carried_pieces import carry_bodies, carry_tool, carry_work
 from .check import GougeCheck, check_program
 from .fixtures import Fixture
 from .machine_bodies import make_mesh, spindle_body
 from .worst import Worst, find_nearest, find_unproven, find_worst, near_finding
-
-REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
 
 
 @dataclass(frozen=True, eq=False)
