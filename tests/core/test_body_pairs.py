@@ -13,9 +13,10 @@ from test_machine_bodies import LENGTH, MACHINES, ORIGIN, TOOL, machine_file, mo
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.findings import Hit
+from freecad_fiveaxis.core.geometry.convex import convex_hull
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge import body_search
-from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion
+from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_between
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, zero_words
 from freecad_fiveaxis.core.machine import load_machine
@@ -307,6 +308,31 @@ def test_an_axis_that_turns_the_other_way_would_be_noticed(monkeypatch):
     monkeypatch.setattr(carried_motion, "carriers_from_base", lambda machine, carrier: (there(machine, carrier)[0], 1.0))
     with pytest.raises(AssertionError):
         compare("trunnion_ac", 40)
+
+
+def in_long_program(grids=True):
+    """Which blocks of 400, to and fro, have a cradle in a wall: with grids, or block by block."""
+    rng, motion = np.random.default_rng(6), CarriedMotion(steps_between(trunnion(), "base", "C"), convex_hull(points_of(CRADLE)))
+    joints = np.stack([np.cumsum(rng.uniform(-0.1, 0.1, 401)), np.cumsum(rng.uniform(-0.3, 0.3, 401))], axis=1)
+    with pytest.MonkeyPatch.context() as patch:
+        if not grids:
+            patch.setattr(body_search, "open_blocks", lambda pair, low, high: np.arange(len(low)))
+        pair = body_search.Pair(motion, convex_hull(points_of(wall(100.0))))
+        return body_search.find_meetings(pair, joints[:-1], joints[1:], True, 0.001).met
+
+
+def test_grids_of_joints_change_nothing_of_what_is_met():
+    with_grids, without = in_long_program(), in_long_program(False)
+    assert 0 < np.count_nonzero(without) < len(without) and (with_grids == without).all()
+
+
+def test_cells_of_a_grid_that_are_too_small_would_be_noticed(monkeypatch):
+    def look(pair, cells, joined):
+        return there(pair, cells if joined else cells._replace(half=0.0 * cells.half), joined)
+
+    there = body_search._look
+    monkeypatch.setattr(body_search, "_look", look)
+    assert (in_long_program() != in_long_program(False)).any()
 
 
 # ------------------------------------------------------------------------------------------------ programs
