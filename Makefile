@@ -20,8 +20,11 @@ export MALLOC_TRIM_THRESHOLD_ := 268435456
 # OpenBLAS waits by spinning: a tenth of what the core ring takes, where two processes of tests share two cores
 export OPENBLAS_NUM_THREADS ?= 1
 
-TWO := -n 2 --dist worksteal
-# half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half
+TWO := -n 2 --dist worksteal --capture=sys
+# half of the tests each, in their order, so that what the tests of a file share is made once; who is done takes of the other's half.
+# What tests print is caught in Python alone: where it is caught in the system too, each of 8,000 tests costs 2 ms more
+marked = $(shell grep -rlE '$(1)' --include='test_*.py' tests/core tests/contracts tests/golden tests/fuzz)
+# the files of tests whose marks are these words; to read all others takes longer than some rings (tests/conftest.py looks that none is missed)
 
 .PHONY: help demo test test-all changed lint docs core oldest slow large interpreter linuxcnc freecad runner headless window window-short \
     sitting test-matrix trixie forky chroots install release bench bench-window mutants clean
@@ -68,17 +71,17 @@ slow: # what takes long to prove, and more kinds of what the core ring shows: de
 	@bash scripts/prepare test
 	@bash scripts/prepare meshes
 	@bash scripts/prepare engines
-	$(PYTHON) -m pytest $(TWO) -m "(slow or thorough) and not large and not rs274"
+	$(PYTHON) -m pytest $(TWO) -m "(slow or thorough) and not large and not rs274" $(call marked,slow|thorough|some_in_core)
 
 large: # more samples of what the slow ring proves by one of each kind
 	@bash scripts/prepare test
 	@bash scripts/prepare meshes
-	$(PYTHON) -m pytest $(TWO) -m large
+	$(PYTHON) -m pytest $(TWO) -m large $(call marked,large)
 
 interpreter: # LinuxCNC's, over what we post
 	@bash scripts/prepare test
 	@bash scripts/prepare linuxcnc
-	$(PYTHON) -m pytest -m rs274
+	$(PYTHON) -m pytest --capture=sys -m rs274 $(call marked,rs274)
 
 linuxcnc: interpreter # and its whole controller
 	@bash scripts/prepare test

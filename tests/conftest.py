@@ -6,6 +6,7 @@ FIVEAXIS_SLOWEST: how many (10). FIVEAXIS_UNTIL: no test begins after that time,
 
 import hashlib
 import os
+import re
 import time
 
 import pytest
@@ -63,6 +64,19 @@ def anew():
     """anew(): forget what was kept, so that the next result is computed; done once before the test."""
     KEPT.clear()
     return KEPT.clear
+
+
+WRITTEN = {"large": "large", "rs274": "rs274", "slow": "slow|thorough|some_in_core", "thorough": "slow|thorough|some_in_core"}
+"""Marks of rings, and by which words the Makefile finds the files that bear them."""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """A ring reads only files in which its mark is written: one that got it otherwise would be in no ring."""
+    for mark, words in WRITTEN.items():
+        for file in {item.path for item in items if item.get_closest_marker(mark)}:
+            if not re.search(words, file.read_text(encoding="utf-8")):
+                raise pytest.UsageError(f"{file}: tests are marked {mark}, but {words} stands nowhere in the file")
 
 
 @pytest.hookimpl(tryfirst=True)

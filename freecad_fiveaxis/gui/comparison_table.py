@@ -37,7 +37,9 @@ class Table:
     """The window: a sentence, the table, and a button that saves it."""
 
     def __init__(self, dock: Any) -> None:
-        self.dock, self.comparison, self.label, self.document = dock, None, "", None
+        self.dock, self.label = dock, ""
+        self.comparison: Any = None
+        self.document: Any = None
         self.verdict, self.table = QtWidgets.QLabel(), QtWidgets.QTableWidget(0, len(heads()))
         self.save_button = QtWidgets.QPushButton(translate("FiveAxis", "Save…"))
         self.error = QtWidgets.QLabel()

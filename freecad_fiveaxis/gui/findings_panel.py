@@ -9,7 +9,7 @@ what happens there, why, and what helps.
 from __future__ import annotations
 
 import html
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCAD
 import FreeCADGui
@@ -17,6 +17,9 @@ import FreeCADGui
 from .failures import guards
 from .qt import QtCore, QtWidgets, main_window, translate
 from .verdict_label import VerdictLabel
+
+if TYPE_CHECKING:
+    from freecad_fiveaxis.core.report import Row
 
 NAME = "FiveAxisFindings"
 _docks: dict[str, Any] = {}
@@ -29,7 +32,7 @@ class Watcher:
     def addSelection(self, doc: str, name: str, sub: str, _point: Any = None) -> None:
         """Something was selected."""
         obj = FreeCAD.getDocument(doc).getObject(name)
-        view = getattr(getattr(obj, "ViewObject", None), "Proxy", None)
+        view: Any = getattr(getattr(obj, "ViewObject", None), "Proxy", None)
         if sub.startswith("Marker") and hasattr(view, "path_object"):
             show(view.path_object(), int(sub[len("Marker") :]) - 1)
 
@@ -93,8 +96,12 @@ class Panel:
     """The table and the text below it."""
 
     def __init__(self, dock: Any) -> None:
-        self.dock, self.path, self.document, self.figures = dock, None, None, None
-        self.rows, self.row_of_marker = [], []
+        self.dock = dock
+        self.path: Any = None
+        self.document: Any = None
+        self.figures: Any = None
+        self.rows: tuple[Row, ...] = ()
+        self.row_of_marker: tuple[int, ...] = ()
         self.table, self.text = QtWidgets.QTableWidget(0, 4), QtWidgets.QTextBrowser()
         self.table.setObjectName(NAME + "Table")
         self.text.setObjectName(NAME + "Text")
@@ -137,7 +144,7 @@ class Panel:
     def clear(self) -> None:
         """List nothing."""
         self.path = self.document = self.figures = None
-        self.rows, self.row_of_marker = [], []
+        self.rows, self.row_of_marker = (), ()
         self._fill()
         self.verdict.show_verdict(None)
         self.text.clear()

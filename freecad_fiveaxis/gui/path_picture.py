@@ -33,7 +33,8 @@ class Picture:
         self.vobj, self.obj, self.nodes = vobj, vobj.Object, PathNodes()
         self.figures: Figures | None = None
         self.drawing: Drawing | None = None
-        self.styled, self.checked, self.failed = False, None, ""
+        self.styled, self.failed = False, ""
+        self.checked: str | None = None
 
     @property
     def legend(self) -> LegendBox:

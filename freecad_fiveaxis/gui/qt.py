@@ -19,6 +19,8 @@ try:
 except ImportError:  # 0.20: FreeCAD's PySide has the widgets in QtGui
     QtWidgets = QtGui
 
+__all__ = ["QT_TRANSLATE_NOOP", "QtCore", "QtGui", "QtWidgets"]
+
 translate = FreeCAD.Qt.translate
 
 TRIES = 1000

@@ -69,7 +69,7 @@ def part() -> tuple[Any, tuple[str, ...]]:
     return selection.pick([(one.Object, one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()])
 
 
-def path_or_part() -> tuple[Any, tuple[Any, tuple[str, ...]] | None]:
+def path_or_part() -> tuple[Any, tuple[Any, ...]]:
     """The Toolpath that is meant, or None and the part with its chosen faces. Raises SelectionError.
 
     With nothing selected the document's only Toolpath is meant.
@@ -78,7 +78,7 @@ def path_or_part() -> tuple[Any, tuple[Any, tuple[str, ...]] | None]:
     if not chosen or any(_paths_of(obj, (TOOLPATH,)) for obj in chosen):
         path = selected_path(TOOLPATH)
         if path is not None:
-            return path, None
+            return path, ()
     return None, part()
 
 

@@ -344,6 +344,10 @@ class MapView(PictureView):
         """An entry that folds the legend."""
         self.add_fold(menu)
 
+    def doubleClicked(self, vobj: Any) -> bool:
+        """Open the panel."""
+        raise NotImplementedError
+
     def setEdit(self, vobj: Any, mode: int = 0) -> bool:
         """Open the panel."""
         if mode:

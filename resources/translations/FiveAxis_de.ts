@@ -3976,6 +3976,14 @@
         <translation> (entlang der Achse, die geneigt ist)</translation>
     </message>
     <message>
+        <source> ({value})</source>
+        <translation> ({value})</translation>
+    </message>
+    <message>
+        <source> ({value}, NC line {line})</source>
+        <translation> ({value}, NC-Zeile {line})</translation>
+    </message>
+    <message>
         <source> Beside it up to {height} is left between the passes.</source>
         <translation> Daneben bleibt zwischen den Bahnen bis {height} stehen.</translation>
     </message>
@@ -4234,6 +4242,18 @@
     <message>
         <source>EXISTS of a variable without a name</source>
         <translation>EXISTS einer Variablen ohne Namen</translation>
+    </message>
+    <message>
+        <source>F exceeds the controller's largest</source>
+        <translation>F übersteigt den größten Wert der Steuerung</translation>
+    </message>
+    <message>
+        <source>F is larger than the controller takes</source>
+        <translation>F ist größer, als die Steuerung annimmt</translation>
+    </message>
+    <message>
+        <source>F lies below the controller's smallest step</source>
+        <translation>F liegt unter der kleinsten Stufe der Steuerung</translation>
     </message>
     <message>
         <source>F says {speed}</source>
@@ -5080,12 +5100,40 @@
         <translation>ein G65 neben einem anderen G-Code</translation>
     </message>
     <message>
+        <source>a HAL file was not read</source>
+        <translation>eine HAL-Datei wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a block asks more of an axis than its maximum rate</source>
+        <translation>ein Satz verlangt von einer Achse mehr als ihre größte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a block leaves the commanded path</source>
+        <translation>ein Satz verlässt die befohlene Bahn</translation>
+    </message>
+    <message>
+        <source>a block lies near the machine's pole: rotary axes swing</source>
+        <translation>ein Satz liegt nahe am Pol der Maschine, Drehachsen schwenken</translation>
+    </message>
+    <message>
+        <source>a block of inverse time has no F of its own</source>
+        <translation>ein Satz mit inverser Zeit hat kein eigenes F</translation>
+    </message>
+    <message>
         <source>a bracket without its partner</source>
         <translation>eine Klammer ohne Gegenstück</translation>
     </message>
     <message>
         <source>a call that does not say what by P alone</source>
         <translation>ein Aufruf, der nicht allein mit P sagt, was</translation>
+    </message>
+    <message>
+        <source>a code that the reader does not know</source>
+        <translation>ein Code ist unbekannt</translation>
+    </message>
+    <message>
+        <source>a collision with the machine is not excluded</source>
+        <translation>ein Zusammenstoß mit der Maschine ist nicht ausgeschlossen</translation>
     </message>
     <message>
         <source>a coordinate of {farthest} mm or rad is beyond any machine; correct it</source>
@@ -5096,12 +5144,24 @@
         <translation>eine Abweichung von {enough} kann nicht genug sein; 0 oder mehr angeben</translation>
     </message>
     <message>
+        <source>a dimension of the machine is certain within a range only</source>
+        <translation>ein Maß der Maschine ist nur innerhalb eines Bereichs sicher</translation>
+    </message>
+    <message>
+        <source>a divided block would leave the limits in its middle</source>
+        <translation>ein geteilter Satz verließe in seiner Mitte die Grenzen</translation>
+    </message>
+    <message>
         <source>a document, as FreeCAD.ActiveDocument</source>
         <translation>ein Dokument, etwa FreeCAD.ActiveDocument</translation>
     </message>
     <message>
         <source>a facet names vertex {wrong}, but the rows run from 0 to {count}: correct the facets</source>
         <translation>eine Facette nennt die Ecke {wrong}, aber die Zeilen gehen von 0 bis {count}: die Facetten berichtigen</translation>
+    </message>
+    <message>
+        <source>a feed is given by a parameter or the tool</source>
+        <translation>ein Vorschub steht in einem Parameter oder beim Werkzeug</translation>
     </message>
     <message>
         <source>a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute</source>
@@ -5112,6 +5172,10 @@
         <translation>eine Liste von Namen</translation>
     </message>
     <message>
+        <source>a machine on which the path cannot be driven</source>
+        <translation>auf einer Maschine lässt sich die Bahn nicht fahren</translation>
+    </message>
+    <message>
         <source>a number with an exponent; write it out</source>
         <translation>eine Zahl mit Exponent; ausschreiben</translation>
     </message>
@@ -5120,12 +5184,24 @@
         <translation>ein Teil, das keine STL-Datei ist, braucht FreeCAD, und {given} ist hier kein Programm; installieren Sie FreeCAD, nennen Sie sein freecadcmd in {variable}, oder geben Sie das Teil als STL an</translation>
     </message>
     <message>
+        <source>a pecking cycle without its step</source>
+        <translation>ein Tieflochzyklus hat keine Zustelltiefe</translation>
+    </message>
+    <message>
         <source>a piece of the tool from height {low} to {high} has no volume</source>
         <translation>ein Stück des Werkzeugs von Höhe {low} bis {high} hat kein Volumen</translation>
     </message>
     <message>
         <source>a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}</source>
         <translation>ein Stück des Werkzeugs hat die Maße {sizes}; Radien ab 0 bis {largest} angeben</translation>
+    </message>
+    <message>
+        <source>a pin of the tool length is a constant</source>
+        <translation>ein Pin der Werkzeuglänge ist eine Konstante</translation>
+    </message>
+    <message>
+        <source>a pivot was found with the tool length in it</source>
+        <translation>ein Drehpunkt wurde samt der Werkzeuglänge gefunden</translation>
     </message>
     <message>
         <source>a place or step beyond {farthest}; is it in another unit?</source>
@@ -5144,8 +5220,36 @@
         <translation>ein Programmname, wo O eine Nummer nimmt</translation>
     </message>
     <message>
+        <source>a rapid may come too near to the faces to avoid</source>
+        <translation>ein Eilgang kommt den zu meidenden Flächen vielleicht zu nahe</translation>
+    </message>
+    <message>
+        <source>a rapid may enter the part on some way of the axes</source>
+        <translation>ein Eilgang dringt auf einem Weg der Achsen vielleicht ins Teil ein</translation>
+    </message>
+    <message>
+        <source>a rapid may hit a fixture on some way of the axes</source>
+        <translation>ein Eilgang trifft auf einem Weg der Achsen vielleicht ein Spannmittel</translation>
+    </message>
+    <message>
+        <source>a rapid whose axes run independently enters the part</source>
+        <translation>ein Eilgang mit unabhängigen Achsen dringt ins Teil ein</translation>
+    </message>
+    <message>
         <source>a rapid with independent axes hits the part</source>
         <translation>ein Eilgang mit unabhängigen Achsen trifft das Werkstück</translation>
+    </message>
+    <message>
+        <source>a rotary axis that wraps takes the shorter way</source>
+        <translation>eine Drehachse nimmt den kürzeren Weg</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns against ISO 841</source>
+        <translation>eine Drehachse dreht gegen ISO 841</translation>
+    </message>
+    <message>
+        <source>a rotary axis turns back inside a cut, with the tool retracted</source>
+        <translation>eine Drehachse dreht mitten im Schnitt zurück, bei abgehobenem Werkzeug</translation>
     </message>
     <message>
         <source>a setup map</source>
@@ -5166,6 +5270,14 @@
     <message>
         <source>a smaller stepover</source>
         <translation>ein kleinerer Zeilensprung</translation>
+    </message>
+    <message>
+        <source>a statement within a drilling cycle drills no hole</source>
+        <translation>eine Anweisung in einem Bohrzyklus bohrt kein Loch</translation>
+    </message>
+    <message>
+        <source>a strip beside the faces to avoid stays uncut</source>
+        <translation>ein Streifen neben den zu meidenden Flächen bleibt stehen</translation>
     </message>
     <message>
         <source>a tilted plane ends with a shift in it, and moves follow; reset the shift first</source>
@@ -5200,6 +5312,10 @@
         <translation>ein Wort ist ein Buchstabe und eine Zahl</translation>
     </message>
     <message>
+        <source>a wrong sign would hardly be seen</source>
+        <translation>ein falsches Vorzeichen sähe man kaum</translation>
+    </message>
+    <message>
         <source>a {kind} axis is called one of {letters}</source>
         <translation>eine Achse der Art {kind} heißt {letters}</translation>
     </message>
@@ -5224,6 +5340,34 @@
         <translation>mehr Anstellungen zulassen</translation>
     </message>
     <message>
+        <source>an arc does not pass through the points beside it</source>
+        <translation>ein Bogen geht nicht durch die Punkte daneben</translation>
+    </message>
+    <message>
+        <source>an axis is passed over: the machine file says that it moves nothing</source>
+        <translation>eine Achse wird übergangen, sie bewegt laut Maschinendatei nichts</translation>
+    </message>
+    <message>
+        <source>an axis leaves its limits</source>
+        <translation>eine Achse verlässt ihre Grenzen</translation>
+    </message>
+    <message>
+        <source>an axis would exceed its rate; the block runs slower</source>
+        <translation>eine Achse überschritte ihre Geschwindigkeit, der Satz läuft langsamer</translation>
+    </message>
+    <message>
+        <source>an inside corner is tighter than the cutter</source>
+        <translation>eine Innenecke ist enger als der Fräser</translation>
+    </message>
+    <message>
+        <source>an offset is set that the kinematics do not use</source>
+        <translation>ein Versatz ist gesetzt, den die Kinematik nicht benutzt</translation>
+    </message>
+    <message>
+        <source>an offset is where a slider of the screen starts</source>
+        <translation>ein Versatz steht da, wo ein Regler des Bildschirms beginnt</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
@@ -5232,12 +5376,20 @@
         <translation>Winkel; als 10 deg schreiben</translation>
     </message>
     <message>
+        <source>another cutter is used than the file names</source>
+        <translation>es wird ein anderer Fräser benutzt, als die Datei nennt</translation>
+    </message>
+    <message>
         <source>another plane is on; end it first</source>
         <translation>eine andere Ebene ist aktiv; sie zuerst beenden</translation>
     </message>
     <message>
         <source>arcs of a form that is not known here, taken as straight to their end points; post straight moves</source>
         <translation>Kreisbögen einer hier unbekannten Form, als Geraden bis zum Endpunkt genommen; Geraden ausgeben</translation>
+    </message>
+    <message>
+        <source>arcs that the reader cannot follow</source>
+        <translation>Bögen werden nicht verstanden</translation>
     </message>
     <message>
         <source>are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.</source>
@@ -5270,6 +5422,10 @@
     <message>
         <source>at most {bound}</source>
         <translation>höchstens {bound} sein</translation>
+    </message>
+    <message>
+        <source>axis words under no motion code are taken as feed moves</source>
+        <translation>Achsworte ohne Bewegungscode gelten als Vorschub</translation>
     </message>
     <message>
         <source>axis {about} has no direction; give three numbers, as 1,0,0</source>
@@ -5324,6 +5480,30 @@
         <translation>die Eckenverrundung ist {blend}; 0 (exakter Weg) bis 999 angeben</translation>
     </message>
     <message>
+        <source>blocks end off the path</source>
+        <translation>Sätze enden neben der Bahn</translation>
+    </message>
+    <message>
+        <source>blocks leave the path and come back to it: ways of the post's own</source>
+        <translation>Sätze verlassen die Bahn und kehren zurück, auf Wegen des Postprozessors</translation>
+    </message>
+    <message>
+        <source>blocks leave the path between their ends, which lie on it</source>
+        <translation>Sätze verlassen die Bahn zwischen ihren Enden, die darauf liegen</translation>
+    </message>
+    <message>
+        <source>blocks of the program that belong to no row of the path</source>
+        <translation>Sätze des Programms gehören zu keiner Zeile der Bahn</translation>
+    </message>
+    <message>
+        <source>blocks were divided to hold the tolerance</source>
+        <translation>Sätze wurden geteilt, damit die Toleranz hält</translation>
+    </message>
+    <message>
+        <source>bodies that touch at zero are not looked at against each other</source>
+        <translation>Körper, die einander bei null berühren, werden nicht gegeneinander geprüft</translation>
+    </message>
+    <message>
         <source>body {name}: {carrier} carries no body; name one of {known}</source>
         <translation>Körper {name}: {carrier} trägt keinen Körper; eines von {known} nennen</translation>
     </message>
@@ -5352,6 +5532,10 @@
         <translation>Begrenzung {name} enthält keine geschlossenen Kurven: je Zeile X,Y,Z in mm angeben, eine Leerzeile zwischen zwei Kurven, höchstens {most} Punkte, keiner jenseits von {farthest}</translation>
     </message>
     <message>
+        <source>calls of other programs, whose moves are missing</source>
+        <translation>andere Programme werden aufgerufen, deren Bewegungen fehlen</translation>
+    </message>
+    <message>
         <source>calls, whose moves are missing here; post one program without them</source>
         <translation>Aufrufe, deren Bewegungen hier fehlen; ein Programm ohne sie ausgeben</translation>
     </message>
@@ -5376,8 +5560,20 @@
         <translation>kommt zu seinem ersten Ort herunter</translation>
     </message>
     <message>
+        <source>contacts at which a cone's flank would enter are left out</source>
+        <translation>Berührpunkte, an denen die Flanke eines Kegels eindränge, sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>contacts at which the tool would stand in the part are left out</source>
+        <translation>Berührpunkte, an denen das Werkzeug im Teil stünde, sind ausgelassen</translation>
+    </message>
+    <message>
         <source>control_point is {control_point}; choose one of {known}</source>
         <translation>der geführte Punkt ist {control_point}; einen wählen von {known}</translation>
+    </message>
+    <message>
+        <source>corners that lie next to each other were joined</source>
+        <translation>nahe beieinander liegende Ecken wurden vereint</translation>
     </message>
     <message>
         <source>counter-clockwise</source>
@@ -5414,6 +5610,10 @@
     <message>
         <source>cutter and shank stay</source>
         <translation>Fräser und Schaft bleiben</translation>
+    </message>
+    <message>
+        <source>cutter compensation in the control</source>
+        <translation>Radiuskorrektur in der Steuerung</translation>
     </message>
     <message>
         <source>cutter compensation; the words are taken as they are</source>
@@ -5484,6 +5684,10 @@
         <translation>Zyklus {number} ohne {name}</translation>
     </message>
     <message>
+        <source>cycles, whose moves are missing</source>
+        <translation>Zyklen, deren Bewegungen fehlen</translation>
+    </message>
+    <message>
         <source>cycles, whose moves are missing here; post straight moves</source>
         <translation>Zyklen, deren Bewegungen hier fehlen; Geraden ausgeben</translation>
     </message>
@@ -5498,6 +5702,10 @@
     <message>
         <source>down</source>
         <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>dwells of drilling cycles are left out</source>
+        <translation>Verweilzeiten von Bohrzyklen sind ausgelassen</translation>
     </message>
     <message>
         <source>each of its numbers must be {bounds}</source>
@@ -5530,6 +5738,50 @@
     <message>
         <source>facets are given as {dtype} numbers: give integer rows of the vertex table</source>
         <translation>die Facetten sind als Zahlen {dtype} gegeben: ganzzahlige Zeilen der Eckentabelle angeben</translation>
+    </message>
+    <message>
+        <source>facets at the ends of a rotary axis get no rotary passes</source>
+        <translation>Facetten an den Enden einer Drehachse bekommen keine Drehbahnen</translation>
+    </message>
+    <message>
+        <source>facets lean more than the largest axis angle</source>
+        <translation>Facetten sind steiler als der größte Achswinkel</translation>
+    </message>
+    <message>
+        <source>facets lie nearer to faces to avoid than the allowance</source>
+        <translation>Facetten liegen den zu meidenden Flächen näher als das Aufmaß</translation>
+    </message>
+    <message>
+        <source>facets need rotary positions beyond the limits</source>
+        <translation>Facetten brauchen Drehstellungen jenseits der Grenzen</translation>
+    </message>
+    <message>
+        <source>facets outside the boundary are left out</source>
+        <translation>Facetten außerhalb der Begrenzung sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>facets that no allowed tool axis reaches from above, or that the part stands on</source>
+        <translation>Facetten, die keine erlaubte Werkzeugachse von oben erreicht, oder auf denen das Teil steht</translation>
+    </message>
+    <message>
+        <source>facets that were there twice; one of each was kept</source>
+        <translation>Facetten waren doppelt, je eine blieb</translation>
+    </message>
+    <message>
+        <source>facets were divided at corners that lie on their sides</source>
+        <translation>Facetten wurden an Ecken geteilt, die auf ihren Seiten liegen</translation>
+    </message>
+    <message>
+        <source>facets without an area were dropped</source>
+        <translation>Facetten ohne Fläche wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>feed moves have no feed</source>
+        <translation>Vorschubbewegungen haben keinen Vorschub</translation>
+    </message>
+    <message>
+        <source>feeds are for each turn of the spindle, so no time is given</source>
+        <translation>Vorschübe gelten je Umdrehung der Spindel, daher steht keine Zeit da</translation>
     </message>
     <message>
         <source>feeds per spindle turn; no time is given for these blocks</source>
@@ -5632,6 +5884,18 @@
         <translation>der Halter {sizes} ist kein Kegel; z0, r0, z1, r1 in mm angeben mit 0 &lt;= z0 &lt; z1 und Radien ab 0</translation>
     </message>
     <message>
+        <source>how far a peck goes back is a setting of the control</source>
+        <translation>wie weit der Bohrer zurückfährt, ist in der Steuerung eingestellt</translation>
+    </message>
+    <message>
+        <source>how high part and clamps reach is not given</source>
+        <translation>wie hoch Teil und Spannmittel reichen, ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>how many times a rotary axis turns back inside a cut</source>
+        <translation>eine Drehachse dreht mitten im Schnitt zurück</translation>
+    </message>
+    <message>
         <source>how much stays is not known here, the map of what is left ({left}) tells it</source>
         <translation>wie viel stehen bleibt, ist hier nicht bekannt; die Karte des Restmaterials ({left}) zeigt es</translation>
     </message>
@@ -5642,6 +5906,10 @@
     <message>
         <source>in a rapid all axes run in proportion to each other ({rapids})</source>
         <translation>auch im Eilgang laufen alle Achsen im Verhältnis zueinander ({rapids})</translation>
+    </message>
+    <message>
+        <source>in all setups that were tried tool or spindle hit the machine</source>
+        <translation>in allen versuchten Aufspannungen treffen Werkzeug oder Spindel die Maschine</translation>
     </message>
     <message>
         <source>in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the block's ends</source>
@@ -5820,6 +6088,10 @@
         <translation>Größter Achswinkel {angle} liegt außerhalb des Bereichs; er muss über 0 und höchstens 180 sein</translation>
     </message>
     <message>
+        <source>lead-in or lead-out arcs are smaller than asked, or none</source>
+        <translation>Bögen zum An- oder Wegfahren sind kleiner als verlangt oder fehlen</translation>
+    </message>
+    <message>
         <source>leave Z out</source>
         <translation>Z weglassen</translation>
     </message>
@@ -5842,6 +6114,10 @@
     <message>
         <source>let blocks be divided ({divide})</source>
         <translation>NC-Sätze teilen lassen ({divide})</translation>
+    </message>
+    <message>
+        <source>limits and rates are assumed: no row tells them</source>
+        <translation>Grenzen und Geschwindigkeiten sind angenommen, keine Zeile nennt sie</translation>
     </message>
     <message>
         <source>limits min {low} is not below max {high}; swap or widen them</source>
@@ -5890,6 +6166,10 @@
     <message>
         <source>linear</source>
         <translation>linear</translation>
+    </message>
+    <message>
+        <source>lines that a switch of the control skips</source>
+        <translation>Zeilen, die ein Schalter der Steuerung überspringt</translation>
     </message>
     <message>
         <source>low and high are one point</source>
@@ -5980,6 +6260,14 @@
         <translation>mehr als Kuppen bleibt auf {value} stehen</translation>
     </message>
     <message>
+        <source>more than the scallop stays</source>
+        <translation>mehr als die Rillenhöhe bleibt stehen</translation>
+    </message>
+    <message>
+        <source>more than the tolerance is missing on the surface</source>
+        <translation>auf der Oberfläche fehlt mehr als die Toleranz</translation>
+    </message>
+    <message>
         <source>more than {most_planes} planes; give a larger {what} or check the units of the part</source>
         <translation>mehr als {most_planes} Ebenen; {what} vergrößern oder die Einheiten des Werkstücks prüfen</translation>
     </message>
@@ -5990,6 +6278,18 @@
     <message>
         <source>moves to machine positions unknown to the program; they are not audited</source>
         <translation>Bewegungen zu Maschinenpositionen, die das Programm nicht kennt; sie werden nicht geprüft</translation>
+    </message>
+    <message>
+        <source>moves to positions of the machine, which are not known</source>
+        <translation>es geht an Maschinenpositionen, die nicht bekannt sind</translation>
+    </message>
+    <message>
+        <source>moves without an axis keep the last one, which leans</source>
+        <translation>Bewegungen ohne Achse behalten die letzte, die geneigt ist</translation>
+    </message>
+    <message>
+        <source>neighbouring facets disagree about which side is outside</source>
+        <translation>benachbarte Facetten sind uneins, welche Seite außen ist</translation>
     </message>
     <message>
         <source>neither</source>
@@ -6008,8 +6308,20 @@
         <translation>weder MM noch INCH in BEGIN PGM</translation>
     </message>
     <message>
+        <source>neither mm nor inches are named</source>
+        <translation>weder mm noch Zoll sind genannt</translation>
+    </message>
+    <message>
+        <source>no HAL file sets an offset, so LinuxCNC's own value is taken</source>
+        <translation>keine HAL-Datei setzt einen Versatz, daher gilt der Wert von LinuxCNC</translation>
+    </message>
+    <message>
         <source>no NC file named; give one with -o OUT.ngc</source>
         <translation>keine NC-Datei genannt; eine mit -o OUT.ngc angeben</translation>
+    </message>
+    <message>
+        <source>no allowed tilt keeps shank and holder out of the part</source>
+        <translation>keine erlaubte Neigung hält Schaft und Halter aus dem Teil</translation>
     </message>
     <message>
         <source>no batch.json of a batch is in {folder}; name a folder that one wrote</source>
@@ -6018,6 +6330,10 @@
     <message>
         <source>no block cuts, so nothing can be said of what is left</source>
         <translation>kein NC-Satz fräst, also lässt sich nichts über Restmaterial sagen</translation>
+    </message>
+    <message>
+        <source>no circle fits the words of an arc</source>
+        <translation>zu den Worten eines Bogens passt kein Kreis</translation>
     </message>
     <message>
         <source>no correction</source>
@@ -6088,6 +6404,10 @@
         <translation>keine Maschinen gegeben; mit {machines} nennen ({list} zeigt sie)</translation>
     </message>
     <message>
+        <source>no number of blocks holds the tolerance there</source>
+        <translation>dort hält keine Zahl von Sätzen die Toleranz</translation>
+    </message>
+    <message>
         <source>no part (STL, STEP, FCStd) is in the folder {folder}; name another</source>
         <translation>im Ordner {folder} ist kein Teil (STL, STEP, FCStd); nennen Sie einen anderen</translation>
     </message>
@@ -6096,8 +6416,20 @@
         <translation>nichts von der zu bearbeitenden Oberfläche liegt innerhalb der Begrenzung {name}, die von {low} bis {high} reicht; ihre Punkte sind in mm, im Koordinatensystem des Werkstücks</translation>
     </message>
     <message>
+        <source>no pass touches a side of the part</source>
+        <translation>keine Bahn berührt eine Seite des Teils</translation>
+    </message>
+    <message>
         <source>no piece of the surface that is to be cut has both guides on it; give {from_} and {to} on one piece</source>
         <translation>Kein Stück der zu bearbeitenden Fläche trägt beide Leitlinien; {from_} und {to} auf einem Stück angeben</translation>
+    </message>
+    <message>
+        <source>no position keeps the axes within their limits</source>
+        <translation>keine Stellung hält die Achsen in ihren Grenzen</translation>
+    </message>
+    <message>
+        <source>no position on the table is free</source>
+        <translation>keine Stellung auf dem Tisch ist frei</translation>
     </message>
     <message>
         <source>no program given; name the NC file that was posted from the CL path</source>
@@ -6110,6 +6442,14 @@
     <message>
         <source>no tool</source>
         <translation>kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>no tool axis is free at these facets</source>
+        <translation>an Facetten ist keine Werkzeugachse frei</translation>
+    </message>
+    <message>
+        <source>no tool axis keeps tool and holder out of the part</source>
+        <translation>keine Werkzeugachse hält Werkzeug und Halter aus dem Teil</translation>
     </message>
     <message>
         <source>no tool {number}</source>
@@ -6188,12 +6528,20 @@
         <translation>das Werkzeug käme {where} auf seinem Weg entlang seiner Achse heraus den ausgesparten Flächen näher als {allowance}, etwa bei {place}</translation>
     </message>
     <message>
+        <source>on its way to its first or from its last place the tool passes through the part</source>
+        <translation>auf dem Weg zur ersten oder von der letzten Stelle fährt das Werkzeug durch das Teil</translation>
+    </message>
+    <message>
         <source>on rapids that holds for each rate at which the axes may run beside each other</source>
         <translation>im Eilgang gilt das für jedes Verhältnis der Geschwindigkeiten, in dem die Achsen laufen mögen</translation>
     </message>
     <message>
         <source>on {uncut} more than {allowed} is left, at most {most}</source>
         <translation>auf {uncut} bleibt mehr als {allowed} stehen, höchstens {most}</translation>
+    </message>
+    <message>
+        <source>only a part of the chosen faces lies on the mesh</source>
+        <translation>nur ein Teil der gewählten Flächen liegt auf dem Netz</translation>
     </message>
     <message>
         <source>only a toolpath can be post-processed: select a toolpath</source>
@@ -6220,6 +6568,10 @@
         <translation>andere Spannmittel, die Körper der Maschine selbst und Rohmaterial, das noch da ist</translation>
     </message>
     <message>
+        <source>other layouts of axes explain the rows as well</source>
+        <translation>andere Anordnungen der Achsen erklären die Zeilen ebenso gut</translation>
+    </message>
+    <message>
         <source>part</source>
         <translation>Werkstück</translation>
     </message>
@@ -6230,6 +6582,14 @@
     <message>
         <source>part {file} cannot be read: {strerror}</source>
         <translation>das Teil {file} kann nicht gelesen werden: {strerror}</translation>
+    </message>
+    <message>
+        <source>part, path or limits look as if they were in another unit</source>
+        <translation>Teil, Bahn oder Grenzen sehen nach einer anderen Einheit aus</translation>
+    </message>
+    <message>
+        <source>parts of the file that are no NC text</source>
+        <translation>Teile der Datei sind kein NC-Text</translation>
     </message>
     <message>
         <source>passes along X, in direction {angle}</source>
@@ -6244,12 +6604,28 @@
         <translation>Bahnen können nicht bei {place} beginnen: Das liegt {off} neben der zu fräsenden Fläche; einen Ort oder eine Kurve auf ihr angeben</translation>
     </message>
     <message>
+        <source>passes end at edges with more than two facets</source>
+        <translation>Bahnen enden an Kanten mit mehr als zwei Facetten</translation>
+    </message>
+    <message>
+        <source>passes end at the boundary</source>
+        <translation>Bahnen enden an der Begrenzung</translation>
+    </message>
+    <message>
         <source>passes in direction {angle}</source>
         <translation>Bahnen in Richtung {angle}</translation>
     </message>
     <message>
+        <source>passes near the pole that could not be turned past it any better</source>
+        <translation>Bahnen nahe am Pol ließen sich nicht besser an ihm vorbei drehen</translation>
+    </message>
+    <message>
         <source>passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the units of the part</source>
         <translation>so dichte Bahnen wären {length} lang, mehr als ein Auftrag wollen kann; einen größeren Bahnabstand oder eine größere Rauhöhe angeben, oder die Einheit des Teils prüfen</translation>
+    </message>
+    <message>
+        <source>passes were turned past the machine's pole</source>
+        <translation>Bahnen wurden am Pol der Maschine vorbei gedreht</translation>
     </message>
     <message>
         <source>pivot-length is a constant {pivot}, so LinuxCNC takes the same tool length for every tool; add motion.tooloffset.z to it by a sum2, or measure tools from the tip of that one.</source>
@@ -6268,6 +6644,10 @@
         <translation>die Ebenenabstände haben die Form {shape}: eine aufsteigende Reihe von Zahlen angeben</translation>
     </message>
     <message>
+        <source>polar coordinates, whose moves are missing</source>
+        <translation>Polarkoordinaten, deren Bewegungen fehlen</translation>
+    </message>
+    <message>
         <source>polar coordinates, whose moves are missing here; post X, Y and Z</source>
         <translation>Polarkoordinaten, deren Bewegungen hier fehlen; X, Y und Z ausgeben</translation>
     </message>
@@ -6282,6 +6662,10 @@
     <message>
         <source>radius {radii} is not above 0, or beyond {most} mm</source>
         <translation>Radius {radii} ist nicht größer als 0 oder jenseits von {most} mm</translation>
+    </message>
+    <message>
+        <source>rapids were divided, so that every way of the axes is free</source>
+        <translation>Eilgänge wurden geteilt, damit jeder Weg der Achsen frei ist</translation>
     </message>
     <message>
         <source>rapids, shank and holder were not looked at</source>
@@ -6316,6 +6700,10 @@
         <translation>Rückzug {retract}: {remedy}</translation>
     </message>
     <message>
+        <source>retracts or approaches pass below the part</source>
+        <translation>Wege zum Ab- oder Anfahren führen unter dem Teil hindurch</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>rechte</translation>
     </message>
@@ -6332,8 +6720,16 @@
         <translation>Drehachsen drehen, bevor G255 sie beendet hat</translation>
     </message>
     <message>
+        <source>rotary axes turn evenly in divided blocks</source>
+        <translation>Drehachsen drehen in geteilten Sätzen gleichmäßig</translation>
+    </message>
+    <message>
         <source>rotary words with a direction (ACP, ACN); taken by the shorter way. Post absolute words</source>
         <translation>Rundachswörter mit Drehsinn (ACP, ACN); auf dem kürzeren Weg genommen. Absolute Wörter ausgeben</translation>
+    </message>
+    <message>
+        <source>roundings, chamfers or angles of a contour</source>
+        <translation>Rundungen, Fasen oder Winkel einer Kontur werden nicht verstanden</translation>
     </message>
     <message>
         <source>roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and arcs</source>
@@ -6344,8 +6740,20 @@
         <translation>Zeile {row} des CL-Wegs ist eine Vorschubbewegung mit dem Vorschub {value}; einen Vorschub über 0 angeben</translation>
     </message>
     <message>
+        <source>rows of an arc run against its sense</source>
+        <translation>Zeilen eines Bogens laufen gegen seinen Sinn</translation>
+    </message>
+    <message>
         <source>rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own</source>
         <translation>Zeilen der Tabelle der Steuerung, deren Abstand nicht bekannt ist; die Sätze dazwischen stimmen nicht. Jeden Teil für sich prüfen</translation>
+    </message>
+    <message>
+        <source>rows of the path that no block reaches</source>
+        <translation>Zeilen der Bahn, die kein Satz erreicht</translation>
+    </message>
+    <message>
+        <source>rows that do not fit the machine are left out</source>
+        <translation>Zeilen, die nicht zur Maschine passen, sind ausgelassen</translation>
     </message>
     <message>
         <source>scallop and stepover exclude each other; give one of them</source>
@@ -6380,6 +6788,10 @@
         <translation>der Bereich {low} bis {high}: die untere Ecke liegt über der oberen; tauschen</translation>
     </message>
     <message>
+        <source>setups are passed over: tool or spindle hit the machine there</source>
+        <translation>Aufspannungen sind übergangen, in denen Werkzeug oder Spindel die Maschine treffen</translation>
+    </message>
+    <message>
         <source>setups are tried for a toolpath: select a toolpath</source>
         <translation>Aufspannungen werden für einen Werkzeugweg erprobt: einen Werkzeugweg auswählen</translation>
     </message>
@@ -6396,8 +6808,16 @@
         <translation>Schaft im Weg</translation>
     </message>
     <message>
+        <source>shank or holder enters the part</source>
+        <translation>Schaft oder Halter dringt ins Teil ein</translation>
+    </message>
+    <message>
         <source>shank or holder hits the part</source>
         <translation>Schaft oder Halter trifft das Werkstück</translation>
+    </message>
+    <message>
+        <source>shifts, turns or scales of the coordinates</source>
+        <translation>Verschiebungen, Drehungen oder Skalierungen der Koordinaten werden nicht verstanden</translation>
     </message>
     <message>
         <source>shifts, turns or scales of the coordinates; post without them</source>
@@ -6420,8 +6840,16 @@
         <translation>Splines, als Geraden bis zum Endpunkt genommen; Geraden ausgeben</translation>
     </message>
     <message>
+        <source>splines, taken as straight to their ends</source>
+        <translation>Splines gelten als gerade bis zu ihrem Ende</translation>
+    </message>
+    <message>
         <source>start</source>
         <translation>Start</translation>
+    </message>
+    <message>
+        <source>statements that the reader does not interpret</source>
+        <translation>Anweisungen werden nicht verstanden</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -6430,6 +6858,14 @@
     <message>
         <source>stopped; nothing was changed</source>
         <translation>angehalten; nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>stretches of passes are left out, since the tool would enter the part</source>
+        <translation>Strecken von Bahnen sind ausgelassen, da das Werkzeug ins Teil eindränge</translation>
+    </message>
+    <message>
+        <source>stretches that the tool could not leave are left out</source>
+        <translation>Strecken, von denen das Werkzeug nicht wegkäme, sind ausgelassen</translation>
     </message>
     <message>
         <source>subprogram O{name} is not in this file</source>
@@ -6480,8 +6916,48 @@
         <translation>dem Gestell</translation>
     </message>
     <message>
+        <source>the best position lies at the edge of the region</source>
+        <translation>die beste Stellung liegt am Rand des Bereichs</translation>
+    </message>
+    <message>
+        <source>the control shows other positions than it drives</source>
+        <translation>die Steuerung zeigt andere Positionen an, als sie fährt</translation>
+    </message>
+    <message>
+        <source>the controller does not take the shorter way that the machine file names</source>
+        <translation>die Steuerung nimmt den kürzeren Weg nicht, den die Maschinendatei nennt</translation>
+    </message>
+    <message>
+        <source>the controller guides the tip between block ends</source>
+        <translation>die Steuerung führt die Spitze zwischen den Satzenden</translation>
+    </message>
+    <message>
         <source>the controller guides the tip straight between the ends of {count} blocks (RTCP); their ends alone were verified</source>
         <translation>die Steuerung führt die Spitze gerade zwischen den Enden von {count} Sätzen (RTCP); geprüft sind nur deren Enden</translation>
+    </message>
+    <message>
+        <source>the controller knows no inverse time feeds</source>
+        <translation>die Steuerung kennt keinen Vorschub in inverser Zeit</translation>
+    </message>
+    <message>
+        <source>the controller whose language the text was read in</source>
+        <translation>die Steuerung, in deren Sprache der Text gelesen wurde</translation>
+    </message>
+    <message>
+        <source>the cutter enters the part between passes</source>
+        <translation>der Fräser dringt zwischen den Bahnen ins Teil ein</translation>
+    </message>
+    <message>
+        <source>the cutter enters the part in a feed move</source>
+        <translation>der Fräser dringt im Vorschub ins Teil ein</translation>
+    </message>
+    <message>
+        <source>the cutter is that which the file names</source>
+        <translation>der Fräser ist der, den die Datei nennt</translation>
+    </message>
+    <message>
+        <source>the cutter is that which the program names</source>
+        <translation>der Fräser ist der, den das Programm nennt</translation>
     </message>
     <message>
         <source>the cutter stays</source>
@@ -6492,12 +6968,28 @@
         <translation>der Fräser bleibt aus dem Werkstück (kein Schaft oder Halter gegeben)</translation>
     </message>
     <message>
+        <source>the cutter's bottom stands in the part before or behind its contact</source>
+        <translation>die Unterseite des Fräsers steht vor oder hinter dem Berührpunkt im Teil</translation>
+    </message>
+    <message>
         <source>the cutter's feed moves stay out of the part, but for {tolerance}</source>
         <translation>im Vorschub bleibt der Fräser bis auf {tolerance} aus dem Teil</translation>
     </message>
     <message>
+        <source>the decimals of the words are too few for the tolerance</source>
+        <translation>die Worte haben zu wenige Dezimalen für die Toleranz</translation>
+    </message>
+    <message>
         <source>the deflections are {linear} and {angular}; both must be above 0</source>
         <translation>die Abweichungen des Netzes sind {linear} und {angular}; beide müssen über 0 sein</translation>
+    </message>
+    <message>
+        <source>the direction of a rotary axis hangs on a parameter</source>
+        <translation>die Richtung einer Drehachse hängt an einem Parameter</translation>
+    </message>
+    <message>
+        <source>the direction of an axis is not proven at the machine</source>
+        <translation>die Richtung einer Achse ist nicht an der Maschine geprüft</translation>
     </message>
     <message>
         <source>the direction of the planes is {angle}: give a finite angle</source>
@@ -6512,6 +7004,18 @@
         <translation>der Executor gab {given} für den Auftrag {job} zurück; einen anderen wählen</translation>
     </message>
     <message>
+        <source>the faces that are to be avoided, and their area</source>
+        <translation>die Flächen, die zu meiden sind, und ihr Inhalt</translation>
+    </message>
+    <message>
+        <source>the faces that are to be milled, and their area</source>
+        <translation>die Flächen, die zu fräsen sind, und ihr Inhalt</translation>
+    </message>
+    <message>
+        <source>the facets of a closed mesh looked inward and were turned</source>
+        <translation>die Facetten eines geschlossenen Netzes schauten nach innen und wurden gewendet</translation>
+    </message>
+    <message>
         <source>the factor is {factor}; it must be between 1e-6 and 1e6</source>
         <translation>der Faktor ist {factor}; er muss zwischen 1e-6 und 1e6 liegen</translation>
     </message>
@@ -6524,8 +7028,16 @@
         <translation>die Datei wurde beim Lesen kürzer; neu exportieren</translation>
     </message>
     <message>
+        <source>the file changes tools, and the program cuts all of it with one</source>
+        <translation>die Datei wechselt Werkzeuge, das Programm schneidet alles mit einem</translation>
+    </message>
+    <message>
         <source>the file ends within facet {facet}: it is cut off; export it again</source>
         <translation>die Datei endet innerhalb der Facette {facet}: sie ist abgeschnitten; neu exportieren</translation>
+    </message>
+    <message>
+        <source>the file has several coordinate systems</source>
+        <translation>die Datei hat mehrere Koordinatensysteme</translation>
     </message>
     <message>
         <source>the file holds no motion blocks: no axis word of this machine under G0 or G1</source>
@@ -6546,6 +7058,10 @@
     <message>
         <source>the file {kind}; export the machine from FreeCAD again</source>
         <translation>die Datei {kind}; die Maschine neu aus FreeCAD exportieren</translation>
+    </message>
+    <message>
+        <source>the formula of So et al. has no root in these blocks</source>
+        <translation>die Formel von So u. a. hat in Sätzen keine Lösung</translation>
     </message>
     <message>
         <source>the head of NX's listing</source>
@@ -6572,12 +7088,24 @@
         <translation>die Schlüssel {lacking} fehlen; fügen Sie sie hinzu (role: eines von {roles}; parent: die Achse, die diese trägt, oder null)</translation>
     </message>
     <message>
+        <source>the kinematics move axes that a machine file cannot hold</source>
+        <translation>die Kinematik bewegt Achsen, die eine Maschinendatei nicht fassen kann</translation>
+    </message>
+    <message>
+        <source>the kinematics that the program switches to are not known</source>
+        <translation>die Kinematik, auf die das Programm umschaltet, ist nicht bekannt</translation>
+    </message>
+    <message>
         <source>the linear axes X, Y, Z lie in one plane; correct their directions</source>
         <translation>die Linearachsen X, Y, Z liegen in einer Ebene; ihre Richtungen berichtigen</translation>
     </message>
     <message>
         <source>the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the tip ({count} rows): lower {max_axis_angle} or take another machine</source>
         <translation>die Linearachsen liegen bei {letter} {first} {other} {second} in einer Ebene und können die Werkzeugspitze nicht setzen ({count} Punkte): {max_axis_angle} verringern oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>the machine cannot stand as the program commands</source>
+        <translation>die Maschine kann nicht so stehen, wie das Programm befiehlt</translation>
     </message>
     <message>
         <source>the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows it), and the part stands where the program takes it to stand</source>
@@ -6600,6 +7128,10 @@
         <translation>das Netz hat keine Facetten: einen Volumenkörper oder eine Fläche mit mindestens einem Dreieck exportieren</translation>
     </message>
     <message>
+        <source>the mesh is open, and passes end at its edges</source>
+        <translation>das Netz ist offen, und Bahnen enden an seinen Kanten</translation>
+    </message>
+    <message>
         <source>the name is empty; give the machine one</source>
         <translation>der Name ist leer; der Maschine einen geben</translation>
     </message>
@@ -6608,8 +7140,28 @@
         <translation>das Teil</translation>
     </message>
     <message>
+        <source>the part is cut in frames, each with a tool axis of its own</source>
+        <translation>das Teil wird in Lagen gefräst, jede mit eigener Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>the part would reach below the table, which is not looked at</source>
+        <translation>das Teil reichte unter den Tisch, der nicht geprüft wird</translation>
+    </message>
+    <message>
+        <source>the part would reach into the table, so its place is not known</source>
+        <translation>das Teil reichte in den Tisch, daher ist sein Ort nicht bekannt</translation>
+    </message>
+    <message>
         <source>the part: whether the tool enters it was not looked at</source>
         <translation>das Teil: ob das Werkzeug hineinfährt, wurde nicht geprüft</translation>
+    </message>
+    <message>
+        <source>the path counts on compensation in the control</source>
+        <translation>die Bahn rechnet mit Radiuskorrektur in der Steuerung</translation>
+    </message>
+    <message>
+        <source>the path starts with a feed; the program goes there in rapid</source>
+        <translation>die Bahn beginnt mit einem Vorschub, das Programm fährt im Eilgang hin</translation>
     </message>
     <message>
         <source>the planes cut the facets {segments} times, more than {most}; {remedy}</source>
@@ -6618,6 +7170,14 @@
     <message>
         <source>the points are taken as the tool's own path, as CL files mean them.</source>
         <translation>die Punkte gelten als Weg des Werkzeugs selbst, wie CL-Dateien sie meinen.</translation>
+    </message>
+    <message>
+        <source>the post had another machine in mind</source>
+        <translation>der Postprozessor meinte eine andere Maschine</translation>
+    </message>
+    <message>
+        <source>the program begins and ends at the reference point of Z</source>
+        <translation>das Programm beginnt und endet am Referenzpunkt von Z</translation>
     </message>
     <message>
         <source>the program has no block that moves; there is nothing to play</source>
@@ -6640,8 +7200,28 @@
         <translation>das Programm wurde nicht für {name} aufgebaut, wie es geschrieben werden soll</translation>
     </message>
     <message>
+        <source>the program's zero is not that of the path or machine</source>
+        <translation>der Nullpunkt des Programms ist nicht der von Bahn oder Maschine</translation>
+    </message>
+    <message>
         <source>the rotary words never change: such rows say nothing of pivots; give a five-axis program</source>
         <translation>die Rundachswörter ändern sich nie: solche Zeilen sagen nichts über Drehpunkte; ein fünfachsiges Programm angeben</translation>
+    </message>
+    <message>
+        <source>the rows are off the best machine by more than rounding</source>
+        <translation>die Zeilen liegen um mehr als Rundung neben der besten Maschine</translation>
+    </message>
+    <message>
+        <source>the rows do not tell a dimension of the machine</source>
+        <translation>die Zeilen verraten ein Maß der Maschine nicht</translation>
+    </message>
+    <message>
+        <source>the safe height lies beyond the limits</source>
+        <translation>die sichere Höhe liegt jenseits der Grenzen</translation>
+    </message>
+    <message>
+        <source>the scallop asks for passes nearer than the least interval</source>
+        <translation>die Rillenhöhe verlangt engere Bahnen als den kleinsten Abstand</translation>
     </message>
     <message>
         <source>the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?</source>
@@ -6654,6 +7234,10 @@
     <message>
         <source>the shank: none was given</source>
         <translation>der Schaft: es wurde keiner angegeben</translation>
+    </message>
+    <message>
+        <source>the shift at the bottom of a boring cycle is not followed</source>
+        <translation>der Versatz am Grund eines Ausdrehzyklus wird nicht verfolgt</translation>
     </message>
     <message>
         <source>the short way</source>
@@ -6676,12 +7260,20 @@
         <translation>die Spindeldrehzahl steht nicht davor</translation>
     </message>
     <message>
+        <source>the surface curls tighter than the cutter</source>
+        <translation>die Oberfläche ist enger gekrümmt als der Fräser</translation>
+    </message>
+    <message>
         <source>the surface that is to be cut has no border to lead passes from or to; give two guides by {from_} and {to}, a point X,Y,Z or a file CURVE.csv each</source>
         <translation>Die zu bearbeitende Fläche hat keinen Rand, von dem oder zu dem Bahnen führen könnten; zwei Leitlinien mit {from_} und {to} angeben, je einen Punkt X,Y,Z oder eine Datei CURVE.csv</translation>
     </message>
     <message>
         <source>the text cannot be shown: {strerror}</source>
         <translation>der Text kann nicht gezeigt werden: {strerror}</translation>
+    </message>
+    <message>
+        <source>the text is in another controller's language</source>
+        <translation>der Text ist in der Sprache einer anderen Steuerung</translation>
     </message>
     <message>
         <source>the tip</source>
@@ -6700,12 +7292,40 @@
         <translation>die Werkzeugspitze schwenkt {way}, {size}</translation>
     </message>
     <message>
+        <source>the tolerance is held as measured, not as proven</source>
+        <translation>die Toleranz ist gemessen eingehalten, aber nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>the tool axis differs from that of the path</source>
+        <translation>die Werkzeugachse weicht von der der Bahn ab</translation>
+    </message>
+    <message>
         <source>the tool axis is 0, 0, 0, or beyond all bounds</source>
         <translation>die Werkzeugachse ist 0, 0, 0 oder jenseits aller Grenzen</translation>
     </message>
     <message>
+        <source>the tool axis was turned away from the part</source>
+        <translation>die Werkzeugachse wurde vom Teil weggedreht</translation>
+    </message>
+    <message>
+        <source>the tool comes nearer to a fixture than the clearance</source>
+        <translation>das Werkzeug kommt einem Spannmittel näher als der Abstand</translation>
+    </message>
+    <message>
+        <source>the tool comes nearer to faces to avoid than the allowance</source>
+        <translation>das Werkzeug kommt zu meidenden Flächen näher als das Aufmaß</translation>
+    </message>
+    <message>
         <source>the tool could not get out along its axis {where}, for the part is over it, as at {place}</source>
         <translation>das Werkzeug {where} entlang seiner Achse nicht herauskäme, denn das Werkstück ist darüber, etwa bei {place}</translation>
+    </message>
+    <message>
+        <source>the tool differs from that of the control's table</source>
+        <translation>das Werkzeug weicht von dem der Werkzeugtabelle ab</translation>
+    </message>
+    <message>
+        <source>the tool goes below the machine's table</source>
+        <translation>das Werkzeug fährt unter den Tisch der Maschine</translation>
     </message>
     <message>
         <source>the tool goes below the table</source>
@@ -6724,6 +7344,10 @@
         <translation>das Werkzeug stößt an die Maschine</translation>
     </message>
     <message>
+        <source>the tool is free there in none of the frames</source>
+        <translation>das Werkzeug ist dort in keiner der Lagen frei</translation>
+    </message>
+    <message>
         <source>the tool is lifted out of the part by up to {value}, what it leaves stays uncut</source>
         <translation>das Werkzeug ist um bis zu {value} aus dem Werkstück gehoben, was es stehen lässt, bleibt ungefräst</translation>
     </message>
@@ -6736,6 +7360,18 @@
         <translation>das Werkzeug ist {length} lang und hat die angegebene Form</translation>
     </message>
     <message>
+        <source>the tool length turns with the head only as a W offset</source>
+        <translation>die Werkzeuglänge dreht nur als W-Versatz mit dem Kopf</translation>
+    </message>
+    <message>
+        <source>the tool moves over the part at another speed than F</source>
+        <translation>das Werkzeug fährt mit anderer Geschwindigkeit als F über das Teil</translation>
+    </message>
+    <message>
+        <source>the tool stands off the normal of its tilted plane</source>
+        <translation>das Werkzeug steht nicht auf der Normalen seiner geschwenkten Ebene</translation>
+    </message>
+    <message>
         <source>the tool stays above the table's face, at Z {height}</source>
         <translation>das Werkzeug bleibt über der Tischfläche, bei Z {height}</translation>
     </message>
@@ -6744,12 +7380,20 @@
         <translation>das Werkzeug bleibt aus dem Werkstück</translation>
     </message>
     <message>
+        <source>the tool that was taken of several</source>
+        <translation>das Werkzeug, das von mehreren gewählt wurde</translation>
+    </message>
+    <message>
         <source>the tool turning about itself the other way</source>
         <translation>das Werkzeug dreht sich anders herum um sich selbst</translation>
     </message>
     <message>
         <source>the tool turns about itself</source>
         <translation>das Werkzeug dreht sich um sich selbst</translation>
+    </message>
+    <message>
+        <source>the tool was lifted out of the part</source>
+        <translation>das Werkzeug wurde aus dem Teil gehoben</translation>
     </message>
     <message>
         <source>the tool would come nearer to the faces to avoid {where} than {allowance}, as at {place}</source>
@@ -6784,6 +7428,10 @@
         <translation>die Wand bei {letter} {at}</translation>
     </message>
     <message>
+        <source>the way to stand in a tilted plane that the control takes</source>
+        <translation>die Stellung, die die Steuerung für eine geschwenkte Ebene wählt</translation>
+    </message>
+    <message>
         <source>the whole cutter is inside the part</source>
         <translation>der ganze Fräser ist im Werkstück</translation>
     </message>
@@ -6792,12 +7440,24 @@
         <translation>das ganze Teil ist {size} lang, und keines ist kleiner als {least}: die Einheiten des Exports prüfen</translation>
     </message>
     <message>
+        <source>the words of a rotary axis do not fit the way it wraps</source>
+        <translation>die Worte einer Drehachse passen nicht dazu, wie sie umläuft</translation>
+    </message>
+    <message>
         <source>the work offset</source>
         <translation>die Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>the work zero at X {x} Y {y} Z {z} of the machine</source>
         <translation>der Werkstücknullpunkt bei X {x} Y {y} Z {z} der Maschine</translation>
+    </message>
+    <message>
+        <source>the work zero changes within the program</source>
+        <translation>der Nullpunkt wechselt im Programm</translation>
+    </message>
+    <message>
+        <source>the work zero is a row of the control's table</source>
+        <translation>der Nullpunkt ist eine Zeile der Tabelle der Steuerung</translation>
     </message>
     <message>
         <source>the zero is that row of the control's table; the program is read as if the work zero stood there</source>
@@ -6928,12 +7588,32 @@
         <translation>in ihr stehen Werkzeugachsen als Vektoren</translation>
     </message>
     <message>
+        <source>tool axes given by angles</source>
+        <translation>Werkzeugachsen sind durch Winkel angegeben</translation>
+    </message>
+    <message>
+        <source>tool axes that the machine cannot reach are left out</source>
+        <translation>Werkzeugachsen, die die Maschine nicht erreicht, sind ausgelassen</translation>
+    </message>
+    <message>
         <source>tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors</source>
         <translation>Werkzeugachsen durch Raum-, Euler- oder Voreilwinkel; sie fehlen hier. Rundachswörter oder Vektoren ausgeben</translation>
     </message>
     <message>
+        <source>tool axes were not of unit length</source>
+        <translation>Werkzeugachsen hatten nicht die Länge eins</translation>
+    </message>
+    <message>
         <source>tool number is {tool}; give 1 to 99999</source>
         <translation>die Werkzeugnummer ist {tool}; 1 bis 99999 angeben</translation>
+    </message>
+    <message>
+        <source>tool, spindle or a body of the machine comes nearer to another than the clearance</source>
+        <translation>Werkzeug, Spindel oder ein Körper der Maschine kommt einem anderen näher als der Abstand</translation>
+    </message>
+    <message>
+        <source>tool, spindle or a body of the machine hits another one</source>
+        <translation>Werkzeug, Spindel oder ein Körper der Maschine trifft einen anderen</translation>
     </message>
     <message>
         <source>triangle corners</source>
@@ -6996,6 +7676,10 @@
         <translation>nach oben</translation>
     </message>
     <message>
+        <source>variables, expressions or jumps</source>
+        <translation>Variablen, Ausdrücke oder Sprünge werden nicht verstanden</translation>
+    </message>
+    <message>
         <source>variables, expressions or jumps; their words are missing here. Post without them</source>
         <translation>Variablen, Ausdrücke oder Sprünge; ihre Wörter fehlen hier. Ohne sie ausgeben</translation>
     </message>
@@ -7008,16 +7692,56 @@
         <translation>Ecken</translation>
     </message>
     <message>
+        <source>what a change of the tool axis buys near the pole</source>
+        <translation>was eine andere Werkzeugachse nahe am Pol bringt</translation>
+    </message>
+    <message>
+        <source>what another setting would finish</source>
+        <translation>was eine andere Einstellung fertig fräste</translation>
+    </message>
+    <message>
+        <source>what carries a rotary axis is assumed</source>
+        <translation>was eine Drehachse trägt, ist angenommen</translation>
+    </message>
+    <message>
         <source>what is left is known of a toolpath only: select a toolpath</source>
         <translation>Restmaterial ist nur von einem Werkzeugweg bekannt: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>what stands after the end is not read</source>
+        <translation>was nach dem Ende steht, wird nicht gelesen</translation>
     </message>
     <message>
         <source>what the drives make of it: servo lag, look-ahead, rounded corners</source>
         <translation>was die Antriebe daraus machen: Schleppabstand, Vorausschau, verrundete Ecken</translation>
     </message>
     <message>
+        <source>what the machine's file does not say was taken as usual</source>
+        <translation>was die Maschinendatei nicht sagt, wurde wie üblich angenommen</translation>
+    </message>
+    <message>
+        <source>what the machine's file says of its base frame is not used</source>
+        <translation>was die Maschinendatei über ihr Basissystem sagt, wird nicht benutzt</translation>
+    </message>
+    <message>
+        <source>where an axis stands at the first motion is not said</source>
+        <translation>wo eine Achse bei der ersten Bewegung steht, ist nicht gesagt</translation>
+    </message>
+    <message>
         <source>where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended</source>
         <translation>wo er beginnt, ist nicht bekannt: X, Y und Z sind nicht alle genannt, seit die geschwenkte Ebene begann oder endete</translation>
+    </message>
+    <message>
+        <source>where the table is, is not known</source>
+        <translation>wo der Tisch ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>which kinematics a number switches to, as LinuxCNC counts</source>
+        <translation>auf welche Kinematik eine Nummer umschaltet, wie LinuxCNC zählt</translation>
+    </message>
+    <message>
+        <source>with the part turned the rotary limits allow no way</source>
+        <translation>mit gedrehtem Teil lassen die Grenzen der Drehachsen keinen Weg</translation>
     </message>
     <message>
         <source>with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?</source>
@@ -7036,8 +7760,16 @@
         <translation>die Wörter haben die Form {shape}; je NC-Satz eine Zeile von fünf Wörtern angeben</translation>
     </message>
     <message>
-        <source>words that begin with a small letter within a sentence: all</source>
-        <translation>der die das den dem des ein eine einen einem einer eines kein keine keinen alle alles am an angenommen auf aufstellen bei beim bevor bewiesen dort er es für geringste geschwenkte größter hier im in kragt kürzere lassen mehr mit nach nicht nichts noch nur ohne positive rechts sind sie so spannen über um unter versucht vom von vor während was weil wenn wo zu zum zur zwischen</translation>
+        <source>words of an axis that the machine does not have</source>
+        <translation>Worte einer Achse, die die Maschine nicht hat</translation>
+    </message>
+    <message>
+        <source>words that the reader does not interpret</source>
+        <translation>Worte werden nicht verstanden</translation>
+    </message>
+    <message>
+        <source>words without a decimal point</source>
+        <translation>Worte ohne Dezimalpunkt</translation>
     </message>
     <message>
         <source>work offset is {offset}; give G54 to G59, or another that the controller has</source>
@@ -7058,6 +7790,10 @@
     <message>
         <source>write one of {known}</source>
         <translation>eines schreiben von {known}</translation>
+    </message>
+    <message>
+        <source>zeros of rotary axes are taken as right</source>
+        <translation>Nullpunkte von Drehachsen gelten als richtig</translation>
     </message>
     <message>
         <source>{all} jobs: {well} without errors, {errors} with errors, {failed} failed</source>

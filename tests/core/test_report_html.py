@@ -105,7 +105,7 @@ def test_with_matplotlib_it_says_nothing_of_the_kind(dome_page):
 
 
 def test_foreign_text_is_escaped(without_matplotlib):
-    found = (Finding(Severity.ERROR, "a<b", f"Bad {NASTY}."), Finding(Severity.ERROR, "a<b", f"Single {NASTY}."))
+    found = (Finding(Severity.ERROR, "limit", f"Bad {NASTY}."), Finding(Severity.ERROR, "limit", f"Single {NASTY}."))
     machine = dataclasses.replace(TRUNNION, name=NASTY)
     figures = table2(title=NASTY, kind=NASTY, findings=found, inputs={NASTY: NASTY, "list": [NASTY]})
     text = as_html(dataclasses.replace(figures, machine=machine))
@@ -115,7 +115,10 @@ def test_foreign_text_is_escaped(without_matplotlib):
 
 
 def test_findings_stand_by_severity_the_gravest_first(without_matplotlib):
-    found = tuple(Finding(kind, f"code-{kind.name.lower()}", f"A {kind.name.lower()} text.") for kind in Severity)
+    found = tuple(
+        Finding(kind, code, f"A {kind.name.lower()} text.")
+        for kind, code in zip(Severity, ("frames", "open-shell", "limit"), strict=True)
+    )
     text = as_html(table2(findings=found))
     places = [text.index(f"A {word} text.") for word in ("error", "warning", "note")]
     assert places == sorted(places)

@@ -8,7 +8,6 @@ import pickle
 import numpy as np
 import pytest
 
-from freecad_fiveaxis.core.base.clauses import ALL_SMALL, beginning, first_clause
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, MachineError
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import (
@@ -25,6 +24,7 @@ from freecad_fiveaxis.core.base.sentences import (
     Task,
     Template,
     Time,
+    beginning,
     joined,
     measure,
     plural,
@@ -156,24 +156,3 @@ def test_the_context_is_asked_for():
 )
 def test_a_bound_is_written_without_an_exponent(value, text):
     assert str(Length(value, IN_FULL)) == text and str(Number(value, IN_FULL)) + " mm" == text
-
-
-@pytest.mark.parametrize(
-    ("text", "english", "german"),
-    [
-        ("Facets look down; leave them.", "facets look down", "Facetten schauen nach unten"),
-        ("The holder enters. Lift it.", "the holder enters", "der Halter dringt ein"),
-        ("NC line 3 is long.", "NC line 3 is long", "NC-Zeile 3 ist lang"),
-    ],
-)
-def test_a_clause_goes_on_within_a_sentence_and_a_german_noun_keeps_its_capital(text, english, german):
-    known = {
-        "Facets look down; leave them.": "Facetten schauen nach unten; lassen Sie sie.",
-        "The holder enters. Lift it.": "Der Halter dringt ein. Heben Sie ihn.",
-        "NC line 3 is long.": "NC-Zeile 3 ist lang.",
-        ALL_SMALL: "der die das",
-    }
-    clause = first_clause(say(text))
-    assert clause == english
-    assert render(clause, lambda _, text: known[text], inches) == german
-    assert render(clause, lambda _, text: text, inches) == english

@@ -11,6 +11,7 @@ from plain import build_settings
 from report_examples import TRUNNION, by_hand, empty, figures_of, table2
 from uncured import UNCURED
 
+from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, Severity
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import from_faces
@@ -119,7 +120,7 @@ def calm(**more):
     return figures_of(TRUNNION, CALM, **({"gouge": check} | more))
 
 
-def found(severity, code="some-code", text="Something is so: do it.", **more):
+def found(severity, code="rewind", text="Something is so: do it.", **more):
     return Finding(severity, code, text, **more)
 
 
@@ -136,20 +137,39 @@ def test_what_is_open_is_amber_and_what_is_wrong_is_red_whatever_else_is_said():
     assert unchecked.light is Light.AMBER and unchecked.text == "CHECK: not checked against the part."
     off = told(calm(findings=(found(Severity.WARNING, "spindle-off"), found(Severity.NOTE))))
     assert off.text == "CHECK: the spindle stays off."
-    assert told(calm(findings=(found(Severity.WARNING),))).text == "CHECK: something is so."
-    wrong = calm(gouge=None, findings=(found(Severity.WARNING), found(Severity.ERROR, "limit", "C 400 deg is too far. Turn it.")))
-    assert told(wrong).text == "NOT SAFE: C 400 deg is too far."
+    assert (
+        told(calm(findings=(found(Severity.WARNING),))).text
+        == "CHECK: a rotary axis turns back inside a cut, with the tool retracted."
+    )
+    wrong = calm(gouge=None, findings=(found(Severity.WARNING), found(Severity.ERROR, "limit", value=40.0, unit="deg", line=3)))
+    assert told(wrong).text == "NOT SAFE: an axis leaves its limits (40 deg, NC line 3)."
     assert told(table2()).text == "NOT SAFE: 1 of 1 feed blocks leaves the path by up to 2.13 mm, 0.01 mm allowed (NC line 4)."
     assert told(by_hand(0.0301)).light is Light.AMBER and "not proven in 1 of 5" in told(by_hand(0.0301)).text
     assert "nothing is proven" in told(empty()).text
 
 
-def test_what_stands_in_parentheses_or_after_the_name_of_another_file_ends_no_clause():
-    arc = found(Severity.ERROR, "arc", "An arc does not fit (line 5: off by 50 mm, radius 50 mm); the path goes straight there.")
-    assert told(calm(findings=(arc,))).text == "NOT SAFE: an arc does not fit (line 5: off by 50 mm, radius 50 mm)."
+def test_what_has_no_words_of_its_own_is_told_by_its_code_with_value_and_line_and_never_by_its_text():
+    given = {"value": 0.03, "line": 5}, {"value": 3.0, "unit": "1"}, {"value": 0.5, "unit": "mm"}
+    errors = [
+        found(Severity.ERROR, code, f"Text {code}.", **more)
+        for code, more in zip(("arc-not-interpreted", "several-tools", "poor-fit"), given, strict=True)
+    ]
+    assert told(calm(findings=tuple(errors))).reasons == (
+        "arcs that the reader cannot follow (NC line 5)",
+        "the file changes tools, and the program cuts all of it with one",
+        "the rows are off the best machine by more than rounding (0.5 mm)",
+    )
     of_cl = of_cl_file(found(Severity.ERROR, "several-tools", say("The file changes tools: choose one."), line=11))
     assert of_cl.text == "CL file, line 11: The file changes tools: choose one."
-    assert told(calm(findings=(of_cl,))).text == "NOT SAFE: the file changes tools."
+    assert told(calm(findings=(of_cl,))).text == "NOT SAFE: the file changes tools, and the program cuts all of it with one."
+
+
+@pytest.mark.parametrize("code", [code for code in Code if code is not Code.BOUND_OVER_TOLERANCE])
+def test_every_kind_of_finding_has_its_words(code):
+    """As one clause of the verdict: of small letters, without a full stop, and not divided as the verdict divides its reasons."""
+    (reason,) = told(calm(findings=(found(Severity.WARNING, code),))).reasons
+    assert reason and not reason.endswith(".")
+    assert code.severity is Severity.NOTE or not set(reason) & set(":;") or code is Code.SINGULAR_BLOCK
 
 
 def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three():
@@ -175,7 +195,7 @@ def test_a_part_smaller_than_the_cutter_may_be_in_another_unit():
     (found,) = [one for one in result.findings if one.code == "unit-suspected"]
     assert (found.severity, found.value, found.limit, found.unit) == (Severity.WARNING, pytest.approx(0.09), 6.0, "mm")
     assert "metres (90 mm)" in found.text and "inches (2.286 mm)" in found.text
-    assert told(result).light is Light.AMBER and "0.09 mm long" in told(result).text
+    assert told(result).light is Light.AMBER and "in another unit (0.09 mm)" in told(result).text
     assert "unit-suspected" in {one["code"] for one in json.loads(as_json(job.figures(result)))["findings"]}
     assert "unit-suspected" in as_text(job.figures(result))
 

@@ -26,7 +26,7 @@ NOTE, WARNING, ERROR = Severity
 
 class Code(str, Enum):
     """What a finding is about. ``severity``: where the place that reports it knows no better; ``unit``: of its value, "" for a
-    count or where it has none; ``meaning``: for the list, in English."""
+    count or where it has none; ``meaning``: a clause for the list and the verdict, which is translated as the sentences are."""
 
     severity: Severity
     unit: str
@@ -48,8 +48,8 @@ class Code(str, Enum):
     DOUBLED_FACETS = "doubled-facets", NOTE, "1", "facets that were there twice; one of each was kept"
     INCONSISTENT_WINDING = "inconsistent-winding", WARNING, "1", "neighbouring facets disagree about which side is outside"
     INWARD_FACETS = "inward-facets", NOTE, "1", "the facets of a closed mesh looked inward and were turned"
-    NON_MANIFOLD_EDGES = "non-manifold-edges", WARNING, "1", "edges with more than two facets; passes end there"
-    OPEN_SHELL = "open-shell", WARNING, "1", "edges with one facet: the mesh is open; passes end there"
+    NON_MANIFOLD_EDGES = "non-manifold-edges", WARNING, "1", "passes end at edges with more than two facets"
+    OPEN_SHELL = "open-shell", WARNING, "1", "the mesh is open, and passes end at its edges"
     T_JUNCTIONS_JOINED = "t-junctions-joined", NOTE, "1", "facets were divided at corners that lie on their sides"
     UNIT_SUSPECTED = "unit-suspected", WARNING, "mm", "part, path or limits look as if they were in another unit"
 
@@ -86,7 +86,7 @@ class Code(str, Enum):
     FLANK_INTO_PART = "flank-into-part", WARNING, "mm", "contacts at which a cone's flank would enter are left out"
     FRAMES = "frames", NOTE, "1", "the part is cut in frames, each with a tool axis of its own"
     NO_FREE_AXIS = "no-free-axis", WARNING, "", "no tool axis keeps tool and holder out of the part"
-    NO_WAY_OUT = "no-way-out", WARNING, "mm", "the tool could not leave the part there; left out"
+    NO_WAY_OUT = "no-way-out", WARNING, "mm", "stretches that the tool could not leave are left out"
     AXIS_CHANGE_TRADE = "axis-change-trade", NOTE, "deg", "what a change of the tool axis buys near the pole"
     AXIS_LED_PAST_POLE = "axis-led-past-pole", NOTE, "deg", "passes were turned past the machine's pole"
     AXIS_LEFT_NEAR_POLE = (
@@ -106,7 +106,7 @@ class Code(str, Enum):
     LEAD_IN_SMALLER = "lead-in-smaller", NOTE, "1", "lead-in or lead-out arcs are smaller than asked, or none"
     RAPIDS_DIVIDED = "rapids-divided", NOTE, "1", "rapids were divided, so that every way of the axes is free"
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
-    REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut: the tool retracts, turns and re-engages"
+    REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut, with the tool retracted"
     REWINDS = "rewinds", WARNING, "1", "how many times a rotary axis turns back inside a cut"
     LIMIT = "limit", ERROR, "mm", "an axis leaves its limits"
     FEED_ABOVE_LARGEST = "feed-above-largest", NOTE, "mm/min", "F exceeds the controller's largest"
@@ -129,7 +129,7 @@ class Code(str, Enum):
     ROTARY_WORDS_EVEN = "rotary-words-even", NOTE, "1", "rotary axes turn evenly in divided blocks"
 
     # ---------------------------------------------------------------------------------------- start and end of a program
-    PART_BELOW_TABLE = "part-below-table", WARNING, "mm", "the part would reach below the table; the table is not looked at"
+    PART_BELOW_TABLE = "part-below-table", WARNING, "mm", "the part would reach below the table, which is not looked at"
     PART_IN_TABLE = "part-in-table", NOTE, "mm", "the part would reach into the table, so its place is not known"
     SAFE_START_BEYOND_LIMIT = "safe-start-beyond-limit", WARNING, "mm", "the safe height lies beyond the limits"
     SPINDLE_OFF = "spindle-off", WARNING, "", "the spindle stays off"
@@ -188,7 +188,7 @@ class Code(str, Enum):
     DATUM_OF_TABLE = "datum-of-table", NOTE, "", "the work zero is a row of the control's table"
     FEED_BY_PARAMETER = "feed-by-parameter", WARNING, "", "a feed is given by a parameter or the tool"
     FEED_OVER_PART = "feed-over-part", WARNING, "mm/min", "the tool moves over the part at another speed than F"
-    FEED_PER_TURN = "feed-per-turn", WARNING, "", "feeds for each turn of the spindle; no time is given"
+    FEED_PER_TURN = "feed-per-turn", WARNING, "", "feeds are for each turn of the spindle, so no time is given"
     FEED_WORD_TOO_LARGE = "feed-word-too-large", WARNING, "", "F is larger than the controller takes"
     INVERSE_FEED_MISSING = "inverse-feed-missing", ERROR, "", "a block of inverse time has no F of its own"
     KINEMATICS_NOT_KNOWN = "kinematics-not-known", ERROR, "", "the kinematics that the program switches to are not known"
@@ -196,7 +196,7 @@ class Code(str, Enum):
     MACHINE_POSITION = "machine-position", WARNING, "", "moves to positions of the machine, which are not known"
     MACRO_NOT_INTERPRETED = "macro-not-interpreted", ERROR, "", "variables, expressions or jumps"
     NO_DECIMAL_POINT = "no-decimal-point", NOTE, "", "words without a decimal point"
-    NO_FEED = "no-feed", ERROR, "", "feed moves without a feed"
+    NO_FEED = "no-feed", ERROR, "", "feed moves have no feed"
     NO_MOTION = "no-motion", NOTE, "", "an axis is passed over: the machine file says that it moves nothing"
     NO_MOTION_CODE = "no-motion-code", WARNING, "", "axis words under no motion code are taken as feed moves"
     NOT_NC_TEXT = "not-nc-text", NOTE, "", "parts of the file that are no NC text"
@@ -239,7 +239,7 @@ class Code(str, Enum):
     CYCLE_STEP_NOT_SAID = "cycle-step-not-said", WARNING, "", "a pecking cycle without its step"
     NO_HOLE_IN_CYCLE = "no-hole-in-cycle", ERROR, "", "a statement within a drilling cycle drills no hole"
     SEVERAL_COORDINATE_SYSTEMS = "several-coordinate-systems", ERROR, "", "the file has several coordinate systems"
-    SEVERAL_TOOLS = "several-tools", ERROR, "", "the file changes tools; the program cuts all of it with one"
+    SEVERAL_TOOLS = "several-tools", ERROR, "", "the file changes tools, and the program cuts all of it with one"
     STATEMENT_NOT_INTERPRETED = "statement-not-interpreted", WARNING, "", "statements that the reader does not interpret"
     TOOL_CHOSEN = "tool-chosen", NOTE, "", "the tool that was taken of several"
 
@@ -251,7 +251,7 @@ class Code(str, Enum):
     HAL_FILE_NOT_READ = "hal-file-not-read", NOTE, "", "a HAL file was not read"
     MACHINE_DEFAULT = "machine-default", NOTE, "", "what the machine's file does not say was taken as usual"
     OFFSET_FROM_PANEL = "offset-from-panel", WARNING, "", "an offset is where a slider of the screen starts"
-    OFFSET_NOT_SET = "offset-not-set", WARNING, "", "no HAL file sets an offset; LinuxCNC's own value is taken"
+    OFFSET_NOT_SET = "offset-not-set", WARNING, "", "no HAL file sets an offset, so LinuxCNC's own value is taken"
     OFFSET_NOT_USED = "offset-not-used", WARNING, "", "an offset is set that the kinematics do not use"
     ROTARY_ASSUMED = "rotary-assumed", WARNING, "", "what carries a rotary axis is assumed"
     SIGN_UNPROVEN = "sign-unproven", WARNING, "", "the direction of an axis is not proven at the machine"

@@ -272,3 +272,22 @@ def _value(value: Any) -> Any:
     if isinstance(value, BaseException) and value.args and isinstance(value.args[0], Sentence):
         return value.args[0]
     return Number(float(value)) if isinstance(value, float) else one_line(str(value))
+
+
+@dataclass(frozen=True)
+class Beginning(Part):
+    """A text that begins a sentence: with a capital letter."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return str(self.text)[:1].upper() + str(self.text)[1:]
+
+    def rendered(self, render: Callable[[str], str], translate: Translate) -> str:
+        """Give the text in another language, with a capital letter."""
+        return str(Beginning(render(self.text)))
+
+
+def beginning(text: str) -> Sentence:
+    """A text with a capital letter, as a sentence of its own."""
+    return Sentence("{text}", {"text": Beginning(text)}, translated=False)

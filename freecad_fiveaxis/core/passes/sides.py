@@ -17,11 +17,10 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from freecad_fiveaxis.core.base.clauses import beginning
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Point, Sentence, Template, joined, say
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Point, Sentence, Template, beginning, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .scallop import CREASE

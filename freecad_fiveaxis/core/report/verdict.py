@@ -15,10 +15,10 @@ from enum import Enum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
-from freecad_fiveaxis.core.base.clauses import first_clause
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding
 from freecad_fiveaxis.core.base.sentences import (
+    MEASURES,
     Area,
     Choice,
     Length,
@@ -135,7 +135,7 @@ def _errors(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         elif code == Code.DEVIATION_OVER_TOLERANCE:
             yield _leaves_path(figures, numbers)
         else:
-            yield first_clause(found[code][0].text)
+            yield _meaning(found[code][0])
 
 
 def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
@@ -149,6 +149,20 @@ def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) ->
         depth_text = Length(depth, ".3g")
         clause = plural(places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text)
     return clause if worst.line is None else clause + say(" (NC line {line})", line=worst.line)
+
+
+MEANINGS: Mapping[str, str] = {code: code.meaning for code in Code}
+
+
+def _meaning(worst: Finding) -> Sentence:
+    """As "an axis leaves its limits (12 deg, NC line 5)"."""
+    clause = Sentence(MEANINGS[worst.code], {})
+    if worst.value is None or worst.unit not in MEASURES:
+        return clause if worst.line is None else clause + say(" (NC line {line})", line=worst.line)
+    value = measure(worst.value, worst.unit, ".4g")
+    return clause + (
+        say(" ({value})", value=value) if worst.line is None else say(" ({value}, NC line {line})", value=value, line=worst.line)
+    )
 
 
 def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
@@ -204,7 +218,7 @@ WARNED: Mapping[str, Template] = {
     Code.FACETS_BEYOND_AXIS_ANGLE: Template("{value} are too steep for the largest axis angle and left out"),
     Code.FACETS_BEYOND_MACHINE: Template("{value} are beyond the machine's limits and left out"),
 }
-"""What a warning says in the verdict; one that is not here gives its first clause."""
+"""What a warning says in the verdict; of one that is not here its code says what it means."""
 
 
 def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) -> Sentence:
@@ -216,5 +230,5 @@ def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) 
         return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
     clause = WARNED.get(code)
     if clause is None or (worst.value is None and "{" in clause) or (code == Code.UNCUT and worst.unit != "mm2"):
-        return first_clause(worst.text)
+        return _meaning(worst)
     return clause.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == Code.LIFTED else ".4g"))

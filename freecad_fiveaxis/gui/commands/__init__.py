@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import FreeCADGui
 
 from freecad_fiveaxis.gui.failures import guarded
@@ -49,6 +51,6 @@ def machine_names() -> list[str]:
 def register() -> None:
     """Make the commands known to FreeCAD."""
     for command in COMMANDS:
-        instance = command()
+        instance: Any = command()
         instance.Activated = guarded(instance.Activated)
         FreeCADGui.addCommand(command.NAME, instance)

@@ -89,7 +89,7 @@ class SpacingField(Field):
             field.editor.setVisible(kind == self.kind.value())
         self._changed()
 
-    def value(self) -> dict[str, float]:
+    def value(self) -> dict[str, float | None]:
         """The one that counts, mm, by its name."""
         kind = self.kind.value()
         return {kind: self.lengths[kind].value()}
@@ -117,7 +117,8 @@ class ToolList(QtCore.QObject):
 
     def __init__(self, name: str, title: str) -> None:
         super().__init__()
-        self.title, self.tools, self.box = title, [], QtWidgets.QComboBox()
+        self.title, self.box = title, QtWidgets.QComboBox()
+        self.tools: list[Any] = []
         self.box.setObjectName(name)
         self.box.setAccessibleName(title)
         self.box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
@@ -222,7 +223,7 @@ class CutterField(Field):
         """As job files write it, ``ball:10.0:50.0``, mm and degrees; whether there can be such a cutter is the core's to say."""
         from freecad_fiveaxis.core.tool import sizes_text
 
-        return sizes_text(self.kind.value(), {size: field.value() for size, field in self.sizes.items()})
+        return sizes_text(self.kind.value(), {size: field.value() or 0.0 for size, field in self.sizes.items()})
 
     def words(self) -> str:
         """Kind and diameter."""

@@ -15,7 +15,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, translate
 from freecad_fiveaxis.gui.waiting import waiting
 
 from .choosers import has_head
-from .fields import QuantityField, error_line
+from .fields import QuantityField
+from .lines import error_line
 from .path_panel import show
 
 LINE_HEIGHT, LINES = 24, 9

@@ -9,7 +9,7 @@ idle      an option that counts for nothing as the choices stand: hidden where a
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from freecad_fiveaxis.app import wording
@@ -96,7 +96,7 @@ class Form(QtCore.QObject):
         self._depend()
 
     def _option_fields(self, doc: Any) -> dict[str, Field]:
-        special = {
+        special: dict[str, Callable[[Any], Field]] = {
             "machine": lambda leaf: MachineField(leaf.name, option_hint(leaf), self._no_machine()),
             "controller": lambda leaf: controller_field(leaf.name, option_hint(leaf), self.task in READING),
             "tool_axis": lambda leaf: strategy_field(leaf.name, option_hint(leaf)),
@@ -250,8 +250,8 @@ class Form(QtCore.QObject):
 
     def _lacks_file(self) -> bool:
         """Whether an option names a file that is needed and not named yet: nobody has done anything wrong so far."""
-        files = [field for name, field in self.fields.items() if name in self.leaves and getattr(field, "missing", "")]
-        return any(not field.value() and not field.wanted for field in files)
+        files: list[Any] = [field for name, field in self.fields.items() if name in self.leaves and hasattr(field, "missing")]
+        return any(field.missing and not field.value() and not field.wanted for field in files)
 
     def check_together(self, options: Mapping[str, Any]) -> None:
         """Raises FiveAxisError where values contradict each other."""

@@ -44,7 +44,8 @@ class PathPanel:
     def __init__(self, doc: Any, title: str, form: Form, obj: Any = None) -> None:
         self.doc, self.title, self.options, self.obj = doc, title, form, obj
         self.draft = obj is None
-        self.step, self.calculated = OpenStep(doc, title), None
+        self.step = OpenStep(doc, title)
+        self.calculated: dict[str, Any] | None = None
         self.calculate_button = QtWidgets.QPushButton(translate("FiveAxis", "Calculate"))
         self.calculate_button.setObjectName("calculate")
         self.summary, self.shown_parts = self.SUMMARY(), ShownParts()

@@ -24,11 +24,12 @@ Point = tuple[float, float, float]
 
 @guards
 class Pick:
-    """Waits for one point. ``found`` gets it (document coordinates, mm); ``ended`` is called in any case."""
+    """Waits for one point. ``found`` gets it (document coordinates, mm, or what an heir takes instead); ``ended`` is called in
+    any case."""
 
     instances: ClassVar[WeakSet[Pick]] = WeakSet()
 
-    def __init__(self, found: Callable[[Point], None], ended: Callable[[], None]) -> None:
+    def __init__(self, found: Callable[[Any], None], ended: Callable[[], None]) -> None:
         self.found, self.ended, self.running = found, ended, False
         Pick.instances.add(self)
         self.keys = _Escape(self.stop)
@@ -55,7 +56,7 @@ class Pick:
             point = point_of(FreeCAD.getDocument(doc).getObject(name), element, spot)
             later(lambda: self._take(point))  # an observer must not go while observers are being called
 
-    def _take(self, point: Point) -> None:
+    def _take(self, point: Any) -> None:
         if self.running:
             self.stop()
             FreeCADGui.Selection.clearSelection()
@@ -87,11 +88,17 @@ class _Escape(QtCore.QObject):
 
 def point_of(obj: Any, element: str, spot: Point) -> Point:
     """The point that a picked element means, document coordinates, mm: ``spot`` unless it is a vertex or a circle."""
-    shape = obj.getSubObject(element) if hasattr(obj, "getSubObject") else None
+    shape: Any = obj.getSubObject(element) if hasattr(obj, "getSubObject") else None
     if getattr(shape, "ShapeType", "") == "Vertex":
-        return tuple(shape.Point)
+        return spot_of(shape.Point)
     centre = getattr(getattr(shape, "Curve", None), "Center", None) if getattr(shape, "ShapeType", "") == "Edge" else None
-    return tuple(spot) if centre is None else tuple(centre)
+    return spot_of(spot if centre is None else centre)
+
+
+def spot_of(vector: Any) -> Point:
+    """The three numbers of a vector of FreeCAD's."""
+    x, y, z = vector
+    return x, y, z
 
 
 class PointField(TripleField):

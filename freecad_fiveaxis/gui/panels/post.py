@@ -23,8 +23,8 @@ from freecad_fiveaxis.gui.verdict_label import VerdictLabel
 from freecad_fiveaxis.gui.waiting import waiting
 
 from . import written
-from .fields import TextField, error_line
-from .lines import note_line
+from .fields import TextField
+from .lines import error_line, note_line
 from .option_fields import option_field
 from .path_panel import show
 from .result_html import findings
@@ -173,7 +173,7 @@ class PostPanel:
 
     def _errors_first(self, figures: Any) -> list[str]:
         """The verdict of a program that is not safe, its errors, then its warnings; nothing of another."""
-        from freecad_fiveaxis.core.base.findings import Severity
+        from freecad_fiveaxis.core.base.codes import Severity
         from freecad_fiveaxis.core.report import Light, summary, verdict
 
         whole = verdict(figures, summary(figures))
@@ -246,7 +246,7 @@ def _spindle_leaf() -> Any:
 
 def _poor(figures: Any) -> list[Any]:
     """Errors, then warnings, one of each kind: the first of a kind tells of all."""
-    from freecad_fiveaxis.core.base.findings import Severity
+    from freecad_fiveaxis.core.base.codes import Severity
     from freecad_fiveaxis.core.report.text import grouped
 
     return [group[0] for group in grouped(figures.findings) if group[0].severity > Severity.NOTE]

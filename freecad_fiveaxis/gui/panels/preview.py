@@ -16,7 +16,7 @@ from .summary import clock
 class PreviewRow(QtWidgets.QWidget):
     """``calculate``: the button that stands first; ``ask`` is called when the other one is pressed."""
 
-    def __init__(self, doc: Any, calculate: Any, ask: Callable[[], None]) -> None:
+    def __init__(self, doc: Any, calculate: Any, ask: Callable[[], object]) -> None:
         super().__init__()
         self.doc = doc
         self.picture: Any = None

@@ -37,9 +37,10 @@ class MarkField(PointField):
     Until somebody gives one, it is at the top of the part (``top``, mm in the document); where there is no part, none is given.
     """
 
-    def __init__(self, name: str, hint: str, zero: Callable[[], Point]) -> None:
+    def __init__(self, name: str, hint: str, zero: Callable[[], Any]) -> None:
         super().__init__(name, hint, WIDTH)
-        self.zero, self.top = zero, None
+        self.zero = zero
+        self.top: float | None = None
         self.given, self._showing = False, False
 
     def value(self) -> list[float] | None:

@@ -161,8 +161,9 @@ def edit(obj: Any) -> ReachPanel:
 
 
 def _open(panel: ReachPanel, values: Mapping[str, Any]) -> ReachPanel:
-    from freecad_fiveaxis.app import changes, reach
+    from freecad_fiveaxis.app import changes
+    from freecad_fiveaxis.app.reach_properties import ANY_ANGLE
 
-    usual = changes.default_options("reach") | {"largest_axis_angle": reach.ANY_ANGLE, "fixtures": ()}
+    usual = changes.default_options("reach") | {"largest_axis_angle": ANY_ANGLE, "fixtures": ()}
     panel.fill(usual | dict(values))
     return show(panel)

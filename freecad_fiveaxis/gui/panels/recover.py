@@ -49,8 +49,8 @@ class RecoverPanel(WorkPanel):
         from freecad_fiveaxis.app import recovering
 
         values = self.options.read_values()
-        files = [values.pop(name) for name in ("cl_file", "program", "machine_file")]
-        return recovering.recover(*files, values)
+        cl_file, program, machine_file = (values.pop(name) for name in ("cl_file", "program", "machine_file"))
+        return recovering.recover(cl_file, program, machine_file, values)
 
     def tell(self, done: Any) -> str:
         """Sentence, numbers with their certainty, findings."""

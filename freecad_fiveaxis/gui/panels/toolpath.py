@@ -141,7 +141,7 @@ class ToolpathPanel(PathPanel):
         except BaseException as error:  # FreeCADAbort (Esc) is no Exception
             self._tell(error)
             return False
-        best = next((one.changes for one in trials[:1] if is_worth(one)), {})
+        best: Mapping[str, Any] = next((one.changes for one in trials[:1] if is_worth(one)), {})
         self.advice_offer.show_advice(advising.tell_advice(self.obj, trials), best)
         return True
 
@@ -184,7 +184,7 @@ class ToolpathPanel(PathPanel):
     def _follow_tool_axis(self) -> None:
         """Show the tool axis that is usual for machine, cutter and passes, as long as nobody has chosen another one."""
         options = self.options.options()
-        choices = {name: options[name] for name in ("machine", "cutter", "passes") if name in options}
+        choices: dict[str, Any] = {name: options[name] for name in ("machine", "cutter", "passes") if name in options}
         if choices == self.last_choices:
             return
         self.last_choices, before, now = choices, self.usual, _usual_tool_axis(choices)

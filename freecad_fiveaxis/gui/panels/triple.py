@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
@@ -36,7 +36,10 @@ class TripleField(Field):
     def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:
         super().__init__(name, Wide(), hint)
         parts = [f"{name}_{letter}" for letter in "xyz"]
-        makers = {"point": lambda part: QuantityField(part, "length"), "counts": lambda part: NumberField(part, whole=True)}
+        makers: dict[str, Callable[[str], Field]] = {
+            "point": lambda part: QuantityField(part, "length"),
+            "counts": lambda part: NumberField(part, whole=True),
+        }
         self.parts = [makers.get(kind, RatioField)(part) for part in parts]
         for part, letter in zip(self.parts, "XYZ", strict=True):
             part.editor.setAccessibleName(f"{self.label} {letter}")

@@ -10,7 +10,7 @@ lent      an empty document that is open only while the panel is: FreeCAD 1.1 la
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import Any, TypeVar
 
 import FreeCAD
 import FreeCADGui
@@ -23,6 +23,8 @@ from freecad_fiveaxis.gui.waiting import waiting
 from .form import Form
 from .panel_widget import PanelWidget
 from .path_panel import reveal, show
+
+P = TypeVar("P", bound="WorkPanel")
 
 TALL, LOW = 300, 60
 """Pixels of the result, and of the line that says there is none."""
@@ -150,7 +152,7 @@ class WorkPanel:
             later(lambda: _give_back(self.temporary_document))
 
 
-def open_panel(panel: WorkPanel) -> WorkPanel:
+def open_panel(panel: P) -> P:
     """Open the panel in the task view; with a lent document where it would be hidden without one."""
     if not FreeCADGui.Control.activeDialog() and not FreeCAD.listDocuments() and may_lie_over_a_view():
         panel.temporary_document = FreeCAD.newDocument().Name

@@ -42,7 +42,8 @@ class DrawnMachine:
     def __init__(self, bodies: tuple[Body, ...], standing: Sequence[StandingBody] = ()) -> None:
         self.bodies, self.standing = bodies, tuple(standing)
         self.looks = [Look(*LOOKS[one.place]) for one in self.standing]
-        self.carriers = {body.carrier: coin.SoMatrixTransform() for body in (*bodies, *self.standing)}
+        carriers = [*(one.carrier for one in bodies), *(one.carrier for one in self.standing)]
+        self.carriers = {carrier: coin.SoMatrixTransform() for carrier in carriers}
         self.root = nodes.separate(_solid())
         for carrier, placed in self.carriers.items():
             group = nodes.separate(placed)

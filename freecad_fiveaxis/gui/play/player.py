@@ -40,7 +40,7 @@ class Player:
             key=lambda one: (one.block, _deepest(one)),
         )
         self.colliding = np.unique([one.block for one in self.stops]).astype(int)
-        self._stop_times = np.array([float(self.playback.time(one.block, _deepest(one))) for one in self.stops])
+        self._stop_times = np.array([float(self.playback.time(one.block or 0, _deepest(one))) for one in self.stops])
         self.last = len(figures.program.words) - 1
         self.block, self.u = 0, 1.0
 

@@ -54,7 +54,9 @@ def tool_node(tool: DrawnTool) -> Any:
     return nodes.separate(
         shift,
         *(
-            nodes.separate(_material(COLOURS[part], TRANSPARENCY[part]), _turned(Outline(*(column[rows] for column in profile))))
+            nodes.separate(
+                _material(COLOURS[part], TRANSPARENCY[part]), _turned(Outline._make(column[rows] for column in profile))
+            )
             for part, rows in parts
             if len(rows)
         ),

@@ -30,7 +30,7 @@ def overlap(box: np.ndarray, others: np.ndarray, apart: float = 0.0) -> np.ndarr
     """Which boxes (k, 4) come nearer than ``apart`` pixels to any of ``others`` (n, 4); bool (k,)."""
     first, second = box[:, None], others[None]
     hits = (first[..., :2] < second[..., 2:] + apart) & (first[..., 2:] > second[..., :2] - apart)
-    return np.asarray(hits.all(axis=2).any(axis=1))
+    return np.asarray(np.any(np.all(hits, axis=2), axis=1))
 
 
 def legend_place(size: tuple[int, int], view: tuple[int, int]) -> tuple[float, float]:
@@ -56,7 +56,7 @@ def label_places(
         half = 0.5 * size[row]
         centre = (anchor[row] + SLOTS + _SIDE * half).round()
         tried = np.concatenate([centre - half, centre + half], axis=1)
-        within = ((tried[:, :2] >= 0.0) & (tried[:, 2:] <= view)).all(axis=1)
+        within = np.all((tried[:, :2] >= 0.0) & (tried[:, 2:] <= view), axis=1)
         free, last = within & ~overlap(tried, obstacles, CLEAR), int(before[row])
         beside = ~overlap(tried, middle) if len(middle) else np.ones(len(tried), bool)
         keeps = last >= 0 and within[last] and not overlap(tried[last : last + 1], obstacles)[0]

@@ -29,8 +29,8 @@ from .overlay import INK, PAPER, Legend, image, label_picture, legend_picture
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 MOST_VIEWS = 16
 """So many views are remembered."""
-LEADER = tuple(part / 255.0 for part in PAPER[:3])
-BRIGHT = tuple(part / 255.0 for part in INK)
+LEADER = (PAPER[0] / 255.0, PAPER[1] / 255.0, PAPER[2] / 255.0)
+BRIGHT = (INK[0] / 255.0, INK[1] / 255.0, INK[2] / 255.0)
 HIDDEN = 0x0F0F
 """Dashes of a line to a place behind the part."""
 BURIED = 0.03

@@ -113,7 +113,8 @@ class PathNodes:
 def _sticks(drawing: Drawing, look: Look) -> Any:
     """The tool axes, dark at the tip and bright at the holder's end: seen on light and on dark grounds."""
     tops = drawing.foot + drawing.axis * (look.axis_length or drawing.axis_length)
-    dark = tuple(FOOT_SHADE * part for part in look.axes)
+    red, green, blue = look.axes
+    dark = (FOOT_SHADE * red, FOOT_SHADE * green, FOOT_SHADE * blue)
     rgba = np.tile(np.array([colours.pack(dark), colours.pack(look.axes)], np.uint32), len(drawing.foot))
     return nodes.lines(np.stack([drawing.foot, tops], axis=1).reshape(-1, 3), colours=rgba)
 
