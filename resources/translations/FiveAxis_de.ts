@@ -4356,6 +4356,10 @@
         <translation>In {count} NC-Sätzen müsste eine Achse schneller als möglich laufen; sie laufen langsamer als programmiert.</translation>
     </message>
     <message>
+        <source>In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one group of axes after the other, or place the part otherwise on the table.</source>
+        <translation>Von {count} Sätzen ist nicht bewiesen, dass {part} und {name} einander nicht treffen, der erste steht in NC-Zeile {line}. Eine Achsgruppe nach der anderen fahren oder das Teil anders auf den Tisch setzen.</translation>
+    </message>
+    <message>
         <source>In {count} blocks of a tilted plane the tool stands up to {lean} off its normal: nothing has turned it there, and where the control leads it then is not known. Turn the axes first (G53.1, TURN, MOVE, or their words).</source>
         <translation>In {count} Sätzen einer geschwenkten Ebene steht das Werkzeug bis zu {lean} neben ihrer Normalen: Nichts hat es dorthin gedreht, und wohin die Steuerung es dann führt, ist nicht bekannt. Zuerst die Achsen drehen (G53.1, TURN, MOVE oder ihre Wörter).</translation>
     </message>
@@ -4578,6 +4582,10 @@
     <message>
         <source>Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. Choose other passes, or a smaller stepover or scallop, for those.</source>
         <translation>Bahnen berühren keine der {count} Facetten von {area}, die zu fräsen sind: Sie liegen längs der Bahnen oder zwischen zweien. Für diese andere Bahnen wählen, oder einen kleineren Bahnabstand oder eine kleinere Rauhöhe.</translation>
+    </message>
+    <message>
+        <source>Place the part otherwise on the table, or lean the tool less, so that the axes need not go there.</source>
+        <translation>Das Teil anders auf den Tisch setzen oder das Werkzeug weniger neigen, damit die Achsen nicht dorthin müssen.</translation>
     </message>
     <message>
         <source>Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, against ISO 841; the direction in the file is reversed accordingly.</source>
@@ -5006,6 +5014,10 @@
     <message>
         <source>These are deviations of blocks that are not yet divided: the program's own keep its tolerance.</source>
         <translation>Das sind Abweichungen von Sätzen, die noch nicht geteilt sind: Die des Programms halten seine Toleranz ein.</translation>
+    </message>
+    <message>
+        <source>These touch each other with all axes at zero, so they are taken for neighbours and were not looked at against each other: {names}.</source>
+        <translation>Diese berühren einander, wenn alle Achsen auf null stehen; sie gelten als Nachbarn und wurden nicht gegeneinander geprüft: {names}.</translation>
     </message>
     <message>
         <source>Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a setting of the machine may choose another. Compare with the control.</source>
@@ -5512,12 +5524,12 @@
         <translation>Sätze wurden geteilt, damit die Toleranz hält</translation>
     </message>
     <message>
-        <source>body {name}: what the spindle carries is a cylinder or a cone about the line through the gauge point, upright, its low end first; give one around it</source>
-        <translation>Körper {name}: was die Spindel trägt, ist ein Zylinder oder Kegel um die Linie durch den Bezugspunkt, aufrecht, das untere Ende zuerst; einen darum herum angeben</translation>
+        <source>bodies that touch at zero are not looked at against each other</source>
+        <translation>Körper, die einander bei null berühren, werden nicht gegeneinander geprüft</translation>
     </message>
     <message>
-        <source>body {name}: {carrier} carries no body that is looked at; name one of {known}</source>
-        <translation>Körper {name}: {carrier} trägt keinen Körper, der angesehen wird; eines von {known} nennen</translation>
+        <source>body {name}: {carrier} carries no body; name one of {known}</source>
+        <translation>Körper {name}: {carrier} trägt keinen Körper; eines von {known} nennen</translation>
     </message>
     <message>
         <source>body {name}: {error}</source>
@@ -5828,8 +5840,8 @@
         <translation>die feste Werkzeugachse {fixed} hat keine Richtung; drei Zahlen angeben, wie 0,0,1</translation>
     </message>
     <message>
-        <source>fixtures that were not given, other bodies of the machine, these against each other, and stock that is still there</source>
-        <translation>Spannmittel, die nicht angegeben wurden, andere Körper der Maschine, diese gegeneinander, und Rohteil, das noch da ist</translation>
+        <source>fixtures that were not given, other bodies of the machine, and stock that is still there</source>
+        <translation>nicht angegebene Spannmittel, andere Körper der Maschine und Rohmaterial, das noch da ist</translation>
     </message>
     <message>
         <source>fixtures, the machine's own bodies, and stock that is still there</source>
@@ -6542,6 +6554,10 @@
     <message>
         <source>nothing that is to be cut faces away from the axis of the passes; give the axis about which the part is turned</source>
         <translation>nichts, was bearbeitet werden soll, ist von der Achse der Bahnen abgewandt; geben Sie die Achse an, um die das Werkstück gedreht wird</translation>
+    </message>
+    <message>
+        <source>of the machine's bodies those that move against each other stay out of each other, and out of part and fixtures as far as these are known, but for neighbours that touch with all axes at zero: {names}</source>
+        <translation>von den Körpern der Maschine bleiben die, die sich gegeneinander bewegen, auseinander und aus Werkstück und Spannmitteln, soweit diese bekannt sind; außer Nachbarn, die einander berühren, wenn alle Achsen auf null stehen: {names}</translation>
     </message>
     <message>
         <source>on every pass</source>
@@ -7392,10 +7408,6 @@
         <translation>das Werkzeug fährt mit anderer Geschwindigkeit als F über das Teil</translation>
     </message>
     <message>
-        <source>the tool or the spindle hits a body of the machine</source>
-        <translation>Werkzeug oder Spindel trifft einen Körper der Maschine</translation>
-    </message>
-    <message>
         <source>the tool stands off the normal of its tilted plane</source>
         <translation>das Werkzeug steht nicht auf der Normalen seiner geschwenkten Ebene</translation>
     </message>
@@ -7636,8 +7648,12 @@
         <translation>die Werkzeugnummer ist {tool}; 1 bis 99999 angeben</translation>
     </message>
     <message>
-        <source>tool or spindle comes nearer to the machine than the clearance</source>
-        <translation>Werkzeug oder Spindel kommt der Maschine näher als der Abstand</translation>
+        <source>tool, spindle or a body of the machine comes nearer to another than the clearance</source>
+        <translation>Werkzeug, Spindel oder ein Körper der Maschine kommt einem anderen näher als der Abstand</translation>
+    </message>
+    <message>
+        <source>tool, spindle or a body of the machine hits another one</source>
+        <translation>Werkzeug, Spindel oder ein Körper der Maschine trifft einen anderen</translation>
     </message>
     <message>
         <source>triangle corners</source>

@@ -8,6 +8,7 @@ import pytest
 from five_kinds import KINDS
 from mesh_shapes import box
 from scipy.spatial.distance import cdist
+from test_body_pairs import places
 from test_machine_bodies import EXAMPLE, LENGTH, MACHINES, ORIGIN, carriers, frames
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
@@ -24,10 +25,11 @@ SETUP = Setup(ORIGIN, LENGTH)
 PART = np.array([-30.0, -20.0, -5.0]), np.array([42.0, 25.0, 28.0])
 
 
-def with_bodies(name):
-    """The machine with a box on each carrier and a cone on the spindle."""
+def with_bodies(name, head=False):
+    """The machine with a box on each carrier, those of the ``head`` too, and a cone on the spindle."""
     plain = Machine(name, KINDS[name]) if name in KINDS else load_machine(name)
-    boxes = [MachineBody(f"on {one}", one, "box", ((-30.0, -20.0, -60.0), (10.0, 40.0, 15.0))) for one in carriers(plain)]
+    on = [*carriers(plain), *(axis.letter for axis in plain.fitted if head and axis.side == "head")]
+    boxes = [MachineBody(f"on {one}", one, "box", ((-30.0, -20.0, -60.0), (10.0, 40.0, 15.0))) for one in on]
     low = np.array(plain.gauge_point)
     nose = MachineBody("nose", "spindle", "cone", (tuple(low), tuple(low + (0.0, 0.0, 60.0))), (35.0, 50.0))
     return replace(plain, bodies=(*boxes, nose))
@@ -39,7 +41,7 @@ def move(place, points):
 
 def drawn_and_true(name):
     """Of every body at random words: its vertices as drawn, and as the joints carry them, both in the picture's frame."""
-    machine = with_bodies(name)
+    machine = with_bodies(name, head=True)
     kinematics = chain(machine, SETUP)
     gauge = np.array(machine.gauge_point)
     shift = np.linalg.solve(kinematics.direction[:3].T, np.array(ORIGIN) - (gauge - (0.0, 0.0, LENGTH)))
@@ -53,7 +55,7 @@ def drawn_and_true(name):
     innermost = (*carriers(machine)[1:], "base")[0]
     zero = move(frames(machine, joints[0])[0][innermost], np.array(ORIGIN)[None])[0]
     for at, q in enumerate(joints[1:]):
-        found, tool = frames(machine, q)
+        found, tool = places(machine, q), frames(machine, q)[1]
         for body, stand in zip(machine.bodies, stand_bodies(machine, SETUP, kinematics, LENGTH), strict=True):
             points = np.array(body.points)
             if body.carrier == "spindle":
@@ -115,6 +117,9 @@ def test_the_sketch_keeps_what_no_body_stands_for():
     chained = chain(head, SETUP)
     left = leave_out(sketch(chained, *PART, ToolRoom(90.0, 20.0)), stand_bodies(head, SETUP, chained, LENGTH), chained)
     assert {one.name for one in left} >= {"fork", "ram"} and "spindle" not in {one.name for one in left}
+    head = with_bodies("head_b_table_c", head=True)
+    left = leave_out(sketch(chained, *PART, ToolRoom(90.0, 20.0)), stand_bodies(head, SETUP, chained, LENGTH), chained)
+    assert not {one.name for one in left} & {"fork", "ram", "spindle"}
 
 
 def test_drawn_edges_are_those_of_a_box_the_rims_of_a_cylinder_and_a_border():

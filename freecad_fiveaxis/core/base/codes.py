@@ -158,8 +158,14 @@ class Code(str, Enum):
     FIXTURE_UNPROVEN = "fixture-unproven", WARNING, "mm", "a rapid may hit a fixture on some way of the axes"
     HOLDER_COLLISION = "holder-collision", ERROR, "mm", "shank or holder enters the part"
     INDEPENDENT_RAPID = "independent-rapid", ERROR, "mm", "a rapid whose axes run independently enters the part"
-    MACHINE_COLLISION = "machine-collision", ERROR, "mm", "the tool or the spindle hits a body of the machine"
-    MACHINE_NEAR = "machine-near", WARNING, "mm", "tool or spindle comes nearer to the machine than the clearance"
+    MACHINE_COLLISION = "machine-collision", ERROR, "mm", "tool, spindle or a body of the machine hits another one"
+    MACHINE_NEAR = (
+        "machine-near",
+        WARNING,
+        "mm",
+        "tool, spindle or a body of the machine comes nearer to another than the clearance",
+    )
+    MACHINE_TOUCHING = "machine-touching", NOTE, "1", "bodies that touch at zero are not looked at against each other"
     MACHINE_UNPROVEN = "machine-unproven", WARNING, "mm", "a collision with the machine is not excluded"
     OVERCUT = "overcut", ERROR, "mm", "the cutter enters the part in a feed move"
     RAPID_COLLISION = "rapid-collision", ERROR, "mm", "the cutter enters the part between passes"

@@ -12,7 +12,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles, read_stl
 from freecad_fiveaxis.core.geometry.solids import box_facets, frustum_facets, sphere_facets
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.bodies import BOX, CONE, FILE, SPHERE, SPINDLE, MachineBody
+from freecad_fiveaxis.core.machine.bodies import BOX, CONE, FILE, SPHERE, SPINDLE, MachineBody, is_round
 from freecad_fiveaxis.core.tool.body import SPINDLE as SPINDLE_PART
 from freecad_fiveaxis.core.tool.body import Body, frustum_piece
 
@@ -37,11 +37,11 @@ def make_mesh(body: MachineBody, shift: Floats, progress: Progress = silent) -> 
 
 
 def spindle_body(machine: Machine, length: float) -> Body:
-    """Give what the spindle carries as pieces about the tool axis, heights from a driven point ``length`` mm below the gauge
-    point."""
+    """Give what is round of what the spindle carries as pieces about the tool axis, heights from a driven point ``length`` mm
+    below the gauge point."""
     pieces = []
     for body in machine.bodies:
-        if body.carrier == SPINDLE:
+        if body.carrier == SPINDLE and is_round(body, machine.gauge_point):
             low, high = (point[2] - machine.gauge_point[2] + length for point in body.points)
             wide = body.radii if body.shape == CONE else (body.radii[0], body.radii[0])
             pieces.append(frustum_piece(low, wide[0], high, wide[1], SPINDLE_PART))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool, and what the spindle carries, against the bodies of the machine, on the way that the machine really goes.
+"""The tool, and what the spindle carries, against the bodies of the machine, and these against each other (:mod:`.body_pairs`),
+on the way that the machine really goes.
 
 locked   words whose joints between the body's carrier and the work stand at zero: seen from the carrier the tool then goes as it
          does in a work frame that the carrier holds, which is that of all joints at zero. So each body stands still, whatever
@@ -21,23 +22,25 @@ from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, Sentence, joined, say
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Machine, Vector
-from freecad_fiveaxis.core.machine.bodies import BASE, SPINDLE, MachineBody
+from freecad_fiveaxis.core.machine.bodies import BASE, MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
+from .body_pairs import REMEDY, PairCheck, check_pairs
+from .carried_pieces import carry_bodies, carry_tool, carry_work
 from .check import GougeCheck, check_program
+from .fixtures import Fixture
 from .machine_bodies import make_mesh, spindle_body
 from .worst import Worst, find_nearest, find_unproven, find_worst, near_finding
-
-REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
 
 
 @dataclass(frozen=True, eq=False)
 class InMachine:
     """What is to be checked: the ``machine`` with its bodies, the ``setup`` in which the part stands on it, the chain of both,
     and the tool's ``body``. ``length`` mm, gauge point to the driven point; None where it is not known. ``back`` mm from the tip
-    up to that point; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm to bodies that have none of their own."""
+    up to that point; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm to bodies that have none of their own;
+    ``fixtures`` stand beside the part."""
 
     machine: Machine
     setup: Setup
@@ -47,13 +50,15 @@ class InMachine:
     back: float = 0.0
     rapids: str = INTERPOLATED
     clearance: float = 0.0
+    fixtures: tuple[Fixture, ...] = ()
 
 
 def check_machine(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress = silent
 ) -> tuple[Finding, ...]:
-    """Find where tool or spindle go more than ``tolerance`` mm into a body of the machine, and the spindle into the ``part``
-    (None: not known), on any block. None deeper is missed; told of each body is the deepest place.
+    """Find where tool or spindle go more than ``tolerance`` mm into a body of the machine, the spindle into the ``part`` (None:
+    not known), and bodies into each other, part and fixtures, on any block. None deeper is missed; told of each is the deepest
+    place.
     Nothing is found where the machine's file names no bodies. Raises FiveAxisError for the file of a body that cannot be used."""
     if not given.machine.bodies:
         return ()
@@ -67,6 +72,7 @@ def check_machine(
         *_unplaced(given),
         *_against_bodies(given, program, tolerance, progress),
         *_against_part(given, program, part, tolerance, progress),
+        *_of_bodies(given, program, part, tolerance, progress),
     )
 
 
@@ -84,11 +90,18 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
 
 
 def needs_length(machine: Machine, body: MachineBody) -> bool:
-    """Tell whether the place of a body against the tip depends on the tool's length: where the table moves along Z beyond it."""
-    if body.carrier == SPINDLE:
+    """Tell whether the place of a body against the tip depends on the tool's length: where the head carries it, or the table
+    moves along Z beyond it."""
+    if not _is_held(machine, body):
         return True
     locked = _locked_letters(machine, body)
     return any(axis.letter in locked and not axis.rotary and abs(axis.direction[2]) > 1e-9 for axis in machine.axes)
+
+
+def _is_held(machine: Machine, body: MachineBody) -> bool:
+    """Tell whether table or base carry a body, not the head."""
+    table = [axis.letter for axis in machine.fitted if axis.side == "table"]
+    return body.carrier in (BASE, *table)
 
 
 def _locked_letters(machine: Machine, body: MachineBody) -> str:
@@ -116,7 +129,7 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
 def _against_bodies(given: InMachine, program: Program, tolerance: float, progress: Progress) -> Iterator[Finding]:
     stack = _stack(given)
     for body in given.machine.bodies:
-        if body.carrier == SPINDLE or (given.length is None and needs_length(given.machine, body)):
+        if not _is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
         letters = _locked_letters(given.machine, body)
         moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
@@ -140,6 +153,21 @@ def _against_part(
         check = check_program(part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids)
         yield from _entering(say("part"), "", check, given, program, tolerance)
         yield from _unproven(say("part"), check, program, tolerance)
+
+
+def _of_bodies(
+    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
+) -> tuple[Finding, ...]:
+    """What bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its head."""
+    machine, setup, kinematics = given.machine, given.setup, given.kinematics
+    rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
+    known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
+    carried = [*carry_bodies(machine, progress), *carry_work(machine, setup, part, given.fixtures)]
+    if given.length is not None:
+        carried += carry_tool(machine, given.body, given.length + given.back)
+    zero = zero_words(machine, setup, kinematics)
+    check = PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
+    return check_pairs(check, carried, progress)
 
 
 def _spindle(given: InMachine) -> Body:

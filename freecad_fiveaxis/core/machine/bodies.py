@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies of a machine, under ``fiveaxis.bodies`` of its file: what the tool must not hit, and what carries the tool.
+"""Bodies of a machine, under ``fiveaxis.bodies`` of its file: what must not hit each other, and what the tool must not hit.
 
-carrier  the axis of the table that carries the body, ``base`` for what stands still, ``spindle`` for what goes with the tool.
+carrier  the axis that carries the body, ``base`` for what stands still, ``spindle`` for what goes with the tool.
 shape    ``box`` {low, high}, ``cylinder`` {low, high, radius}, ``cone`` {low, high, low_radius, high_radius} (low and high are
          the middles of its ends), ``sphere`` {centre, radius}, or ``file``, an STL in mm beside the machine's file.
-clearance  how near tool and spindle may come.
+clearance  how near tool, spindle and other bodies may come.
 place    all in the machine frame with every joint at zero, in the file's unit.
 """
 
@@ -43,27 +43,20 @@ class MachineBody:
     clearance: float = 0.0
 
 
-def check_carriers(bodies: Sequence[MachineBody], table: Sequence[str], gauge: Vector) -> None:
-    """Refuse a body whose carrier is no axis of the ``table``, and one on the spindle that does not turn with the tool about the
-    line through the ``gauge`` point, mm. Raises MachineError."""
+def check_carriers(bodies: Sequence[MachineBody], letters: Sequence[str]) -> None:
+    """Refuse a body whose carrier is no axis of these ``letters``. Raises MachineError."""
     for body in bodies:
-        if body.carrier not in (BASE, SPINDLE, *table):
-            known = ", ".join((BASE, SPINDLE, *table))
+        if body.carrier not in (BASE, SPINDLE, *letters):
+            known = ", ".join((BASE, SPINDLE, *letters))
             text = say(
-                "body {name}: {carrier} carries no body that is looked at; name one of {known}", name=body.name,
-                carrier=body.carrier, known=known,
-            )  # fmt: skip
-            raise MachineError(text, body.carrier)
-        if body.carrier == SPINDLE and not _is_round(body, gauge):
-            text = say(
-                "body {name}: what the spindle carries is a cylinder or a cone about the line through the gauge point, upright, "
-                "its low end first; give one around it",
-                name=body.name,
+                "body {name}: {carrier} carries no body; name one of {known}", name=body.name, carrier=body.carrier, known=known
             )
-            raise MachineError(text, body.name)
+            raise MachineError(text, body.carrier)
 
 
-def _is_round(body: MachineBody, gauge: Vector) -> bool:
+def is_round(body: MachineBody, gauge: Vector) -> bool:
+    """Tell whether a body of the spindle turns with the tool about the line through the ``gauge`` point, mm: a cylinder or a
+    cone, upright. It is then proven as part of the tool."""
     if body.shape not in (CYLINDER, CONE):
         return False
     low, high = body.points

@@ -166,7 +166,7 @@ class Machine:
                 self.table,
             )
         self._check_axes()
-        check_carriers(self.bodies, [axis.letter for axis in self.fitted if axis.side == "table"], self.gauge_point)
+        check_carriers(self.bodies, [axis.letter for axis in self.fitted])
         if not 0.0 <= self.singular_cone <= math.pi / 2:
             cone = math.degrees(self.singular_cone)
             raise MachineError(

@@ -48,14 +48,14 @@ def over_tip(draft: ProgramDraft) -> Body:
 
 
 def look_in_machine(draft: ProgramDraft, against: object, progress: Progress) -> tuple[Finding, ...]:
-    """Find what tool and spindle hit of the machine, and the spindle of the part (fixtures are looked
-    at by themselves); ``against``: what an audit compares with."""
+    """Find what tool, spindle and bodies of the machine hit of it, and the spindle of the part (what the tool hits of fixtures is
+    looked at by itself); ``against``: what an audit compares with."""
     settings = draft.settings
     machine, setup, _ = resolve_setup(settings, draft.machine)
     length = None if settings.machine.tool_length is None else setup.tool_length
     part = draft.mesh if isinstance(draft, MilledProgram) else against if isinstance(against, Mesh) else None
     given = InMachine(
         machine, setup, draft.kinematics, tool_body(settings), length, tip_to_driven(settings),
-        rapids_of(settings, machine, draft.dialect), settings.gouge.fixture_clearance,
+        rapids_of(settings, machine, draft.dialect), settings.gouge.fixture_clearance, draft.fixtures,
     )  # fmt: skip
     return check_machine(given, draft.program, part, settings.proof.tolerance, progress)

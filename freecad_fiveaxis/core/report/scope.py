@@ -58,6 +58,13 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     names, codes = looked_at_bodies(figures), {one.code for one in figures.findings}
     if names and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say("tool and spindle, as far as they are given, stay out of the machine's bodies: {names}", names=names)
+    together = _looked_at_together(figures)
+    if together and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
+        yield say(
+            "of the machine's bodies those that move against each other stay out of each other, and out of part and fixtures as "
+            "far as these are known, but for neighbours that touch with all axes at zero: {names}",
+            names=together,
+        )
     if figures.fixtures and not codes & {Code.FIXTURE_COLLISION, Code.FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
         yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
@@ -127,11 +134,15 @@ def looked_at_bodies(figures: Figures) -> str:
     return ", ".join(body.name for body in looked_at if body.carrier != SPINDLE)
 
 
+def _looked_at_together(figures: Figures) -> str:
+    """Name all bodies of a machine, with commas, where some move against others; none where the tip is guided."""
+    bodies = figures.machine.bodies if figures.program.guided is None else ()
+    return ", ".join(body.name for body in bodies) if len({body.carrier for body in bodies}) > 1 else ""
+
+
 def _unknown(figures: Figures) -> Iterator[Sentence]:
     if looked_at_bodies(figures):
-        yield say(
-            "fixtures that were not given, other bodies of the machine, these against each other, and stock that is still there"
-        )
+        yield say("fixtures that were not given, other bodies of the machine, and stock that is still there")
     elif figures.fixtures:
         yield say("other fixtures, the machine's own bodies, and stock that is still there")
     else:

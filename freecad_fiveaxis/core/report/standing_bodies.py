@@ -3,7 +3,8 @@
 
 frame     as in :mod:`.playback`: parallel to the machine's, its zero where the work zero stands while all words are 0. A file
           gives its bodies at all *joints* zero; from there each is moved back to where its axis has it while all words are 0.
-place     ``base``, ``spindle``, ``platter`` (on the table axis next to the work) or ``cradle`` (on one of the others).
+place     ``base``, ``spindle``, ``platter`` (on the table axis next to the work) or ``cradle`` (on one of the others, those of
+          the head among them).
 """
 
 from __future__ import annotations
@@ -66,20 +67,20 @@ def stand_bodies(
         else:
             axis = kinematics.letters.index(body.carrier)
             back = rigid_inverse(resting["machine_from_carried"][0, axis])[:3, 3]
-            place = PLATTER if axis == table[0] else CRADLE
+            place = PLATTER if axis in table[:1] else CRADLE
             found.append(StandingBody(body.name, place, axis, make_mesh(body, at_zero + back, progress)))
     return tuple(found)
 
 
 def leave_out(sketched: Sequence[Body], standing: Sequence[StandingBody], kinematics: Chain) -> tuple[Body, ...]:
-    """Leave out of a sketch what stands where bodies of the machine's file do: on a table axis or base that carries some, and
-    where they are the spindle's."""
+    """Leave out of a sketch what stands where bodies of the machine's file do: on an axis or base that carries some, and where
+    they are the spindle's."""
     taken = {one.carrier for one in standing if one.place != SPINDLE}
     spindle, head = any(one.place == SPINDLE for one in standing), _last_of_head(kinematics)
 
     def replaced(body: Body) -> bool:
         if body.name in ON_HEAD:
-            return spindle and (body.name == "spindle" or body.carrier == head)
+            return body.carrier in taken or (spindle and (body.name == "spindle" or body.carrier == head))
         return body.name in ON_TABLE and body.carrier in taken
 
     return tuple(body for body in sketched if not replaced(body))

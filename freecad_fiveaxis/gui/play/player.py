@@ -143,11 +143,12 @@ class Player:
 
 
 def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
-    """What is hit, of findings by their codes."""
+    """What is hit, of findings by their codes. A body of the machine may be what enters, and a fixture what it enters."""
     fixture = (Code.FIXTURE_COLLISION, Code.FIXTURE_NEAR)
+    machine = [hit for code, hit in hits if code not in fixture]
     return Struck(
-        frozenset(hit.entered for code, hit in hits if hit.entered and code not in fixture),
-        frozenset(hit.entered for code, hit in hits if code in fixture),
+        frozenset(name for hit in machine for name in (hit.enters, hit.entered) if name and name not in PARTS),
+        frozenset(hit.entered for code, hit in hits if code in fixture or (hit.entered and hit.enters not in PARTS)),
         any(hit.enters == PARTS[SPINDLE] for _, hit in hits),
     )
 

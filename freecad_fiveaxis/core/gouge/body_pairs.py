@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies of the machine against each other, and against part and fixtures, on the way that the machine really goes.
+
+Pairs whose carriers move against each other are looked at, each with the joints between its carriers alone: blocks in which these
+stand, or which repeat others, cost nothing. What tool and spindle hit of the bodies of table and base is found in
+:mod:`.machine_check`; here the tool is looked at against bodies that other axes of its own head carry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, Hit, report_finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.rapids import INTERPOLATED
+from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.sentences import Length, Point, Sentence, joined, say
+from freecad_fiveaxis.core.machine import Machine, Vector
+from freecad_fiveaxis.core.machine.kinematics import Chain, forward, words_to_q
+from freecad_fiveaxis.core.motion.program import Program
+
+from .body_search import Meetings, Pair, find_meetings
+from .carried_motion import Step
+from .carried_pieces import TOOL, Carried, CarriedPair, pair_up
+from .rapid_check import independent_rapids
+
+PARED, SLACK = 0.9, 0.1
+"""Shares of the tolerance: pieces are pared by the one, and what is open by the other is called free."""
+
+FINEST = 0.1
+"""Depths and distances are known to this share of themselves, or to the tolerance."""
+
+REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
+SAME_SIDE = say("Place the part otherwise on the table, or lean the tool less, so that the axes need not go there.")
+"""What helps, and what does where the tool's length changes nothing."""
+
+
+@dataclass(frozen=True, eq=False)
+class PairCheck:
+    """``zero`` (5,) mm and degrees: the words at which every joint stands at zero, those of ``known`` (5,) whether or not the
+    tool's length is known; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm between bodies that have none."""
+
+    machine: Machine
+    kinematics: Chain
+    program: Program
+    zero: Floats
+    known: Bools
+    rapids: str
+    tolerance: float
+    clearance: float = 0.0
+
+
+class Closest(NamedTuple):
+    """Of one pair: ``block`` and ``u`` (None: not known) of the deepest place, or of the nearest; ``level`` mm: how deep at
+    least, or less than 0: how near at most; ``place`` (3,) mm, seen from what carries the entered piece; ``blocks``: how many
+    there are."""
+
+    block: int
+    u: float | None
+    level: float
+    place: Vector
+    blocks: int
+
+
+def check_pairs(given: PairCheck, carried: Sequence[Carried], progress: Progress = silent) -> tuple[Finding, ...]:
+    """Find where bodies go more than the tolerance into each other, or nearer than the clearance, on any block. None deeper is
+    missed; told of each pair is the deepest place, or the nearest where they stay out of each other."""
+    pairs, touching = pair_up(given.machine, carried)
+    found, of_tool = list(_touching(touching)), list[Finding]()
+    for k, pair in enumerate(pairs):
+        progress("gouge", k / len(pairs))
+        columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
+        if given.known[columns].all():
+            new = _look_at(given, pair, _joints(given, pair.motion.steps, columns))
+            (of_tool if pair.enters.kind == TOOL else found).extend(new)
+    return (*found, *_worst_of_tool(of_tool))
+
+
+def _worst_of_tool(found: Sequence[Finding]) -> Iterator[Finding]:
+    """Of each body the worst of what the tool's many pieces do to it."""
+    worst: dict[str, Finding] = {}
+    for one in found:
+        met = one.hit or one.near
+        name = met.entered if met else one.text
+        other = worst.setdefault(name, one)
+        if (one.severity, one.hit is not None, _badness(one)) > (other.severity, other.hit is not None, _badness(other)):
+            worst[name] = one
+    yield from worst.values()
+
+
+def _badness(one: Finding) -> float:
+    """What is deeper is worse, and what is nearer."""
+    return (one.value or 0.0) if one.hit else -(one.value or 0.0)
+
+
+def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
+    if pairs:
+        names = "; ".join(f"{one.name}, {other.name}" for one, other in pairs)
+        text = say(
+            "These touch each other with all axes at zero, so they are taken for neighbours and were not looked at against each "
+            "other: {names}.",
+            names=names,
+        )
+        yield report_finding(Code.MACHINE_TOUCHING, text, float(len(pairs)))
+
+
+def _joints(given: PairCheck, steps: Sequence[Step], columns: Sequence[int]) -> Floats:
+    """The joints (m, k) of the steps in every row of the program, mm and rad."""
+    off = (given.program.words - given.zero)[:, columns]
+    return np.where([step.axis.rotary for step in steps], np.deg2rad(off), off)
+
+
+def _look_at(given: PairCheck, pair: CarriedPair, joints: Floats) -> Iterator[Finding]:
+    levels = _Levels(given, pair, joints)
+    deep, unproven = levels.find(PARED * given.tolerance, levels.most)
+    if deep is not None:
+        yield _collision(given, pair, deep)
+        return
+    if len(unproven):
+        yield _unproven(given, pair, unproven)
+        return
+    wanted = max(pair.moved.clearance, pair.standing.clearance) or given.clearance
+    near, _ = levels.find(PARED * given.tolerance - wanted, 0.0) if wanted > given.tolerance else (None, None)
+    if near is not None:
+        yield _near(given, pair, near, wanted)
+
+
+@dataclass(frozen=True, eq=False)
+class _Levels:
+    """A pair at a level, mm: above 0 what lies so deep in the standing piece is met, below 0 what comes so near. ``joints``
+    (m, k) of the program's rows."""
+
+    given: PairCheck
+    pair: CarriedPair
+    joints: Floats
+
+    @property
+    def most(self) -> float:
+        """Nothing can be deeper, mm."""
+        rounds = self.pair.moved.piece.round + self.pair.standing.piece.round
+        return 0.99 * (rounds or self.pair.standing.piece.inmost[1])
+
+    def at(self, level: float) -> Pair:
+        """Give the pair whose meetings are those of the level."""
+        motion, standing = self.pair.motion, self.pair.standing.piece
+        if level > 0.0 and not self.pair.moved.piece.round + standing.round:
+            return Pair(motion, standing.pared(min(level, self.most)))
+        return Pair(motion, standing, -min(level, self.most))
+
+    def meet(self, level: float, blocks: Ints, joined: bool) -> Meetings:
+        """Find the meetings of these blocks (k,)."""
+        start, end = self.joints[blocks], self.joints[blocks + 1]
+        return find_meetings(self.at(level), start, end, joined, SLACK * self.given.tolerance)
+
+    def find(self, level: float, most: float) -> tuple[Closest | None, Ints]:
+        """Find the block that is deepest, from ``level`` mm up to ``most``; and the blocks (k,) of which that is not proven."""
+        blocks = np.arange(len(self.joints) - 1)
+        found, unproven = self._deepest(level, most, blocks, True)
+        if self.given.rapids != INTERPOLATED and found is None:
+            rapids = independent_rapids(self.given.program)
+            found, more = self._deepest(level, most, rapids, False)
+            unproven = np.union1d(unproven, more)
+        return found, unproven
+
+    def _deepest(self, level: float, most: float, blocks: Ints, joined: bool) -> tuple[Closest | None, Ints]:
+        met = self.meet(level, blocks, joined)
+        unproven, count = blocks[met.unproven], int(met.met.sum())
+        if not count:
+            return None, unproven
+        best = self._one(level, blocks, met, count, joined)
+        blocks = blocks[met.met]
+        while most - level > max(FINEST * abs(level), self.given.tolerance):
+            middle = 2.0 * level if 0.0 < 2.0 * level < most else 0.5 * (level + most)
+            met = self.meet(middle, blocks, joined)
+            if met.met.any():
+                level, best = middle, self._one(middle, blocks, met, count, joined)
+                blocks = blocks[met.met]
+            else:
+                most = middle
+        return best, unproven
+
+    def _one(self, level: float, blocks: Ints, met: Meetings, count: int, joined: bool) -> Closest:
+        """The first that is met."""
+        at = int(met.met.argmax())
+        place = met.place[at]
+        if self.pair.entered is self.pair.moved:
+            turn, shift = (part[0] for part in self.pair.motion.lines(met.joints[at : at + 1]).poses)
+            place = (place - shift) @ turn
+        x, y, z = place.tolist()
+        return Closest(int(blocks[at]), float(met.u[at]) if joined else None, level, (x, y, z), count)
+
+
+def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
+    text = say(
+        "The {part} goes at least {depth} into the {name}, at {at}, deepest of {count} blocks.",
+        part=pair.enters.name, depth=Length(deep.level, ".4g"), name=pair.entered.name, at=_at(deep), count=deep.blocks,
+    )  # fmt: skip
+    row, line, place = _where(given, deep.block)
+    remedy = SAME_SIDE if len({step.axis.side for step in pair.motion.steps}) == 1 else REMEDY
+    text, hit = joined((text, remedy)), Hit(pair.enters.key, pair.entered.key, deep.u)
+    return report_finding(Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit)
+
+
+def _near(given: PairCheck, pair: CarriedPair, near: Closest, wanted: float) -> Finding:
+    distance = min(given.tolerance - near.level, wanted)
+    text = say(
+        "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.",
+        part=pair.enters.name, distance=Length(distance, ".3g"), name=pair.entered.name, at=_at(near), count=near.blocks,
+        clearance=Length(wanted),
+    )  # fmt: skip
+    row, line, place = _where(given, near.block)
+    return report_finding(
+        Code.MACHINE_NEAR, text, distance, wanted, row, line, place, near=Hit(pair.enters.key, pair.entered.key, near.u)
+    )
+
+
+def _unproven(given: PairCheck, pair: CarriedPair, blocks: Ints) -> Finding:
+    row, line, _ = _where(given, int(blocks[0]))
+    text = say(
+        "In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one "
+        "group of axes after the other, or place the part otherwise on the table.",
+        count=len(blocks), part=pair.enters.name, name=pair.entered.name, line=line,
+    )  # fmt: skip
+    return report_finding(Code.MACHINE_UNPROVEN, text, block=row, line=line)
+
+
+def _at(closest: Closest) -> Sentence:
+    """Where that is on the machine, in words."""
+    return say("{at} in the machine frame with the axes that carry it at zero", at=Point(closest.place, ".4g"))
+
+
+def _where(given: PairCheck, block: int) -> tuple[int, int, Vector]:
+    """The row to which a block leads, its NC line, and where the tip then is, mm, work frame."""
+    row = block + 1
+    x, y, z = forward(given.kinematics, words_to_q(given.program.words[row : row + 1]))[0][0].tolist()
+    return row, int(given.program.line[row]), (x, y, z)

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the axes of a machine carry, as convex pieces at all joints zero: its bodies, part and fixtures, and the tool.
+
+hull      of an STL, part or fixture its convex hull is taken: what lies in its hollows counts as in it.
+round     cylinders and cones get flat sides around them (:mod:`.solids`), spheres are what they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.sentences import say
+from freecad_fiveaxis.core.geometry.convex import Convex, Poses, convex_hull, find_gaps
+from freecad_fiveaxis.core.geometry.mesh import Mesh
+from freecad_fiveaxis.core.geometry.solids import frustum_facets
+from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.machine.bodies import SPHERE, SPINDLE, MachineBody, is_round
+from freecad_fiveaxis.core.machine.kinematics import Setup
+from freecad_fiveaxis.core.tool.body import PARTS, Body, Piece
+
+from .carried_motion import CarriedMotion, carriers_from_base, steps_between, work_carrier
+from .fixtures import Fixture
+from .machine_bodies import make_mesh
+
+TOUCHING = 0.05
+"""mm; pieces of neighbours that are nearer with all joints at zero touch by construction."""
+
+TOOL, BODY, HELD = 0, 1, 2
+"""Cutter, shank and holder; bodies of the machine's file; part and fixtures: it is always the first that enters the last."""
+
+
+class Carried(NamedTuple):
+    """``name`` as it is told of, ``key`` as in a Hit; ``carrier``; ``kind``: TOOL, BODY or HELD; ``clearance`` mm of its own;
+    ``stacked``: whether it goes with the tool wherever that is proven against what table and base carry."""
+
+    name: str
+    key: str
+    carrier: str
+    piece: Convex
+    kind: int
+    clearance: float = 0.0
+    stacked: bool = False
+
+
+class CarriedPair(NamedTuple):
+    """What is ``moved``, and how, seen from the carrier of what is ``standing``; ``enters`` and ``entered``: the same two as they
+    are told of."""
+
+    moved: Carried
+    standing: Carried
+    motion: CarriedMotion
+    enters: Carried
+    entered: Carried
+
+
+def carry_bodies(machine: Machine, progress: Progress = silent) -> list[Carried]:
+    """Give the bodies of a machine's file. Raises FiveAxisError for a file that is no mesh."""
+    return [
+        Carried(
+            body.name, body.name, body.carrier, _body_piece(body, progress), BODY, body.clearance,
+            body.carrier == SPINDLE and is_round(body, machine.gauge_point),
+        )
+        for body in machine.bodies
+    ]  # fmt: skip
+
+
+def _body_piece(body: MachineBody, progress: Progress) -> Convex:
+    if body.shape == SPHERE:
+        return convex_hull(np.array(body.points), body.radii[0])
+    return convex_hull(make_mesh(body, np.zeros(3), progress).vertex)
+
+
+def carry_work(machine: Machine, setup: Setup, part: Mesh | None, fixtures: Sequence[Fixture]) -> list[Carried]:
+    """Give the part (None: not known), and the fixtures, both with their vertices in the work frame."""
+    carrier = work_carrier(machine)
+    held: list[tuple[str, str, Mesh]] = [] if part is None else [(say("part"), "", part)]
+    held += [(one.name, one.name, one.mesh) for one in fixtures]
+    return [Carried(name, key, carrier, convex_hull(mesh.vertex + setup.origin), HELD) for name, key, mesh in held]
+
+
+def carry_tool(machine: Machine, tool: Body, length: float) -> list[Carried]:
+    """Give the pieces of the ``tool``, whose tip stands ``length`` mm below the gauge point."""
+    tip = np.array(machine.gauge_point) - (0.0, 0.0, length)
+    return [Carried(PARTS[one.part], PARTS[one.part], SPINDLE, _tool_piece(one, tip), TOOL, stacked=True) for one in tool.pieces]
+
+
+def _tool_piece(piece: Piece, tip: Floats) -> Convex:
+    up = np.array([0.0, 0.0, 1.0])
+    low, high = tip + piece.low * up, tip + piece.high * up
+    if max(piece.low_radius, piece.high_radius) <= 0.0:
+        return convex_hull(np.unique([low, high], axis=0), piece.round)
+    if piece.low == piece.high:
+        disc = frustum_facets(low, low + up, piece.low_radius, piece.low_radius).reshape(-1, 3)
+        return convex_hull(np.unique(disc * (1.0, 1.0, 0.0) + (0.0, 0.0, low[2]), axis=0), piece.round)
+    return convex_hull(frustum_facets(low, high, piece.low_radius, piece.high_radius).reshape(-1, 3), piece.round)
+
+
+def pair_up(machine: Machine, carried: Sequence[Carried]) -> tuple[list[CarriedPair], list[tuple[Carried, Carried]]]:
+    """Give the pairs that move against each other and are proven nowhere else, and of neighbours those that touch with all joints
+    at zero, which are none."""
+    pairs, touching = [], []
+    for one, other in combinations(carried, 2):
+        if BODY not in (one.kind, other.kind) or _with_the_tool(machine, one, other):
+            continue
+        if not steps_between(machine, one.carrier, other.carrier):
+            continue
+        if _neighbours(machine, one, other) and touches(one.piece, other.piece):
+            touching.append((one, other))
+        else:
+            pairs.append(min(_ways(machine, one, other), key=_lever))
+    return pairs, touching
+
+
+def _with_the_tool(machine: Machine, one: Carried, other: Carried) -> bool:
+    """Tell whether the pair is proven with the tool, or stands still to it: only bodies of the head are left."""
+    head = [axis.letter for axis in machine.fitted if axis.side == "head"]
+    pairs = ((one, other), (other, one))
+    return any(a.stacked and (b.stacked or b.carrier not in (*head, SPINDLE)) for a, b in pairs)
+
+
+def _neighbours(machine: Machine, one: Carried, other: Carried) -> bool:
+    """Tell whether a pair can touch by construction: not across from table to head, which are anywhere at all joints zero."""
+    (near, down), (far, up) = (carriers_from_base(machine, each.carrier) for each in (one, other))
+    return not near or not far or down == up
+
+
+def touches(one: Convex, other: Convex) -> bool:
+    """Tell whether two pieces touch, or are in each other, as they stand."""
+    still, none = Poses(np.eye(3)[None], np.zeros((1, 3))), np.zeros(1)
+    return bool(find_gaps(one, other, still, TOUCHING, none, np.array([[0.0, 0.0, 1.0]])).met[0])
+
+
+def _ways(machine: Machine, one: Carried, other: Carried) -> Iterator[CarriedPair]:
+    named = sorted((one, other), key=lambda each: each.kind)
+    for standing, moved in ((one, other), (other, one)):
+        motion = CarriedMotion(steps_between(machine, standing.carrier, moved.carrier), moved.piece)
+        yield CarriedPair(moved, standing, motion, *(named if one.kind != other.kind else (moved, standing)))
+
+
+def _lever(pair: CarriedPair) -> float:
+    """How far a turn of all joints would move it: the less, the fewer cells are needed."""
+    lines = pair.motion.lines(np.zeros((1, len(pair.motion.steps))))
+    return float(lines.lever[pair.motion.rotary].sum())
