@@ -206,6 +206,26 @@ def _of_machines_and_places() -> dict[str, str]:
         "nc_file": translate("FiveAxis", "NC file"),
         "nc_path": translate("FiveAxis", "NC file"),
         "part": translate("FiveAxis", "Part in the document"),
+        **_of_the_machine_editor(),
+    }
+
+
+def _of_the_machine_editor() -> dict[str, str]:
+    return {
+        "start_from": translate("FiveAxis", "Start from"),
+        "machine_name": translate("FiveAxis", "Name"),
+        "machine_description": translate("FiveAxis", "Description"),
+        "machine_controller": translate("FiveAxis", "Controller"),
+        "gauge_point": translate("FiveAxis", "Gauge point"),
+        "machine_origin": translate("FiveAxis", "Work zero on the machine"),
+        "table_height": translate("FiveAxis", "Height of the table's face"),
+        "axis_letter": translate("FiveAxis", "Letter"),
+        "axis_side": translate("FiveAxis", "Moves"),
+        "axis_direction": translate("FiveAxis", "Direction"),
+        "axis_point": translate("FiveAxis", "Point of the axis"),
+        "axis_low": translate("FiveAxis", "Lower limit"),
+        "axis_high": translate("FiveAxis", "Upper limit"),
+        "axis_rate": translate("FiveAxis", "Largest rate"),
     }
 
 

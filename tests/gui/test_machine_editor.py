@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine editor by its widgets: changed, judged while typing, moved, written as a new file that all lists have from then on."""
+
+import json
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from conftest import close_all
+from test_workshop import cut, panel_form
+
+from freecad_fiveaxis.app import machines
+from freecad_fiveaxis.core.machine import load_machine, machine_path
+
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
+SLID = 1000
+
+
+@pytest.fixture
+def folder(parameters, tmp_path):
+    """The user's folder of machines, which is not there yet."""
+    group = parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis")
+    group.Clear()
+    group.SetString("MachineFolder", str(tmp_path / "machines"))
+    group.SetString("OutputFolder", str(tmp_path))
+    group.SetString("Machine", "trunnion_ac")
+    return tmp_path / "machines"
+
+
+@pytest.fixture
+def empty(window, until):
+    """No document is open, before and after."""
+    close_all(*FreeCAD.listDocuments())
+    yield
+    until(lambda: not FreeCAD.listDocuments(), 20000, "what was open for the panel alone is closed")
+
+
+@pytest.fixture
+def row(field, click, pump):
+    """row(table name, text): click the row that has this text in its first cell."""
+
+    def choose(name, text):
+        table = field(name)
+        model = table.model()
+        at = next(at for at in range(model.rowCount()) if model.data(model.index(at, 0)) == text)
+        click(table.viewport(), table.visualRect(model.index(at, 0)).center())
+        pump(50)
+
+    return choose
+
+
+def cells(table):
+    model = table.model()
+    return [[model.data(model.index(row, column)) for column in range(model.columnCount())] for row in range(model.rowCount())]
+
+
+def findings(field):
+    return field("editor_findings").text()
+
+
+def test_a_machine_is_changed_and_written_as_a_new_file(
+    empty, whole_screen, folder, press, field, row, type_into, choose, click, until, panel_button, panel_closed, screenshot
+):
+    press("FiveAxis_EditMachine", SLID)
+    assert [line[0] for line in cells(field("axes_table"))] == ["C", "A", "X", "Y", "Z"]
+    assert cells(field("axes_table"))[1] == ["A", "table", "-120°", "120°", "5400 °/min"]
+    until(lambda: "a name of its own" in findings(field), 20000, "the name is taken")
+    type_into(field("machine_name"), "mine")
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    assert field("machine_file").text() == str(folder / "mine.fcm")
+    row("axes_table", "A")
+    for name, value in (("axis_low", "-30"), ("axis_high", "110 deg"), ("axis_rate", "720")):
+        type_into(field(name), value)
+    type_into(field("axis_point_z"), "-42.5 mm")
+    click(field("axis_reverse"))
+    assert cells(field("axes_table"))[1] == ["A", "table", "-30°", "110°", "720 °/min"]
+    row("axes_table", "X")
+    assert field("axis_low").text() == "-500 mm"
+    type_into(field("axis_low"), "none")
+    until(lambda: "axis X has no end" in findings(field), 20000, "what is left open")
+    type_into(field("axis_low"), "-12 in")
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
+    screenshot("machine-editor")
+    assert not folder.exists() and not field("prove").isEnabled()
+    click(field("save"))
+    until(lambda: (folder / "mine.fcm").exists(), 20000, "the file")
+    until(lambda: "Written: " in findings(field), 20000, "that it is written")
+    panel_button("Close", 500)  # nothing is asked
+    panel_closed()
+    assert str(folder / "mine.fcm") in [one.machine for one in machines.choices()]
+    old = json.loads(machine_path("trunnion_ac").read_bytes())
+    new = json.loads((folder / "mine.fcm").read_bytes())
+    a, x = (new["machine"]["axes"][letter] for letter in "AX")
+    assert a["limits"] == {"min": -30.0, "max": 110.0} and a["max_velocity"] == 720.0
+    assert a["joint"] == {"origin": [0.0, 0.0, -42.5], "axis": [-1.0, 0.0, 0.0]}
+    assert x["limits"] == {"min": pytest.approx(-304.8), "max": 500.0}
+    for key in ("limits", "max_velocity", "joint"):
+        a[key] = old["machine"]["axes"]["A"][key]
+    x["limits"], new["machine"]["name"] = old["machine"]["axes"]["X"]["limits"], "trunnion_ac"
+    assert new == old, "nothing else"
+
+
+def test_what_is_wrong_is_named_while_typing_and_cannot_be_written(
+    empty, whole_screen, folder, press, field, row, type_into, choose, click, until, panel_button, panel_closed, modal
+):
+    press("FiveAxis_EditMachine", SLID)
+    type_into(field("machine_name"), "mine")
+    row("axes_table", "Y")
+    type_into(field("axis_low"), "600")
+    until(lambda: "axis Y: limits min" in findings(field), 20000, "what is wrong")
+    row("axes_table", "A")
+    type_into(field("axis_rate"), "0")
+    until(lambda: "axis A has no maximum rate" in findings(field), 20000, "both errors")
+    assert "axis Y: limits min" in findings(field) and not field("save").isEnabled()
+    type_into(field("axis_rate"), "100")
+    row("axes_table", "Y")
+    type_into(field("axis_low"), "-600")
+    row("axes_table", "A")
+    click(field("axis_up"))
+    until(lambda: "order of the two" in findings(field), 20000, "a chain that cannot be solved")
+    assert [line[0] for line in cells(field("axes_table"))][:2] == ["A", "C"]
+    click(field("axis_down"))
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    assert not field("axis_down").isEnabled(), "the base is next"
+    choose(field("axis_side"), "the tool (head)")
+    assert [line[:2] for line in cells(field("axes_table"))][:3] == [["C", "table"], ["A", "head"], ["X", "head"]]
+    met = modal("Cancel")
+    panel_button("Close")
+    until(lambda: met.said, 20000, "a question")
+    assert FreeCADGui.Control.activeDialog() and field("machine_name").text() == "mine"
+    met = modal("Do not save")
+    panel_button("Close")
+    panel_closed()
+    assert "not saved" in met.said[0] and not folder.exists()
+
+
+def test_axes_are_removed_and_added(
+    empty, whole_screen, folder, press, field, row, type_into, click, until, panel_button, panel_closed, modal
+):
+    press("FiveAxis_EditMachine", SLID)
+    row("axes_table", "C")
+    click(field("axis_remove"))
+    assert [line[0] for line in cells(field("axes_table"))] == ["A", "X", "Y", "Z"]
+    until(lambda: field("save").isEnabled(), 20000, "four axes are a machine")
+    menu = field("axis_add").menu()
+    assert [action.text() for action in menu.actions() if action.isEnabled()] == ["B", "C"]
+    next(action for action in menu.actions() if action.text() == "C").trigger()
+    assert [line[0] for line in cells(field("axes_table"))] == ["C", "A", "X", "Y", "Z"]
+    assert cells(field("axes_table"))[0][-1] == "not given"
+    until(lambda: "axis C has no maximum rate" in findings(field), 20000, "what is missing")
+    type_into(field("axis_rate"), "9000")
+    until(lambda: field("save").isEnabled(), 20000, "a machine")
+    modal("Do not save")
+    panel_button("Close")
+    panel_closed()
+
+
+def test_documents_of_the_user_stay_as_they_are(whole_screen, folder, doc, press, field, until, panel_button, panel_closed, pump):
+    doc.addObject("Part::Box", "Box")
+    doc.recompute()
+    doc.clearUndos()
+    press("FiveAxis_EditMachine", SLID)
+    panel_button("Close")
+    panel_closed()
+    until(lambda: list(FreeCAD.listDocuments()) == [doc.Name], 20000, "the user's document alone")
+    assert FreeCAD.ActiveDocument.Name == doc.Name and doc.UndoCount == 0 and len(doc.Objects) == 1
+
+
+def test_the_signs_of_what_was_written_are_proven_next(
+    empty, whole_screen, folder, press, field, type_into, click, until, panel_button, panel_closed, pump
+):
+    press("FiveAxis_EditMachine", SLID)
+    type_into(field("machine_name"), "mine")
+    until(lambda: field("save").isEnabled(), 20000, "a good machine")
+    click(field("save"))
+    until(lambda: field("prove").isEnabled(), 20000, "a machine that is written")
+    click(field("prove"))
+    pump(SLID)
+    until(lambda: field("nc_file"), 20000, "the panel that proves the signs")
+    assert field("machine").currentData() == str(folder / "mine.fcm")
+    assert load_machine(str(folder / "mine.fcm")).name == "mine"
+    panel_button("Cancel")
+    panel_closed()
