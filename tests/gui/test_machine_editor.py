@@ -6,6 +6,7 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 import pytest
 from conftest import close_all
 from test_workshop import cut, panel_form
@@ -182,4 +183,87 @@ def test_the_signs_of_what_was_written_are_proven_next(
     assert field("machine").currentData() == str(folder / "mine.fcm")
     assert load_machine(str(folder / "mine.fcm")).name == "mine"
     panel_button("Cancel")
+    panel_closed()
+
+
+@pytest.fixture
+def opened(monkeypatch):
+    """The panels that were opened."""
+    from freecad_fiveaxis.gui.panels.machine_editor import panel
+
+    found, show = [], panel.show
+    monkeypatch.setattr(panel, "show", lambda one: found.append(one) or show(one))
+    return found
+
+
+def place(transform):
+    return np.array(transform.matrix.getValue().getValue()).reshape(4, 4).T
+
+
+def slide(slider, share):
+    slider.setValue(round(slider.minimum() + share * (slider.maximum() - slider.minimum())))
+
+
+def test_sliders_move_the_bodies_as_the_machine_will(
+    empty, whole_screen, folder, parameters, opened, press, field, click, type_into, row, until, panel_button, panel_closed,
+    screenshot, pump, modal, unfold,
+):  # fmt: skip
+    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("Machine", str(EXAMPLE))
+    press("FiveAxis_EditMachine", SLID)
+    model = opened[0].picture.model
+    assert len(model.drawn.standing) == 9 and not model.drawn.bodies, "all of this machine is in its file"
+    tip = place(model.tool)[:3, 3]
+    pump(500)
+    screenshot("machine-editor-bodies")
+    slide(field("jog_A"), (30.0 + 120.0) / 240.0)
+    assert field("jog_A_text").text() == "30°"
+    slide(field("jog_X"), 0.6)
+    angle = np.radians(-30.0)  # the table turns the other way round
+    turned = np.array([[1, 0, 0], [0, np.cos(angle), -np.sin(angle)], [0, np.sin(angle), np.cos(angle)]])
+    cradle = place(model.drawn.carriers[4 if model.kinematics.letters[4] == "A" else 3])
+    assert np.allclose(cradle[:3, :3], turned, atol=1e-6)
+    line = (0.0, 0.0, -50.0)  # machine frame, as is the picture's but for the work zero at 0, 0, 0
+    assert np.allclose(cradle[:3, :3] @ line + cradle[:3, 3], line, atol=1e-4), "about its own line"
+    assert np.allclose(place(model.tool)[:3, 3] - tip, (100.0, 0.0, 0.0), atol=1e-4)
+    pump(500)
+    screenshot("machine-editor-moved")
+    row("axes_table", "A")
+    type_into(field("axis_high"), "20")
+    until(lambda: field("jog_A_text").text() == "20°", 20000, "no farther than its limit")
+    model = opened[0].picture.model
+    click(field("axis_reverse"))
+    type_into(field("axis_rate"), "99")
+    until(lambda: opened[0].picture.model is not model, 20000, "another picture")
+    model = opened[0].picture.model
+    cradle = place(model.drawn.carriers[4 if model.kinematics.letters[4] == "A" else 3])
+    assert cradle[2, 1] == pytest.approx(np.sin(np.radians(20.0)), abs=1e-6), "the other way round"
+    click(field("jog_zero"))
+    model = opened[0].picture.model
+    assert np.allclose(place(model.tool)[:3, 3], tip, atol=1e-4) and field("jog_A_text").text() == "0°"
+    modal("Do not save")
+    panel_button("Close")
+    panel_closed()
+
+
+def test_a_machine_without_bodies_is_sketched_and_what_is_wrong_leaves_the_picture(
+    empty, whole_screen, folder, opened, press, field, type_into, row, choose, until, panel_button, panel_closed, screenshot, modal,
+    pump,
+):  # fmt: skip
+    press("FiveAxis_EditMachine", SLID)
+    picture = opened[0].picture
+    assert {"platter", "cradle", "base", "spindle"} <= {body.name for body in picture.model.drawn.bodies}
+    pump(500)
+    screenshot("machine-editor-sketch")
+    before = picture.model
+    row("axes_table", "A")
+    type_into(field("axis_rate"), "0")
+    until(lambda: "no maximum rate" in findings(field), 20000, "what is wrong")
+    assert picture.model is before
+    modal("Do not save")
+    choose(field("start_from"), "fork_head_bc")
+    until(lambda: "a name of its own" in findings(field), 20000, "another machine")
+    assert picture.shown.letters == load_machine("fork_head_bc").letters and picture.model is not before
+    pump(500)
+    screenshot("machine-editor-fork")
+    panel_button("Close")
     panel_closed()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of the machine editor: what to start from, the machine, its axes, and the file that it is written to.
 
+picture   the machine as it stood when it last was right, in a 3D view of its own; the sliders move it.
 draft     the machine as the fields say it, right or wrong. What is wrong with it is shown as soon as the typing pauses.
 kept      the draft as it was opened or written last: only what differs from it is asked about before the panel closes.
 document  an empty one that is open only while the panel is. The user's own documents are never touched.
@@ -23,12 +24,13 @@ from freecad_fiveaxis.gui.panels.choosers import MachineField
 from freecad_fiveaxis.gui.panels.files import new_machine
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget, TextArea
-from freecad_fiveaxis.gui.panels.path_panel import show
+from freecad_fiveaxis.gui.panels.path_panel import fit, show
 from freecad_fiveaxis.gui.panels.work_panel import give_back
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, later, translate
 
 from .axes import AxesEditor
 from .general import GeneralFields
+from .jog import JogSliders
 from .table import buttons_row
 
 PAUSE = 300
@@ -42,7 +44,8 @@ class EditorPanel:
 
     def __init__(self, machine: str) -> None:
         self.start = MachineField("start_from", translate("FiveAxis", "The machine whose values are changed; it stays as it is"))
-        self.general, self.axes, self.target = GeneralFields(), AxesEditor(), new_machine()
+        self.general, self.axes, self.jog, self.target = GeneralFields(), AxesEditor(), JogSliders(), new_machine()
+        self.picture: Any = None
         self.names, self.document, self.written, self.machine = editing.known_names(), "", "", None
         self.draft: MachineDraft
         self.kept: MachineDraft
@@ -77,13 +80,14 @@ class EditorPanel:
         first.body.add(self.start)
         last = FoldingGroup("file", translate("FiveAxis", "File"), "machine-editor_file")
         last.body.add(self.target)
-        return [first, self.general.group, self.axes.group, last]
+        return [first, self.general.group, self.axes.group, self.jog.group, last]
 
     def _connect(self) -> None:
         self.timer.timeout.connect(self.judge)
         self.start.edited.connect(self._start_elsewhere)
         self.general.edited.connect(lambda: self._edit(self.general.apply(self.draft)))
         self.axes.edited.connect(lambda: self._edit(self.axes.draft))
+        self.jog.moved.connect(self._move)
         self.target.edited.connect(self._check_target)
         self.save_button.clicked.connect(lambda *_: self.save())
         self.prove_button.clicked.connect(lambda *_: later(self.prove))
@@ -102,6 +106,7 @@ class EditorPanel:
         self._show()
         self.target.propose(machines.free_file(self.draft.name))
         self.judge()
+        self._fit()
 
     def _show(self) -> None:
         self.filling = True
@@ -137,6 +142,37 @@ class EditorPanel:
         self.timer.start()
         self._enable()
 
+    # ------------------------------------------------------------------------------------------ the picture
+
+    def draw_in(self, view: Any) -> None:
+        """Draw the machine in a 3D view from now on."""
+        from .picture import MachinePicture
+
+        self.picture = MachinePicture(view.getSceneGraph())
+        self._draw()
+        view.viewIsometric()
+        self._fit()
+
+    def _draw(self) -> None:
+        """Draw the machine, unless it is drawn as it is or makes no machine."""
+        if self.picture is None or self.machine is None:
+            return
+        if self.machine == self.picture.shown:
+            self._move()
+            return
+        try:
+            self.picture.show(self.machine, self.jog.joints)
+        except FiveAxisError as error:
+            self._tell(wording.localize(error))
+
+    def _move(self) -> None:
+        if self.picture is not None:
+            self.picture.move(self.jog.joints)
+
+    def _fit(self) -> None:
+        if self.document:
+            later(lambda: fit(self.document))
+
     # ------------------------------------------------------------------------------------------ what is wrong with it
 
     def judge(self) -> None:
@@ -148,6 +184,8 @@ class EditorPanel:
             lines.insert(0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written)))
         self._write(lines or [(COLOURS[Severity.NOTE], translate("FiveAxis", "Nothing is wrong with this machine."))])
         self._enable()
+        self.jog.show_draft(self.draft)
+        self._draw()
 
     def _tell(self, text: str) -> None:
         self._write([(COLOURS[Severity.ERROR], text)])
@@ -225,6 +263,8 @@ class EditorPanel:
 
     def _close(self) -> None:
         self.timer.stop()
+        if self.picture is not None:
+            self.picture.remove()
         FreeCADGui.Control.closeDialog()
         later(lambda: give_back(self.document))
 
@@ -247,4 +287,7 @@ def create() -> EditorPanel:
     if not FreeCADGui.Control.activeDialog():
         panel.document = FreeCAD.newDocument("Machine").Name
         FreeCAD.getDocument(panel.document).Label = translate("FiveAxis", "Machine")
+        view = FreeCADGui.getDocument(panel.document).ActiveView
+        if hasattr(view, "getSceneGraph"):
+            panel.draw_in(view)
     return show(panel)
