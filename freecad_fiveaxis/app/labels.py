@@ -226,6 +226,16 @@ def _of_the_machine_editor() -> dict[str, str]:
         "axis_low": translate("FiveAxis", "Lower limit"),
         "axis_high": translate("FiveAxis", "Upper limit"),
         "axis_rate": translate("FiveAxis", "Largest rate"),
+        "body_name": translate("FiveAxis", "Name"),
+        "body_carrier": translate("FiveAxis", "Carried by"),
+        "body_low": translate("FiveAxis", "Low end"),
+        "body_high": translate("FiveAxis", "High end"),
+        "body_centre": translate("FiveAxis", "Centre"),
+        "body_radius": translate("FiveAxis", "Radius"),
+        "body_low_radius": translate("FiveAxis", "Radius at the low end"),
+        "body_high_radius": translate("FiveAxis", "Radius at the high end"),
+        "body_file": translate("FiveAxis", "STL file"),
+        "body_clearance": translate("FiveAxis", "Clearance"),
     }
 
 

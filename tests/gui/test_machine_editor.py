@@ -6,6 +6,7 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
+import Mesh
 import numpy as np
 import pytest
 from conftest import close_all
@@ -45,6 +46,7 @@ def row(field, click, pump):
         table = field(name)
         model = table.model()
         at = next(at for at in range(model.rowCount()) if model.data(model.index(at, 0)) == text)
+        table.scrollTo(model.index(at, 0))
         click(table.viewport(), table.visualRect(model.index(at, 0)).center())
         pump(50)
 
@@ -265,5 +267,82 @@ def test_a_machine_without_bodies_is_sketched_and_what_is_wrong_leaves_the_pictu
     assert picture.shown.letters == load_machine("fork_head_bc").letters and picture.model is not before
     pump(500)
     screenshot("machine-editor-fork")
+    panel_button("Close")
+    panel_closed()
+
+
+def add(field, shape):
+    menu = field("body_add").menu()
+    next(action for action in menu.actions() if action.text() == shape).trigger()
+
+
+def test_bodies_are_added_changed_and_removed(
+    empty, whole_screen, folder, opened, press, field, type_into, row, choose, click, until, panel_button, panel_closed, screenshot,
+    pump, tmp_path,
+):  # fmt: skip
+    mesh = tmp_path / "bed.stl"
+    Mesh.createBox(100.0, 80.0, 20.0).write(str(mesh))
+    press("FiveAxis_EditMachine", SLID)
+    type_into(field("machine_name"), "mine")
+    add(field, "box")
+    assert cells(field("bodies_table")) == [["box 1", "–", "box"]]
+    type_into(field("body_name"), "post")
+    for end, values in (("low", ("-150", "-20", "-200")), ("high", ("-110", "20", "2 in"))):
+        for letter, value in zip("xyz", values, strict=True):
+            type_into(field(f"body_{end}_{letter}"), value)
+    add(field, "cylinder")
+    type_into(field("body_name"), "platter")
+    type_into(field("body_radius"), "45")
+    choose(field("body_carrier"), "C")
+    add(field, "cone")
+    type_into(field("body_name"), "nose")
+    choose(field("body_carrier"), "the spindle")
+    type_into(field("body_low_z"), "0")
+    type_into(field("body_high_z"), "60")
+    type_into(field("body_high_radius"), "-3")
+    until(lambda: "nose" in findings(field) and "radius" in findings(field), 20000, "what is wrong")
+    type_into(field("body_high_radius"), "50")
+    add(field, "sphere")
+    add(field, "sphere")
+    click(field("body_remove"))
+    click(field("body_remove"))
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    add(field, "STL file")
+    until(lambda: "STL file 1" in findings(field), 20000, "a file that is not named")
+    type_into(field("body_file"), str(mesh))
+    choose(field("body_carrier"), "A")
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    assert [line[0] for line in cells(field("bodies_table"))] == ["post", "platter", "nose", "STL file 1"]
+    drawn = opened[0].picture.model.drawn
+    assert [one.name for one in drawn.standing] == ["post", "platter", "nose", "STL file 1"]
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
+    pump(500)
+    screenshot("machine-editor-new-bodies")
+    click(field("save"))
+    until(lambda: (folder / "mine.fcm").exists(), 20000, "the file")
+    panel_button("Close", 500)
+    panel_closed()
+    assert json.loads((folder / "mine.fcm").read_bytes())["fiveaxis"]["bodies"] == [
+        {"name": "post", "carrier": "base", "box": {"low": [-150.0, -20.0, -200.0], "high": [-110.0, 20.0, pytest.approx(50.8)]}},
+        {"name": "platter", "carrier": "C", "cylinder": {"low": [0.0, 0.0, -150.0], "high": [0.0, 0.0, -100.0], "radius": 45.0}},
+        {"name": "nose", "carrier": "spindle",
+         "cone": {"low": [0.0, 0.0, 0.0], "high": [0.0, 0.0, 60.0], "low_radius": 50.0, "high_radius": 50.0}},
+        {"name": "STL file 1", "carrier": "A", "file": str(mesh)},
+    ]  # fmt: skip
+    assert len(load_machine(str(folder / "mine.fcm")).bodies) == 4
+
+
+def test_a_body_whose_axis_goes_is_named(
+    empty, whole_screen, folder, parameters, press, field, row, click, choose, until, panel_button, panel_closed, modal
+):
+    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("Machine", str(EXAMPLE))
+    press("FiveAxis_EditMachine", SLID)
+    row("axes_table", "C")
+    click(field("axis_remove"))
+    until(lambda: "body platter: C carries no body" in findings(field), 20000, "what carries nothing any more")
+    row("bodies_table", "platter")
+    choose(field("body_carrier"), "A")
+    until(lambda: "platter" not in findings(field) and field("save").isEnabled(), 20000, "a machine of four axes")
+    modal("Do not save")
     panel_button("Close")
     panel_closed()

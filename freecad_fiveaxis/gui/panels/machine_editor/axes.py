@@ -22,7 +22,7 @@ from freecad_fiveaxis.gui.panels.triple import TripleField
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 from .boxes import TURNS_A_MINUTE, DirectionField, OpenField, RateField
-from .table import Table, buttons_row, tool_button
+from .table import Table, buttons_row, show_items, tool_button
 
 LETTERS = ("X", "Y", "Z", "A", "B", "C")
 CHANGES = {
@@ -115,8 +115,9 @@ class AxesEditor(QtCore.QObject):
 
     def _show(self, axis: AxisDraft) -> None:
         fields, kind = self.fields, "angle" if axis.rotary else "length"
-        used = () if self.draft is None else self.draft.letters()
-        fields["axis_letter"].offer({letter for letter in used if letter != axis.letter})
+        others = {one.letter for one in self.draft.axes} - {axis.letter} if self.draft is not None else set()
+        kin = LETTERS[3:] if axis.rotary else LETTERS[:3]
+        show_items(fields["axis_letter"], [(letter, letter) for letter in kin if letter not in others])
         for name in ("axis_letter", "axis_side", "axis_direction", "axis_point"):
             fields[name].show_value(getattr(axis, CHANGES[name]))
         for name in ("axis_low", "axis_high"):
@@ -202,8 +203,7 @@ def _fields() -> list[Field]:
         ("head", translate("FiveAxis", "the tool (head)")),
     ]
     return [
-        ChoiceField("axis_letter", [(letter, letter) for letter in LETTERS],
-                    translate("FiveAxis", "X, Y and Z are linear, A, B and C rotary")),
+        ChoiceField("axis_letter", [], translate("FiveAxis", "X, Y and Z are linear, A, B and C rotary")),
         ChoiceField("axis_side", sides, translate("FiveAxis", "What the axis moves")),
         DirectionField("axis_direction", translate(
             "FiveAxis", "Along or about which a positive word moves the tool relative to the work (ISO 841)")),

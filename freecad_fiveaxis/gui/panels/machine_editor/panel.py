@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of the machine editor: what to start from, the machine, its axes, and the file that it is written to.
+"""The panel of the machine editor: what to start from, the machine, its axes and bodies, and the file that it is written to.
 
 picture   the machine as it stood when it last was right, in a 3D view of its own; the sliders move it.
 draft     the machine as the fields say it, right or wrong. What is wrong with it is shown as soon as the typing pauses.
@@ -29,6 +29,7 @@ from freecad_fiveaxis.gui.panels.work_panel import give_back
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, flags, later, translate
 
 from .axes import AxesEditor
+from .bodies import BodiesEditor
 from .general import GeneralFields
 from .jog import JogSliders
 from .table import buttons_row
@@ -44,7 +45,8 @@ class EditorPanel:
 
     def __init__(self, machine: str) -> None:
         self.start = MachineField("start_from", translate("FiveAxis", "The machine whose values are changed; it stays as it is"))
-        self.general, self.axes, self.jog, self.target = GeneralFields(), AxesEditor(), JogSliders(), new_machine()
+        self.general, self.axes, self.bodies = GeneralFields(), AxesEditor(), BodiesEditor()
+        self.jog, self.target = JogSliders(), new_machine()
         self.picture: Any = None
         self.names, self.document, self.written, self.machine = editing.known_names(), "", "", None
         self.draft: MachineDraft
@@ -80,13 +82,14 @@ class EditorPanel:
         first.body.add(self.start)
         last = FoldingGroup("file", translate("FiveAxis", "File"), "machine-editor_file")
         last.body.add(self.target)
-        return [first, self.general.group, self.axes.group, self.jog.group, last]
+        return [first, self.general.group, self.axes.group, self.bodies.group, self.jog.group, last]
 
     def _connect(self) -> None:
         self.timer.timeout.connect(self.judge)
         self.start.edited.connect(self._start_elsewhere)
         self.general.edited.connect(lambda: self._edit(self.general.apply(self.draft)))
         self.axes.edited.connect(lambda: self._edit(self.axes.draft))
+        self.bodies.edited.connect(lambda: self._edit(self.bodies.draft))
         self.jog.moved.connect(self._move)
         self.target.edited.connect(self._check_target)
         self.save_button.clicked.connect(lambda *_: self.save())
@@ -113,6 +116,7 @@ class EditorPanel:
         self.start.show_value(self.opened)
         self.general.show_draft(self.draft)
         self.axes.show_draft(self.draft, 0)
+        self.bodies.show_draft(self.draft, 0)
         self.filling = False
 
     def _start_elsewhere(self) -> None:
@@ -137,6 +141,7 @@ class EditorPanel:
         renamed = draft.name != self.draft.name
         self.draft = draft
         self.general.draft = self.axes.draft = draft
+        self.bodies.follow(draft)
         if renamed:
             self.target.propose(machines.free_file(draft.name))
         self.timer.start()
@@ -231,7 +236,7 @@ class EditorPanel:
         self.draft = self.kept = editing.open_draft(self.written)
         self.opened = self.written
         self.start.show_value(self.written)
-        self.general.draft = self.axes.draft = self.draft
+        self.general.draft = self.axes.draft = self.bodies.draft = self.draft
         self.target.show_value("")
         self.filling = False
         self.target.propose(machines.free_file(self.draft.name))

@@ -87,3 +87,10 @@ def buttons_row(*buttons: Any) -> Any:
         row.addWidget(button)
     row.addStretch()
     return holder
+
+
+def show_items(field: Any, items: Sequence[tuple[str, str]]) -> None:
+    """Give a ChoiceField these items, value and text, and no others; whoever calls shows the value, and hears of it himself."""
+    field.editor.clear()
+    for value, text in items:
+        field.editor.addItem(text, value)
