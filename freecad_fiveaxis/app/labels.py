@@ -87,7 +87,7 @@ def _tasks() -> dict[str, str]:
 
 
 def _options() -> dict[str, str]:
-    return _of_passes() | _of_programs() | _of_machines_and_places()
+    return _of_passes() | _of_programs() | _of_machines_and_places() | _of_the_machine_editor()
 
 
 def _of_passes() -> dict[str, str]:
@@ -206,7 +206,6 @@ def _of_machines_and_places() -> dict[str, str]:
         "nc_file": translate("FiveAxis", "NC file"),
         "nc_path": translate("FiveAxis", "NC file"),
         "part": translate("FiveAxis", "Part in the document"),
-        **_of_the_machine_editor(),
     }
 
 

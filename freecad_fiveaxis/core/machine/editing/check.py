@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with a draft, and what it leaves open: by the reader of machine files itself, axis by axis and body by body.
 
-field     what a problem is about: ``axes.A``, ``bodies.platter``, ``axes`` for all together, ``machine`` for the rest.
+field     what a problem is about: "axes.A" is one axis, "bodies.platter" a body, "axes" are all together, "machine" is the rest.
 """
 
 from __future__ import annotations
