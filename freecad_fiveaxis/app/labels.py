@@ -219,7 +219,7 @@ def _of_the_machine_editor() -> dict[str, str]:
         "machine_origin": translate("FiveAxis", "Work zero on the machine"),
         "table_height": translate("FiveAxis", "Height of the table's face"),
         "axis_letter": translate("FiveAxis", "Letter"),
-        "axis_side": translate("FiveAxis", "Moves"),
+        "axis_side": translate("FiveAxis", "Carries"),
         "axis_direction": translate("FiveAxis", "Direction"),
         "axis_point": translate("FiveAxis", "Point of the axis"),
         "axis_low": translate("FiveAxis", "Lower limit"),

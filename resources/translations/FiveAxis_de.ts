@@ -1787,6 +1787,10 @@
         <translation>Getragen von</translation>
     </message>
     <message>
+        <source>Carries</source>
+        <translation>Trägt</translation>
+    </message>
+    <message>
         <source>Centre</source>
         <translation>Mittelpunkt</translation>
     </message>

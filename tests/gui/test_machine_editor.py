@@ -346,3 +346,45 @@ def test_a_body_whose_axis_goes_is_named(
     modal("Do not save")
     panel_button("Close")
     panel_closed()
+
+
+def test_a_file_that_is_no_machine_is_named_and_nothing_changes(
+    empty, whole_screen, folder, opened, press, field, until, panel_button, panel_closed, tmp_path
+):
+    (tmp_path / "bad.fcm").write_text("{}")
+    press("FiveAxis_EditMachine", SLID)
+    opened[0].start.show_value(str(tmp_path / "bad.fcm"))  # as the button beside the field does
+    until(lambda: "bad.fcm" in findings(field), 20000, "what is wrong with it")
+    assert opened[0].start.value() == "trunnion_ac" and field("machine_name").text() == "trunnion_ac"
+    panel_button("Close")
+    panel_closed()
+
+
+def test_the_editor_goes_on_where_its_view_was_closed(
+    empty, whole_screen, folder, opened, press, field, type_into, click, until, panel_button, panel_closed, pump, modal
+):
+    press("FiveAxis_EditMachine", SLID)
+    FreeCAD.closeDocument(opened[0].document)
+    pump(300)
+    slide(field("jog_A"), 0.9)
+    type_into(field("machine_name"), "mine")
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    click(field("save"))
+    until(lambda: (folder / "mine.fcm").exists(), 20000, "the file")
+    panel_button("Close")
+    panel_closed()
+
+
+def test_no_german_text_is_cut(
+    german, empty, whole_screen, folder, press, field, until, panel_button, panel_closed, screenshot, unfold, type_into, modal
+):
+    press("FiveAxis_EditMachine", SLID)
+    unfold()
+    type_into(field("machine_name"), "meine")
+    add(field, "Kegel")
+    until(lambda: "An dieser Maschine ist nichts falsch" in findings(field), 20000, "German")
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
+    screenshot("machine-editor-german")
+    modal("Nicht speichern")
+    panel_button("Close")
+    panel_closed()

@@ -32,7 +32,6 @@ from .axes import AxesEditor
 from .bodies import BodiesEditor
 from .general import GeneralFields
 from .jog import JogSliders
-from .table import buttons_row
 
 PAUSE = 300
 """ms without a letter typed after which the machine is looked at."""
@@ -74,7 +73,7 @@ class EditorPanel:
         column.setSpacing(3)
         for group in self._groups():
             column.addWidget(group)
-        head = (buttons_row(self.save_button, self.prove_button), self.findings_area)
+        head = (self.save_button, self.prove_button, self.findings_area)
         return PanelWidget(translate("FiveAxis", "Edit a machine"), head, body)
 
     def _groups(self) -> list[Any]:
@@ -290,8 +289,7 @@ def create() -> EditorPanel:
     except FiveAxisError:
         panel = EditorPanel(shipped_machines()[-1])
     if not FreeCADGui.Control.activeDialog():
-        panel.document = FreeCAD.newDocument("Machine").Name
-        FreeCAD.getDocument(panel.document).Label = translate("FiveAxis", "Machine")
+        panel.document = FreeCAD.newDocument("Machine", translate("FiveAxis", "Machine")).Name
         view = FreeCADGui.getDocument(panel.document).ActiveView
         if hasattr(view, "getSceneGraph"):
             panel.draw_in(view)
