@@ -361,7 +361,7 @@ def test_a_file_that_is_no_machine_is_named_and_nothing_changes(
 
 
 def test_the_editor_goes_on_where_its_view_was_closed(
-    empty, whole_screen, folder, opened, press, field, type_into, click, until, panel_button, panel_closed, pump, modal
+    doc, whole_screen, folder, opened, press, field, type_into, click, until, panel_button, panel_closed, pump, modal
 ):
     press("FiveAxis_EditMachine", SLID)
     FreeCAD.closeDocument(opened[0].document)
