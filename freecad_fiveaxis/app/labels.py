@@ -87,7 +87,7 @@ def _tasks() -> dict[str, str]:
 
 
 def _options() -> dict[str, str]:
-    return _of_passes() | _of_programs() | _of_machines_and_places()
+    return _of_passes() | _of_programs() | _of_machines_and_places() | _of_the_machine_editor()
 
 
 def _of_passes() -> dict[str, str]:
@@ -207,6 +207,35 @@ def _of_machines_and_places() -> dict[str, str]:
         "nc_file": translate("FiveAxis", "NC file"),
         "nc_path": translate("FiveAxis", "NC file"),
         "part": translate("FiveAxis", "Part in the document"),
+    }
+
+
+def _of_the_machine_editor() -> dict[str, str]:
+    return {
+        "start_from": translate("FiveAxis", "Start from"),
+        "machine_name": translate("FiveAxis", "Name"),
+        "machine_description": translate("FiveAxis", "Description"),
+        "machine_controller": translate("FiveAxis", "Controller"),
+        "gauge_point": translate("FiveAxis", "Gauge point"),
+        "machine_origin": translate("FiveAxis", "Work zero on the machine"),
+        "table_height": translate("FiveAxis", "Height of the table's face"),
+        "axis_letter": translate("FiveAxis", "Letter"),
+        "axis_side": translate("FiveAxis", "Carries"),
+        "axis_direction": translate("FiveAxis", "Direction"),
+        "axis_point": translate("FiveAxis", "Point of the axis"),
+        "axis_low": translate("FiveAxis", "Lower limit"),
+        "axis_high": translate("FiveAxis", "Upper limit"),
+        "axis_rate": translate("FiveAxis", "Largest rate"),
+        "body_name": translate("FiveAxis", "Name"),
+        "body_carrier": translate("FiveAxis", "Carried by"),
+        "body_low": translate("FiveAxis", "Low end"),
+        "body_high": translate("FiveAxis", "High end"),
+        "body_centre": translate("FiveAxis", "Centre"),
+        "body_radius": translate("FiveAxis", "Radius"),
+        "body_low_radius": translate("FiveAxis", "Radius at the low end"),
+        "body_high_radius": translate("FiveAxis", "Radius at the high end"),
+        "body_file": translate("FiveAxis", "STL file"),
+        "body_clearance": translate("FiveAxis", "Clearance"),
     }
 
 

@@ -1607,12 +1607,28 @@
         <translation>Eine Steuerung mit Werkzeugspitzenführung (RTCP) führt die Spitze von sich aus auf der Geraden.</translation>
     </message>
     <message>
+        <source>A line about it</source>
+        <translation>Eine Zeile über sie</translation>
+    </message>
+    <message>
         <source>A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out.</source>
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
         <source>About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn</source>
         <translation>Etwa {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen; 1 von {one_in} Bahnen ist gezeichnet</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a body</source>
+        <translation>Einen Körper hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an axis</source>
+        <translation>Eine Achse hinzufügen</translation>
     </message>
     <message>
         <source>Add selected faces</source>
@@ -1623,12 +1639,24 @@
         <translation>Rat</translation>
     </message>
     <message>
+        <source>All axes to zero</source>
+        <translation>Alle Achsen auf Null</translation>
+    </message>
+    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Allowance on faces to avoid</source>
         <translation>Abstand zu ausgesparten Flächen</translation>
+    </message>
+    <message>
+        <source>Along or about which a positive word moves the tool relative to the work (ISO 841)</source>
+        <translation>Entlang welcher oder um welche Richtung ein positives Wort das Werkzeug gegen das Werkstück bewegt (ISO 841)</translation>
+    </message>
+    <message>
+        <source>An STL in mm, in machine coordinates with all axes at zero</source>
+        <translation>Eine STL-Datei in mm, in Maschinenkoordinaten, alle Achsen auf Null</translation>
     </message>
     <message>
         <source>Annotate</source>
@@ -1641,6 +1669,10 @@
     <message>
         <source>Another task panel is open: close it first.</source>
         <translation>Ein anderer Aufgabendialog ist offen: ihn zuerst schließen.</translation>
+    </message>
+    <message>
+        <source>Any point of the rotary axis's line in machine coordinates, with all axes at zero</source>
+        <translation>Irgendein Punkt der Drehachse in Maschinenkoordinaten, alle Achsen auf Null</translation>
     </message>
     <message>
         <source>Applied: the largest deviation is now {deviation}.</source>
@@ -1659,6 +1691,18 @@
         <translation>Prüfung</translation>
     </message>
     <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Axes, from the work to the tool</source>
+        <translation>Achsen, vom Werkstück zum Werkzeug</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
         <source>Axis of passes I, J, K</source>
         <translation>Achse der Bahnen I, J, K</translation>
     </message>
@@ -1669,6 +1713,10 @@
     <message>
         <source>Axis tolerance</source>
         <translation>Achstoleranz</translation>
+    </message>
+    <message>
+        <source>Axis {letter}</source>
+        <translation>Achse {letter}</translation>
     </message>
     <message>
         <source>Back to the first position</source>
@@ -1711,6 +1759,14 @@
         <translation>NC-Sätze über der Toleranz</translation>
     </message>
     <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Bodies that the tool must not hit</source>
+        <translation>Körper, an die das Werkzeug nicht stoßen darf</translation>
+    </message>
+    <message>
         <source>Boundary</source>
         <translation>Begrenzung</translation>
     </message>
@@ -1733,6 +1789,18 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Carried by</source>
+        <translation>Getragen von</translation>
+    </message>
+    <message>
+        <source>Carries</source>
+        <translation>Trägt</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mittelpunkt</translation>
     </message>
     <message>
         <source>Centre of passes</source>
@@ -1789,6 +1857,10 @@
     <message>
         <source>Choose the file to import.</source>
         <translation>Wählen Sie die Datei, die übernommen werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose the mesh of the body</source>
+        <translation>Netz des Körpers wählen</translation>
     </message>
     <message>
         <source>Clearance</source>
@@ -1911,12 +1983,20 @@
         <translation>Am tiefsten darunter: {depth}</translation>
     </message>
     <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
         <source>Deviation of the tip</source>
         <translation>Abweichung der Spitze</translation>
     </message>
     <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Direction of passes</source>
@@ -1935,6 +2015,10 @@
         <translation>Sätze teilen</translation>
     </message>
     <message>
+        <source>Do not save</source>
+        <translation>Nicht speichern</translation>
+    </message>
+    <message>
         <source>Draw {label}</source>
         <translation>{label} zeichnen</translation>
     </message>
@@ -1949,6 +2033,10 @@
     <message>
         <source>Edit</source>
         <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Edit a machine</source>
+        <translation>Maschine bearbeiten</translation>
     </message>
     <message>
         <source>Edit setup {name}</source>
@@ -1977,6 +2065,10 @@
     <message>
         <source>Feed mode</source>
         <translation>Vorschubart</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>File to import</source>
@@ -2031,6 +2123,10 @@
         <translation>Anstellungen höchstens</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
         <source>From a CAM Job…</source>
         <translation>Aus einem CAM-Auftrag …</translation>
     </message>
@@ -2059,6 +2155,10 @@
         <translation>Abstand über der Marke</translation>
     </message>
     <message>
+        <source>Gauge point</source>
+        <translation>Bezugspunkt der Spindel</translation>
+    </message>
+    <message>
         <source>Go back</source>
         <translation>Zurück</translation>
     </message>
@@ -2073,6 +2173,14 @@
     <message>
         <source>Height of the table</source>
         <translation>Höhe des Tisches</translation>
+    </message>
+    <message>
+        <source>Height of the table's face</source>
+        <translation>Höhe der Tischfläche</translation>
+    </message>
+    <message>
+        <source>High end</source>
+        <translation>Oberes Ende</translation>
     </message>
     <message>
         <source>High-speed mode</source>
@@ -2113,6 +2221,10 @@
     <message>
         <source>In a rapid the tool goes {depth} into the part if its axes run independently.</source>
         <translation>In einem Eilgang dringt das Werkzeug {depth} in das Werkstück ein, wenn die Achsen unabhängig laufen.</translation>
+    </message>
+    <message>
+        <source>In machine coordinates, with all axes at zero</source>
+        <translation>In Maschinenkoordinaten, alle Achsen auf Null</translation>
     </message>
     <message>
         <source>In the folder that is proposed it stands in every list of machines from then on.</source>
@@ -2171,6 +2283,10 @@
         <translation>Größte Abweichung, Sätze noch nicht geteilt</translation>
     </message>
     <message>
+        <source>Largest rate</source>
+        <translation>Größte Geschwindigkeit</translation>
+    </message>
+    <message>
         <source>Largest residual of the rows used: {length}</source>
         <translation>Größter Rest der benutzten Zeilen: {length}</translation>
     </message>
@@ -2199,6 +2315,10 @@
         <translation>Im Fenster des Werkzeugwegs die Achse am Pol vorbeidrehen lassen, das Werkzeug um einige Grad neigen oder das Werkstück anders aufspannen.</translation>
     </message>
     <message>
+        <source>Letter</source>
+        <translation>Buchstabe</translation>
+    </message>
+    <message>
         <source>Limits</source>
         <translation>Grenzen</translation>
     </message>
@@ -2219,6 +2339,14 @@
         <translation>LinuxCNCs .ini oder eine .fcm des Maschineneditors von FreeCAD</translation>
     </message>
     <message>
+        <source>Low end</source>
+        <translation>Unteres Ende</translation>
+    </message>
+    <message>
+        <source>Lower limit</source>
+        <translation>Untere Grenze</translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
@@ -2229,6 +2357,10 @@
     <message>
         <source>Machine files (*.fcm)</source>
         <translation>Maschinendateien (*.fcm)</translation>
+    </message>
+    <message>
+        <source>Machine to start from</source>
+        <translation>Ausgangsmaschine</translation>
     </message>
     <message>
         <source>Machine, controller and work zero that several paths share</source>
@@ -2267,6 +2399,10 @@
         <translation>Sehnenabweichung</translation>
     </message>
     <message>
+        <source>Meshes (*.stl)</source>
+        <translation>Netze (*.stl)</translation>
+    </message>
+    <message>
         <source>More settings</source>
         <translation>Weitere Einstellungen</translation>
     </message>
@@ -2277,6 +2413,10 @@
     <message>
         <source>Most that is left: {height}</source>
         <translation>Am meisten bleibt stehen: {height}</translation>
+    </message>
+    <message>
+        <source>Move the axes</source>
+        <translation>Achsen bewegen</translation>
     </message>
     <message>
         <source>Moves</source>
@@ -2331,6 +2471,14 @@
         <translation>Nah: {enters} näher als {distance} an {body}</translation>
     </message>
     <message>
+        <source>Nearer to the tool, past its neighbour on the same side</source>
+        <translation>Näher zum Werkzeug, an ihrer Nachbarin auf derselben Seite vorbei</translation>
+    </message>
+    <message>
+        <source>Nearer to the work, past its neighbour on the same side</source>
+        <translation>Näher zum Werkstück, an ihrer Nachbarin auf derselben Seite vorbei</translation>
+    </message>
+    <message>
         <source>Neck diameter</source>
         <translation>Halsdurchmesser</translation>
     </message>
@@ -2381,6 +2529,10 @@
     <message>
         <source>Nothing is checked: the tool may enter the part.</source>
         <translation>Nichts wird geprüft: das Werkzeug kann in das Werkstück eindringen.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with this machine.</source>
+        <translation>An dieser Maschine ist nichts falsch.</translation>
     </message>
     <message>
         <source>Nothing to report: all blocks are as they should be.</source>
@@ -2507,6 +2659,10 @@
         <translation>Eintauchvorschub</translation>
     </message>
     <message>
+        <source>Point of the axis</source>
+        <translation>Punkt der Achse</translation>
+    </message>
+    <message>
         <source>Post-process</source>
         <translation>NC-Datei ausgeben</translation>
     </message>
@@ -2539,12 +2695,28 @@
         <translation>Vorzeichen nachweisen</translation>
     </message>
     <message>
+        <source>Prove the signs…</source>
+        <translation>Vorzeichen nachweisen…</translation>
+    </message>
+    <message>
         <source>Proven below</source>
         <translation>Bewiesen unter</translation>
     </message>
     <message>
         <source>Proven bound</source>
         <translation>Bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius at the high end</source>
+        <translation>Radius am oberen Ende</translation>
+    </message>
+    <message>
+        <source>Radius at the low end</source>
+        <translation>Radius am unteren Ende</translation>
     </message>
     <message>
         <source>Rapids</source>
@@ -2571,6 +2743,14 @@
         <translation>Entfernen</translation>
     </message>
     <message>
+        <source>Remove the chosen axis</source>
+        <translation>Die gewählte Achse entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen body</source>
+        <translation>Den gewählten Körper entfernen</translation>
+    </message>
+    <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
@@ -2591,12 +2771,20 @@
         <translation>Rückzug unter dem Werkstück</translation>
     </message>
     <message>
+        <source>Reverse the direction</source>
+        <translation>Richtung umkehren</translation>
+    </message>
+    <message>
         <source>Room for the work zero</source>
         <translation>Spielraum des Nullpunkts</translation>
     </message>
     <message>
         <source>Rotary passes</source>
         <translation>Rotierende Bahnen</translation>
+    </message>
+    <message>
+        <source>STL file</source>
+        <translation>STL-Datei</translation>
     </message>
     <message>
         <source>Save</source>
@@ -2643,6 +2831,10 @@
         <translation>Schaft, Ø x Länge</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
         <source>Share</source>
         <translation>Teilen</translation>
     </message>
@@ -2669,6 +2861,10 @@
     <message>
         <source>Shown in the view</source>
         <translation>In der Ansicht</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Singular blocks</source>
@@ -2705,6 +2901,10 @@
     <message>
         <source>Square to the rotary axis and pointing at it, as the part turns.</source>
         <translation>Senkrecht zur Drehachse und auf sie gerichtet, während sich das Werkstück dreht.</translation>
+    </message>
+    <message>
+        <source>Start from</source>
+        <translation>Ausgehen von</translation>
     </message>
     <message>
         <source>Start through the part</source>
@@ -2763,12 +2963,20 @@
         <translation>Die NC-Datei, die geschrieben wird</translation>
     </message>
     <message>
+        <source>The axis of the table that it moves with, or the spindle</source>
+        <translation>Die Achse des Tisches, mit der er sich bewegt, oder die Spindel</translation>
+    </message>
+    <message>
         <source>The axis that keeps cutter, shank and holder out of the part and turns smoothly over the surface.</source>
         <translation>Die Achse, die Fräser, Schaft und Halter vom Teil freihält und sich gleichmäßig über die Fläche dreht.</translation>
     </message>
     <message>
         <source>The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long.</source>
         <translation>Die Achse mit der kleinsten Abweichung auf dieser Maschine, innerhalb des größten Achswinkels; dauert lange.</translation>
+    </message>
+    <message>
+        <source>The axis's own limit, as its machine coordinates count; empty: none</source>
+        <translation>Die Grenze der Achse selbst, in Maschinenkoordinaten; leer: keine</translation>
     </message>
     <message>
         <source>The ball's centre leaves its commanded straight line by {deviation}, within the {tolerance} allowed.</source>
@@ -2811,6 +3019,10 @@
         <translation>Die Steuerung führt die Spitze; das Programm gibt die Werkzeugachse als Vektor.</translation>
     </message>
     <message>
+        <source>The controller that its programs are for</source>
+        <translation>Die Steuerung, für die ihre Programme sind</translation>
+    </message>
+    <message>
         <source>The cutter does not fit there, or it was lifted or kept away so that nothing enters the part.</source>
         <translation>Der Fräser passt dort nicht hinein, oder er wurde angehoben oder ferngehalten, damit nichts ins Werkstück eindringt.</translation>
     </message>
@@ -2831,12 +3043,20 @@
         <translation>Der größte Abstand in diesem NC-Satz</translation>
     </message>
     <message>
+        <source>The largest rate that the drive reaches</source>
+        <translation>Die größte Geschwindigkeit, die der Antrieb erreicht</translation>
+    </message>
+    <message>
         <source>The machine file to write</source>
         <translation>Die zu schreibende Maschinendatei</translation>
     </message>
     <message>
         <source>The machine is a sketch from its axes: not to scale.</source>
         <translation>Die Maschine ist eine Skizze aus ihren Achsen: nicht maßstäblich.</translation>
+    </message>
+    <message>
+        <source>The machine whose values are changed; it stays as it is</source>
+        <translation>Die Maschine, deren Werte geändert werden; sie selbst bleibt, wie sie ist</translation>
     </message>
     <message>
         <source>The machine's bodies are those of its file.</source>
@@ -2983,6 +3203,10 @@
         <translation>Diese Datei gibt es schon: wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
+        <source>This machine is not saved. Leave it, and lose what was changed?</source>
+        <translation>Diese Maschine ist nicht gespeichert. Verlassen und die Änderungen verlieren?</translation>
+    </message>
+    <message>
         <source>This machine's head turns: give the length from the gauge point to the tip.</source>
         <translation>Der Kopf dieser Maschine schwenkt: die Länge vom Bezugspunkt der Spindel bis zur Werkzeugspitze angeben.</translation>
     </message>
@@ -3013,6 +3237,10 @@
     <message>
         <source>Tip off its segment</source>
         <translation>Spitze neben Strecke</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -3083,6 +3311,10 @@
         <translation>Einheiten</translation>
     </message>
     <message>
+        <source>Upper limit</source>
+        <translation>Obere Grenze</translation>
+    </message>
+    <message>
         <source>Use these settings</source>
         <translation>Diese Einstellungen übernehmen</translation>
     </message>
@@ -3115,6 +3347,14 @@
         <translation>Was</translation>
     </message>
     <message>
+        <source>What comes nearer to it than this is told; 0: nothing</source>
+        <translation>Was ihm näher kommt, wird gemeldet; 0: nichts</translation>
+    </message>
+    <message>
+        <source>What findings call the body</source>
+        <translation>Wie Befunde den Körper nennen</translation>
+    </message>
+    <message>
         <source>What happens</source>
         <translation>Was geschieht</translation>
     </message>
@@ -3135,8 +3375,16 @@
         <translation>Was daneben steht, ist eine Skizze: nicht maßstäblich, nicht geprüft.</translation>
     </message>
     <message>
+        <source>What the axis moves</source>
+        <translation>Was die Achse bewegt</translation>
+    </message>
+    <message>
         <source>What the distance is proven to stay below, all through this block</source>
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
+    </message>
+    <message>
+        <source>What the lists call the machine</source>
+        <translation>Wie die Listen die Maschine nennen</translation>
     </message>
     <message>
         <source>What the verdict rests on</source>
@@ -3151,12 +3399,20 @@
         <translation>Wo der Nullpunkt des Programms im Dokument gezeichnet wird</translation>
     </message>
     <message>
+        <source>Where the spindle's gauge point, from which tools are measured, is with all axes at zero</source>
+        <translation>Wo der Bezugspunkt der Spindel, von dem aus Werkzeuge gemessen werden, liegt, alle Achsen auf Null</translation>
+    </message>
+    <message>
         <source>Where the tip is farthest from its commanded segment</source>
         <translation>Wo die Werkzeugspitze am weitesten von ihrer Sollstrecke entfernt ist</translation>
     </message>
     <message>
         <source>Where the work zero lies in the document</source>
         <translation>Wo der Werkstücknullpunkt im Dokument liegt</translation>
+    </message>
+    <message>
+        <source>Where the work zero usually lies, in machine coordinates with all axes at zero</source>
+        <translation>Wo der Werkstücknullpunkt gewöhnlich liegt, in Maschinenkoordinaten, alle Achsen auf Null</translation>
     </message>
     <message>
         <source>Where to clamp</source>
@@ -3219,8 +3475,16 @@
         <translation>Falsch: {text}</translation>
     </message>
     <message>
+        <source>X, Y and Z are linear, A, B and C rotary</source>
+        <translation>X, Y und Z sind linear, A, B und C drehen</translation>
+    </message>
+    <message>
         <source>You see: {text}</source>
         <translation>Sie sehen: {text}</translation>
+    </message>
+    <message>
+        <source>Z of the face that parts are clamped on, in machine coordinates with all axes at zero</source>
+        <translation>Z der Fläche, auf der gespannt wird, in Maschinenkoordinaten, alle Achsen auf Null</translation>
     </message>
     <message>
         <source>along</source>
@@ -3295,6 +3559,10 @@
         <translation>außerhalb der Maschinengrenzen</translation>
     </message>
     <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
         <source>bull nose mill</source>
         <translation>Torusfräser</translation>
     </message>
@@ -3351,6 +3619,10 @@
         <translation>Maschinen vergleichen</translation>
     </message>
     <message>
+        <source>cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
         <source>constant scallop</source>
         <translation>gleiche Kuppenhöhe</translation>
     </message>
@@ -3385,6 +3657,10 @@
     <message>
         <source>cutting the mesh</source>
         <translation>Netz schneiden</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
     </message>
     <message>
         <source>deviation by So et al.</source>
@@ -3437,6 +3713,10 @@
     <message>
         <source>grbl with five axes</source>
         <translation>grbl mit fünf Achsen</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
     </message>
     <message>
         <source>holder in the way</source>
@@ -3595,6 +3875,10 @@
         <translation>zwischen ihren Enden nicht nachgewiesen</translation>
     </message>
     <message>
+        <source>nothing, it stands still</source>
+        <translation>nichts, er steht still</translation>
+    </message>
+    <message>
         <source>now</source>
         <translation>jetzt</translation>
     </message>
@@ -3731,12 +4015,20 @@
         <translation>kleinere Abweichung</translation>
     </message>
     <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>vom Benutzer abgebrochen</translation>
     </message>
     <message>
         <source>surface normal</source>
         <translation>Flächennormale</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tisch</translation>
     </message>
     <message>
         <source>taken as 0</source>
@@ -3763,8 +4055,20 @@
         <translation>die der Maschine</translation>
     </message>
     <message>
+        <source>the spindle</source>
+        <translation>die Spindel</translation>
+    </message>
+    <message>
         <source>the table</source>
         <translation>den Tisch</translation>
+    </message>
+    <message>
+        <source>the tool (head)</source>
+        <translation>das Werkzeug (Kopf)</translation>
+    </message>
+    <message>
+        <source>the work (table)</source>
+        <translation>das Werkstück (Tisch)</translation>
     </message>
     <message>
         <source>through</source>
@@ -5460,8 +5764,20 @@
         <translation>die Achse {given} hat keine Richtung; I,J,K der festen Werkzeugachse angeben, wie 0,0,1</translation>
     </message>
     <message>
+        <source>axis {letter} cannot stand at 0; programs begin with their rotary axes there</source>
+        <translation>Achse {letter} kann nicht auf 0 stehen; Programme beginnen mit den Drehachsen dort</translation>
+    </message>
+    <message>
+        <source>axis {letter} has no end; give its limits, or its travel is not checked</source>
+        <translation>Achse {letter} hat kein Ende; Grenzen angeben, sonst wird ihr Weg nicht geprüft</translation>
+    </message>
+    <message>
         <source>axis {letter} has no maximum rate; give one, the machine file needs it</source>
         <translation>die Achse {letter} hat keine größte Geschwindigkeit; eine angeben, die Maschinendatei braucht sie</translation>
+    </message>
+    <message>
+        <source>axis {letter} has no maximum rate; give what its drive reaches</source>
+        <translation>Achse {letter} hat keine größte Geschwindigkeit; angeben, was ihr Antrieb erreicht</translation>
     </message>
     <message>
         <source>axis {letter} needs it there or under [AXIS_{letter}]</source>
@@ -7112,6 +7428,10 @@
         <translation>der Kopf kündigt {facets} Facetten an, die Datei enthält {held}: sie ist abgeschnitten, beschädigt oder kein STL; neu exportieren</translation>
     </message>
     <message>
+        <source>the height of the table's face is not known; setup leaves Z alone without it</source>
+        <translation>die Höhe der Tischfläche ist nicht bekannt; ohne sie lässt das Aufspannen Z, wie es ist</translation>
+    </message>
+    <message>
         <source>the holder is in the way; let the tool stick out farther</source>
         <translation>der Halter ist im Weg; das Werkzeug weiter auskragen lassen</translation>
     </message>
@@ -7142,6 +7462,10 @@
     <message>
         <source>the linear axes lie in one plane at {letter} {first} {other} {second} and cannot place the tip ({count} rows): lower {max_axis_angle} or take another machine</source>
         <translation>die Linearachsen liegen bei {letter} {first} {other} {second} in einer Ebene und können die Werkzeugspitze nicht setzen ({count} Punkte): {max_axis_angle} verringern oder eine andere Maschine nehmen</translation>
+    </message>
+    <message>
+        <source>the lists have a machine called {name}; give this one a name of its own</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the machine cannot stand as the program commands</source>
@@ -7666,6 +7990,10 @@
     <message>
         <source>turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only</source>
         <translation>zuerst das Werkstück um {turn} um Z durch seinen Nullpunkt drehen, gegen den Uhrzeigersinn, und nur eine Drehung erproben</translation>
+    </message>
+    <message>
+        <source>two axes are called {letter}; give each a letter of its own</source>
+        <translation>zwei Achsen heißen {letter}; jeder einen eigenen Buchstaben geben</translation>
     </message>
     <message>
         <source>two bodies are called {name}; give each a name of its own</source>
@@ -9454,6 +9782,17 @@
     <message>
         <source>Compare machines…</source>
         <translation>Maschinen vergleichen …</translation>
+    </message>
+</context>
+<context>
+    <name>FiveAxis_EditMachine</name>
+    <message>
+        <source>Describe your own machine: its axes, limits, rates and bodies, from one that is known</source>
+        <translation>Die eigene Maschine beschreiben: Achsen, Grenzen, Geschwindigkeiten und Körper, ausgehend von einer bekannten</translation>
+    </message>
+    <message>
+        <source>Edit a machine…</source>
+        <translation>Maschine bearbeiten…</translation>
     </message>
 </context>
 <context>

@@ -2,13 +2,14 @@
 """recover, prove-signs and import-machine for macros: no document, the same bytes as the command line, nothing replaced."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from conftest import FAST
 
 from freecad_fiveaxis import app
-from freecad_fiveaxis.app import importing, machines, preferences, recovering, results, signs
+from freecad_fiveaxis.app import editing, importing, machines, preferences, recovering, results, signs
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import Cancelled, FileError, FiveAxisError, SettingsError
 from freecad_fiveaxis.core.machine import load_machine
@@ -142,3 +143,21 @@ def test_a_name_that_no_file_can_have_is_made_one_and_none_is_taken_twice(folder
     folder.mkdir()
     (folder / "a_b_c.fcm").write_text("")
     assert machines.free_file("a/b:c") == str(folder / "a_b_c-2.fcm")
+
+
+def test_an_edited_machine_goes_to_the_user_s_folder_and_over_no_file(folder):
+    draft = replace(editing.open_draft("trunnion_ac"), name="mine")
+    names = editing.known_names()
+    machine, problems = editing.check(draft, "", names)
+    assert machine is not None and not problems
+    _, problems = editing.check(editing.open_draft("trunnion_ac"), "", names)
+    assert ["a name of its own" in one.text for one in problems] == [True]
+    assert editing.write(draft) == str(folder / "mine.fcm") and load_machine(str(folder / "mine.fcm")).name == "mine"
+    assert editing.write(draft) == str(folder / "mine-2.fcm"), "the next free name"
+    with pytest.raises(FileError, match="exists already"):
+        editing.write(draft, folder / "mine.fcm")
+    with pytest.raises(SettingsError, match=r"\.fcm"):
+        editing.write(draft, folder / "mine.txt")
+    with pytest.raises(FiveAxisError, match="name is empty"):
+        editing.write(replace(draft, name=""), folder / "none.fcm")
+    assert sorted(one.name for one in folder.iterdir()) == ["mine-2.fcm", "mine.fcm"]

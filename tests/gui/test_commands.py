@@ -64,7 +64,7 @@ def test_the_menu_lists_all_commands(window):
 
 ORDER = [
     ["JobSetup", "Tessellate", "Reach", "Toolpath", "Setup", "Compare"], ["Play", "Left", "Annotate"], ["PostProcess", "Audit"],
-    ["ProveSigns", "Recover", "ImportMachine"],
+    ["ProveSigns", "Recover", "ImportMachine", "EditMachine"],
 ]  # fmt: skip
 """Of the work: plan, look, write and judge; then what is about machines."""
 
@@ -87,7 +87,7 @@ def test_tool_bars_and_menu_follow_the_order_of_the_work(window):
     assert groups_of(menu.actions()) == ORDER
 
 
-FILES_ONLY = {"Audit", "Recover", "ProveSigns", "ImportMachine"}
+FILES_ONLY = {"Audit", "Recover", "ProveSigns", "ImportMachine", "EditMachine"}
 
 
 def test_commands_are_enabled_when_they_can_apply(doc, tool_button, until):

@@ -131,7 +131,7 @@ def _beside(machine: Machine, path: Path) -> Machine:
 @lru_cache(maxsize=64)
 def _read(content: bytes) -> Machine:
     """A window reads the same few files with every letter that is typed (1.5 ms each); what a file says now counts."""
-    return _machine(parse_json(content))
+    return read_machine(parse_json(content))
 
 
 def _usable(path: Path) -> Path:
@@ -143,7 +143,8 @@ def _usable(path: Path) -> Path:
 # From the file's objects to the machine.
 
 
-def _machine(data: Any) -> Machine:
+def read_machine(data: Any) -> Machine:
+    """Read the objects of a machine file, as JSON has them. Raises MachineError, with the key."""
     if not isinstance(data, dict):
         raise MachineError(
             say('the file holds {data} instead of an object with the key "machine"', data=reprlib.repr(data)), data
@@ -162,7 +163,7 @@ def _machine(data: Any) -> Machine:
         raise fail("machine.name", say("the name is empty; give the machine one"), name)
     axes = as_today(get_object(machine, "machine.", "axes"))
     _check_whole(axes)
-    found = {letter: _axis(letter, axes, unit) for letter in axes}
+    found = {letter: read_axis(letter, axes, unit) for letter in axes}
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
     description = get_text(machine, "machine.", "description") if "description" in machine else ""
     return Machine(name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit))
@@ -212,7 +213,8 @@ def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
     return SafeStart(retract, unit * get_number(given, where, "Z") if retract == BY_MACHINE else None)
 
 
-def _axis(letter: str, axes: JsonObject, unit: float) -> Axis:
+def read_axis(letter: str, axes: JsonObject, unit: float) -> Axis:
+    """Read one of the ``axes`` of a file whose lengths are ``unit`` mm. Raises MachineError, with the key."""
     if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
         raise fail(
             "machine.axes", say("{letter} names no axis; use X Y Z and up to two of A B C", letter=reprlib.repr(letter)), letter
@@ -223,7 +225,7 @@ def _axis(letter: str, axes: JsonObject, unit: float) -> Axis:
     if rotary != role.endswith("rotary"):
         raise fail(where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role)
     side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
-    direction, point = _joint(axis, where, rotary, unit)
+    direction, point = read_joint(axis, where, rotary, unit)
     limits = get_object(axis, where, "limits")
     low, high = (_limit(get_number(limits, where + "limits.", key), rotary, unit) for key in ("min", "max"))
     rate = get_number(axis, where, "max_velocity")
@@ -239,8 +241,8 @@ def _limit(value: float, rotary: bool, unit: float) -> float:
     return math.radians(value) if rotary else value
 
 
-def _joint(axis: JsonObject, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
-    """Direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's the other way round."""
+def read_joint(axis: JsonObject, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
+    """Read direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's swapped."""
     joint, where = get_key(axis, where, "joint"), where + "joint"
     if isinstance(joint, list):
         if len(joint) != 2:
@@ -319,7 +321,12 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
 
 def machine_bytes(machine: Machine) -> bytes:
     """The machine as the text of a ``.fcm`` file. Raises MachineError for an axis without a maximum rate."""
-    text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(_data(machine), indent=4)) + "\n"
+    return file_bytes(_data(machine))
+
+
+def file_bytes(data: JsonObject) -> bytes:
+    """The objects of a machine file as its text, each vector in one line."""
+    text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(data, indent=4)) + "\n"
     return text.encode()
 
 

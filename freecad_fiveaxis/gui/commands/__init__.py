@@ -12,6 +12,7 @@ from freecad_fiveaxis.gui.failures import guarded
 from .annotate import Annotate
 from .audit import Audit
 from .compare import Compare
+from .edit_machine import EditMachine
 from .import_machine import ImportMachine
 from .job_setup import JobSetup
 from .play import Play
@@ -30,7 +31,7 @@ WORK = (
     (PostProcess, Audit),
 )  # fmt: skip
 """The way of a part, in groups: plan, look, write and judge."""
-MACHINES = (ProveSigns, Recover, ImportMachine)
+MACHINES = (ProveSigns, Recover, ImportMachine, EditMachine)
 """What is about a machine and needs no part."""
 COMMANDS = (*(command for group in WORK for command in group), *MACHINES)
 NAMES = [command.NAME for command in COMMANDS]

@@ -25,13 +25,18 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
 
     def __init__(self, kind: str) -> None:
         super().__init__()
+        self.unset = ""  # what 0 is called where it means that nothing is given
+        self.measure(kind)
+        self.setDecimals(PRECISION)
+        self.setRange(-MOST, MOST)
+
+    def measure(self, kind: str) -> None:
+        """Measure lengths or angles from now on."""
         self.kind = kind
         inch = kind == "length" and inches()
         self.unit, self.factor, self.places = ("°", 1.0, 4) if kind == "angle" else ("in", INCH, 5) if inch else ("mm", 1.0, 4)
-        self.unset = ""  # what 0 is called where it means that nothing is given
-        self.setDecimals(PRECISION)
-        self.setRange(-MOST, MOST)
         self.setSingleStep(0.1 if inch else 1.0)
+        self.setSuffix("")  # Qt shows the value anew
 
     def measured(self) -> float:
         """mm or degrees."""

@@ -151,13 +151,16 @@ class ProvePanel(WorkPanel):
         QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(self.shown))
 
 
-def create() -> ProvePanel:
-    """Open the panel; the first values are the user's preferences, and those of the tool path that is selected or alone."""
+def create(machine: str = "") -> ProvePanel:
+    """Open the panel; the first values are the user's preferences, and those of the tool path that is selected or alone. For a
+    ``machine`` that is given, they are its own."""
     from freecad_fiveaxis.app import changes, preferences
 
     panel = ProvePanel()
     values = changes.default_options("prove-signs") | {"machine": preferences.machine(), "controller": preferences.controller()}
     path = selected.selected_path(selected.TOOLPATH) if selected.has_path(selected.TOOLPATH) else None
+    if machine:
+        path, values = None, values | {"machine": machine, "controller": None}
     if path is not None:
         used = changes.shown_options(path, "mill")
         values |= {name: used[name] for name in ("machine", "controller", "origin", "tool_length", "tool", "work_offset")}

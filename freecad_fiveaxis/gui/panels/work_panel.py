@@ -149,7 +149,7 @@ class WorkPanel:
                 field.pick.stop()
         FreeCADGui.Control.closeDialog()
         if self.temporary_document:
-            later(lambda: _give_back(self.temporary_document))
+            later(lambda: give_back(self.temporary_document))
 
 
 def open_panel(panel: P) -> P:
@@ -165,8 +165,8 @@ def may_lie_over_a_view() -> bool:
     return tuple(int(part) for part in FreeCAD.Version()[:2]) >= OVERLAYS
 
 
-def _give_back(name: str) -> None:
-    """Close a lent document, unless the user has made it his own."""
+def give_back(name: str) -> None:
+    """Close an empty document that was open for a panel alone, unless the user has made it his own."""
     doc = FreeCAD.listDocuments().get(name)
     if doc is not None and not doc.Objects and not doc.FileName:
         FreeCAD.closeDocument(name)
