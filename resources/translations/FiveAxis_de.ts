@@ -7465,7 +7465,7 @@
     </message>
     <message>
         <source>the lists have a machine called {name}; give this one a name of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>in den Listen gibt es eine Maschine {name}; dieser einen eigenen Namen geben</translation>
     </message>
     <message>
         <source>the machine cannot stand as the program commands</source>

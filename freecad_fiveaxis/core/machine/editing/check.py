@@ -83,7 +83,7 @@ def _body_errors(draft: MachineDraft) -> Iterator[Problem]:
 
 def _check_body(body: MachineBody, draft: MachineDraft) -> None:
     read_bodies(write_bodies([body]), f"bodies.{body.name}", 1.0)
-    check_carriers([body], draft.letters("table"), draft.gauge_point)
+    check_carriers([body], draft.letters())
     if body.shape == FILE:
         check_readable(body.file)
 

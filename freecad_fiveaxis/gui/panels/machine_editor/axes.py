@@ -62,7 +62,7 @@ class AxesEditor(QtCore.QObject):
             field.edited.connect(lambda name=name: self._change(name))
         self.table.itemSelectionChanged.connect(self._fill)
         self.reverse.clicked.connect(lambda *_: self._reverse())
-        self.buttons["remove"].clicked.connect(lambda *_: self._put(remove_axis(self.draft, self.at), self.at))
+        self.buttons["remove"].clicked.connect(lambda *_: self._remove())
         self.buttons["up"].clicked.connect(lambda *_: self._move(-1))
         self.buttons["down"].clicked.connect(lambda *_: self._move(1))
         menu = QtWidgets.QMenu(self.buttons["add"])
@@ -145,6 +145,10 @@ class AxesEditor(QtCore.QObject):
         if self.axis is not None and self.draft is not None:
             x, y, z = self.axis.direction
             self._put(change_axis(self.draft, self.at, direction=(0.0 - x, 0.0 - y, 0.0 - z)), self.at)
+
+    def _remove(self) -> None:
+        if self.draft is not None:
+            self._put(remove_axis(self.draft, self.at), self.at)
 
     def _move(self, step: int) -> None:
         if self.draft is not None and self.at >= 0:

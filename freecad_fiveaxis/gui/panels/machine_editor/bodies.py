@@ -67,7 +67,7 @@ class BodiesEditor(QtCore.QObject):
 
     def follow(self, draft: MachineDraft) -> None:
         """Show a draft whose axes were changed: bodies go with their axes."""
-        if self.draft is None or draft.bodies != self.draft.bodies or draft.letters("table") != self.draft.letters("table"):
+        if self.draft is None or draft.bodies != self.draft.bodies or draft.letters() != self.draft.letters():
             self.show_draft(draft)
         self.draft = draft
 
@@ -77,7 +77,7 @@ class BodiesEditor(QtCore.QObject):
         if draft is None:
             return
         self.filling = True
-        show_items(self.fields["body_carrier"], [(one, carrier_label(one)) for one in (BASE, *draft.letters("table"), SPINDLE)])
+        show_items(self.fields["body_carrier"], [(one, carrier_label(one)) for one in (BASE, *draft.letters(), SPINDLE)])
         shown = {"body_name", "body_carrier", "body_clearance"} | (_sizes(body.shape) if body is not None else set())
         for name, row in self.rows.items():
             for widget in row:

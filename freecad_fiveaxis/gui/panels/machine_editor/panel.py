@@ -18,6 +18,7 @@ import FreeCADGui
 from freecad_fiveaxis.app import editing, machines, wording
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.editing import MachineDraft
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.panels.choosers import MachineField
@@ -47,7 +48,8 @@ class EditorPanel:
         self.general, self.axes, self.bodies = GeneralFields(), AxesEditor(), BodiesEditor()
         self.jog, self.target = JogSliders(), new_machine()
         self.picture: Any = None
-        self.names, self.document, self.written, self.machine = editing.known_names(), "", "", None
+        self.names, self.document, self.written = editing.known_names(), "", ""
+        self.machine: Machine | None = None
         self.draft: MachineDraft
         self.kept: MachineDraft
         self.opened, self.filling = machine, False
@@ -87,8 +89,8 @@ class EditorPanel:
         self.timer.timeout.connect(self.judge)
         self.start.edited.connect(self._start_elsewhere)
         self.general.edited.connect(lambda: self._edit(self.general.apply(self.draft)))
-        self.axes.edited.connect(lambda: self._edit(self.axes.draft))
-        self.bodies.edited.connect(lambda: self._edit(self.bodies.draft))
+        self.axes.edited.connect(lambda: self._edit(self.axes.draft or self.draft))
+        self.bodies.edited.connect(lambda: self._edit(self.bodies.draft or self.draft))
         self.jog.moved.connect(self._move)
         self.target.edited.connect(self._check_target)
         self.save_button.clicked.connect(lambda *_: self.save())

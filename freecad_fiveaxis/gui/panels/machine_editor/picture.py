@@ -45,7 +45,8 @@ class MachinePicture:
     """Nodes in a view's scene ``graph``. ``shown``: the machine that is drawn, None as long as none could be."""
 
     def __init__(self, graph: Any) -> None:
-        self.root, self.shown = nodes.separate(nodes.unpickable()), None
+        self.root = nodes.separate(nodes.unpickable())
+        self.shown: Machine | None = None
         self.root.setName("FiveAxisMachine")
         self._graph: Any = graph
         for node in (self.root, graph):
