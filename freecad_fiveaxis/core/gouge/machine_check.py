@@ -92,19 +92,19 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
 def needs_length(machine: Machine, body: MachineBody) -> bool:
     """Tell whether the place of a body against the tip depends on the tool's length: where the head carries it, or the table
     moves along Z beyond it."""
-    if not _is_held(machine, body):
+    if not is_held(machine, body):
         return True
-    locked = _locked_letters(machine, body)
+    locked = locked_letters(machine, body)
     return any(axis.letter in locked and not axis.rotary and abs(axis.direction[2]) > 1e-9 for axis in machine.axes)
 
 
-def _is_held(machine: Machine, body: MachineBody) -> bool:
+def is_held(machine: Machine, body: MachineBody) -> bool:
     """Tell whether table or base carry a body, not the head."""
     table = [axis.letter for axis in machine.fitted if axis.side == "table"]
     return body.carrier in (BASE, *table)
 
 
-def _locked_letters(machine: Machine, body: MachineBody) -> str:
+def locked_letters(machine: Machine, body: MachineBody) -> str:
     """The axes of the table between the body's carrier and the work."""
     table = [axis.letter for axis in machine.fitted if axis.side == "table"]
     return "".join(table if body.carrier == BASE else table[: table.index(body.carrier)])
@@ -129,9 +129,9 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
 def _against_bodies(given: InMachine, program: Program, tolerance: float, progress: Progress) -> Iterator[Finding]:
     stack = _stack(given)
     for body in given.machine.bodies:
-        if not _is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
+        if not is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
-        letters = _locked_letters(given.machine, body)
+        letters = locked_letters(given.machine, body)
         moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
         check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is in the way of a tool that touches the surface at a place with an axis: the machine's limits, the table, or the part."""
+"""What is in the way of a tool that touches the surface at a place with an axis: the machine's limits, the table, the part, or
+bodies of the machine."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 import numpy as np
@@ -19,6 +20,7 @@ from freecad_fiveaxis.core.passes import axes_within_limits, least_up
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import CUTTER, HOLDER, SHANK, Body, body_of, body_support, extend_way_out
 
+from .machine_in_pose import MachineInPose
 from .search import which_enter
 from .swept_motion import still_positions
 
@@ -37,14 +39,16 @@ class Obstacle(IntEnum):
     CUTTER = 2
     SHANK = 3
     HOLDER = 4
-    NONE = 5
+    MACHINE = 5
+    NONE = 6
 
 
 @dataclass(frozen=True, eq=False)
 class Reacher:
     """What is set on the part: ``limit`` mm that may enter it; ``table`` mm: height of the table's face in the work frame, below
     which no part of the tool may be, None where it is not known. ``kinematics`` None: any axis will do; ``most`` rad: the largest
-    angle from +Z that is wanted; ``far`` mm: so far along its axis it must be free to be drawn out."""
+    angle from +Z that is wanted; ``far`` mm: so far along its axis it must be free to be drawn out. ``machine``: its bodies,
+    None: it has none, or they are not looked at."""
 
     cutter: Cutter
     shank: tuple[tuple[float, float], ...] = ()
@@ -54,6 +58,7 @@ class Reacher:
     table: float | None = None
     most: float = math.pi
     far: float = 0.0
+    machine: MachineInPose | None = None
 
     @property
     def body(self) -> Body:
@@ -86,11 +91,27 @@ def obstacles(
         (Obstacle.CUTTER, enters_with(CUTTER)),
         (Obstacle.SHANK, enters_with(SHANK)),
         (Obstacle.HOLDER, enters_with(HOLDER)),
+        (Obstacle.MACHINE, lambda rows: _hits_machine(reacher, tree, tip[rows], axis[rows])),
     )
     for obstacle, hit in checks:
         rows = np.flatnonzero(met == Obstacle.NONE)
         met[rows[hit(rows)]] = obstacle
     return met
+
+
+def stick_out_farther(reacher: Reacher, more: float) -> Reacher:
+    """Let the tool stick out ``more`` mm farther: a shank as wide as the one there is, or as the cutter, fills the gap, and the
+    tool is as much longer where its length is known."""
+    width = reacher.shank[-1][0] if reacher.shank else reacher.cutter.diameter
+    longer = replace(reacher, shank=(*reacher.shank, (width, more)))
+    return longer if longer.machine is None else replace(longer, machine=longer.machine.longer(more, longer.body))
+
+
+def _hits_machine(reacher: Reacher, tree: FacetTree, tip: Floats, axis: Floats) -> Bools:
+    """Whether (n,) the machine is in the way of the tool with its tip (n, 3) mm and unit axis (n, 3) there."""
+    if reacher.machine is None or not len(tip):
+        return np.zeros(len(tip), np.bool_)
+    return reacher.machine.hits(reacher.body, tree, tip, axis, reacher.limit, reacher.far)
 
 
 def part_heights(tree: FacetTree, normal: Floats) -> Floats:

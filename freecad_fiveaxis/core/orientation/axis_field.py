@@ -5,7 +5,8 @@ node        a place on the surface with its facet's normal; there the tool stand
             ball itself would enter (no axis helps there).
 direction   one of many unit vectors, spread evenly; the same ones are tried at every node that they lean from by no more than
             WIDEST, a lollipop by its undercut more, and the node's own normal besides.
-free        within the machine's limits, above the table, and cutter, shank and holder out of the part.
+free        within the machine's limits, above the table, cutter, shank and holder out of the part, and no body of the machine in
+            the way.
 near        in (point, spacing x normal): places whose normals differ by 90 deg are as far apart as neighbours with the same one.
 
 The field begins with the normals where these are free and with few directions that free the most of the rest (a set cover).
@@ -203,9 +204,10 @@ def raised(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> 
 
 
 def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
-    """Thicken shank, holder and a lollipop's neck by ``margin`` mm all round."""
+    """Thicken shank, holder, a lollipop's neck and what the spindle carries by ``margin`` mm all round."""
     shank, holder = (tuple((wide + 2.0 * margin, long) for wide, long in rows) for rows in (reacher.shank, reacher.holder))
-    return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder)
+    machine = None if reacher.machine is None else replace(reacher.machine, margin=margin)
+    return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder, machine=machine)
 
 
 def are_free(

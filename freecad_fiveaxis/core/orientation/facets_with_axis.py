@@ -164,4 +164,5 @@ _REMEDY: dict[Obstacle, Sentence] = {
     Obstacle.CUTTER: say("it is too tight for the cutter; use a smaller one"),
     Obstacle.SHANK: say("the shank is in the way; use a thinner or a longer one"),
     Obstacle.HOLDER: say("the holder is in the way; let the tool stick out farther"),
+    Obstacle.MACHINE: say("the machine is in the way; use a longer tool, or clamp the part higher or elsewhere"),
 }

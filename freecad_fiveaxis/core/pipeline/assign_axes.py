@@ -34,7 +34,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath, break_polylines, l
 from freecad_fiveaxis.core.toolpath.feasible import feasible_rows
 
 from .context import MillContext
-from .options import axis_corrections, axis_options, reacher_of, tip_to_surface, tool_body
+from .options import axis_corrections, axis_options, reacher_in, tip_to_surface, tool_body
 from .records import AssignedAxes, OffsetContacts
 
 _NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
@@ -59,7 +59,7 @@ def free_rows(
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
     """The rows at which the field gives an axis that is free; a pass goes on behind contacts that have none."""
     settings, cutter = context.settings, context.settings.cutter.cutter
-    reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
+    reacher = reacher_in(context)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
     stand, mesh, progress = axis_options(settings), context.obstacles, context.progress
     progress("axis field", 0.0)
@@ -89,7 +89,7 @@ def framed_rows(
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
     """The rows, frame by frame, at which the tool is free with the axis of the frame of their pass, and these axes (n, 3)."""
     settings, cutter = context.settings, context.settings.cutter.cutter
-    reacher = reacher_of(settings, context.machine, context.kinematics, context.mesh)
+    reacher = reacher_in(context)
     offset, axis = divided(offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring, cutter.barrel)
     axis = frames.axis[frame[offset.pass_]]
     free, found = free_in_frames(offset, frames, frame, context.obstacles, reacher, context.progress)

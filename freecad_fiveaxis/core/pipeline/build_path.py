@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from .avoided import far_enough_rows
 from .bounded import bounded_by_hub, leads_outside
 from .context import MillContext
-from .options import kept_off, lead_options, reacher_of, tip_to_driven, tip_to_surface, tool_body
+from .options import kept_off, lead_options, reacher_in, tip_to_driven, tip_to_surface, tool_body
 from .records import AssignedAxes, LinkedPath
 from .rotary_axis import turns_the_part
 from .settings.tree import FROM_AXIS
@@ -68,7 +68,7 @@ def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats 
     only there rows are kept that it cannot leave along its axis."""
     if context.field is None and context.frames is None:
         return None
-    reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)
+    reacher = reacher_in(context)
     return path_retreats(seated, axis, context.obstacles, reacher, context.progress)
 
 

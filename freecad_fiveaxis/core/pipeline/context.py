@@ -11,6 +11,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.controllers import Dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, box_with, join_obstacles
+from freecad_fiveaxis.core.gouge.machine_in_pose import MachineInPose
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.orientation.facets_with_axis import AxisField
@@ -48,7 +49,8 @@ class MillContext(JobContext):
     """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
     axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some;
     ``chosen`` (f,): the facets that may be machined at all, where not all may; ``boundary``: within which the passes are kept;
-    ``frames``: of passes with locked rotary axes; ``keep_off``: faces to avoid on which there is an allowance."""
+    ``frames``: of passes with locked rotary axes; ``keep_off``: faces to avoid on which there is an allowance; ``bodies``: of the
+    machine, which axes are chosen to keep out of, None: there are none, or axes are not chosen."""
 
     mesh: Mesh
     keep: Bools
@@ -58,6 +60,7 @@ class MillContext(JobContext):
     boundary: Boundary | None = None
     frames: Frames | None = None
     keep_off: KeepOff | None = None
+    bodies: MachineInPose | None = None
 
     @property
     def obstacles(self) -> Mesh:

@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.tool.body import seen_from
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
-from .context import JobContext
+from .context import JobContext, MillContext
 from .options import driven_to_surface, kept_off, nc_title, post_options, tip_to_driven
 from .programs import PostedProgram
 from .safe_start import find_spindle_off, start_findings, start_plane
@@ -26,7 +26,8 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
     settings, kinematics = context.settings, context.kinematics
     clearance, radius = settings.links.clearance, settings.cutter.cutter.radius
     tool = seen_from(kept_off(settings), tip_to_driven(settings))
-    joints = solve(path, kinematics, *context.box, clearance, radius, context.progress, tool)
+    blocked = context.bodies.blocked if isinstance(context, MillContext) and context.bodies is not None else None
+    joints = solve(path, kinematics, *context.box, clearance, radius, context.progress, tool, blocked)
     if settings.cure.linearize == "on":
         near = None
     elif settings.cure.singularity == "linearize":

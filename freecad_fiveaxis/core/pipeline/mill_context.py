@@ -26,6 +26,7 @@ from freecad_fiveaxis.core.passes import (
     flat_interval,
     report_standing,
     standing_facets,
+    with_room,
 )
 from freecad_fiveaxis.core.passes.frames import Frames
 from freecad_fiveaxis.core.passes.radial_passes import unit_axis
@@ -34,6 +35,7 @@ from .avoided import facets_off, keep_off_of
 from .bounded import boundary_of, facets_inside
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis
+from .machine_around import bodies_in_pose
 from .options import axis_options, pass_options, reacher_of, travels
 from .over_table import AUTO, largest_axis_angle, report_part_in_table
 from .settings import FRAMES, Settings
@@ -55,12 +57,13 @@ def mill_context(
     if keep_off is not None:
         inside, near = facets_off(keep_off, mesh, inside)
         reports, chosen = reports + near, inside
-    field, frames = None, None
+    field, frames, bodies = None, None, None
     if settings.tool_axis.tool_axis == AUTO:
         standing = find_standing(settings, mesh, faces)
         faces = (~standing if faces is None else faces) & inside
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
-        reacher = reacher_of(settings, machine, kinematics, mesh)
+        bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, fixtures, progress)
+        reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
         reports += (*report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
         if settings.passes.passes == FRAMES:
@@ -77,7 +80,21 @@ def mill_context(
         followed = None if leans else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     context = MillContext(
-        settings, machine, kinematics, dialect, box, progress, mesh, keep, field, joined, chosen, boundary, frames, keep_off
+        settings,
+        machine,
+        kinematics,
+        dialect,
+        box,
+        progress,
+        mesh,
+        keep,
+        field,
+        joined,
+        chosen,
+        boundary,
+        frames,
+        keep_off,
+        bodies,
     )
     return context, (*reports, *left_out)
 

@@ -15,6 +15,7 @@ from freecad_fiveaxis.core.base.sentences import Option, one_line, say
 from freecad_fiveaxis.core.controllers import Dialect, find_dialect
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.lift import AIM
+from freecad_fiveaxis.core.gouge.machine_in_pose import MachineInPose
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.links.lead_in import LeadOptions
 from freecad_fiveaxis.core.machine import Machine, load_machine
@@ -150,16 +151,24 @@ def axis_corrections(context: MillContext) -> AxisCorrectionOptions:
 
 def _part_to_cut(context: MillContext) -> PartToCut:
     """Part, tool and machine."""
-    reacher = reacher_of(context.settings, context.machine, context.kinematics, context.mesh)
+    reacher = reacher_in(context)
     return PartToCut(context.mesh, context.keep, reacher)
 
 
-def reacher_of(settings: Settings, machine: Machine, kinematics: Chain, mesh: Mesh) -> Reacher:
-    """Tool, machine with room to its limits, table, and how far the axis may lean: what axes are chosen for freely."""
+def reacher_of(
+    settings: Settings, machine: Machine, kinematics: Chain, mesh: Mesh, bodies: MachineInPose | None = None
+) -> Reacher:
+    """Tool, machine with room to its limits, table, and how far the axis may lean: what axes are chosen for freely. ``bodies``:
+    of the machine, to keep out of."""
     tool, cutter, tolerance = settings.gouge, settings.cutter.cutter, settings.proof.tolerance
     table = table_below(settings, machine, mesh)
     within, most = with_room(kinematics), largest_axis_angle(settings, machine, mesh)
-    return Reacher(cutter, tool.shank, tool.holder, within, tolerance, table, most)
+    return Reacher(cutter, tool.shank, tool.holder, within, tolerance, table, most, machine=bodies)
+
+
+def reacher_in(context: MillContext) -> Reacher:
+    """The same of a job's context."""
+    return reacher_of(context.settings, context.machine, context.kinematics, context.mesh, context.bodies)
 
 
 def lead_options(context: MillContext) -> LeadOptions:

@@ -21,7 +21,7 @@ from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
-from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy
+from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy, with_room
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.scallop import flat_interval
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
@@ -31,6 +31,7 @@ from .bounded import boundary_of, bounded_by_hub, facets_inside
 from .context import MillContext, obstacles_of
 from .fewer_axes import keeps_its_axis, suit_tool_axis
 from .job import chosen_faces
+from .machine_around import bodies_in_pose
 from .mill_context import find_region, find_standing
 from .options import machine_of, reacher_of, wanted_scallop
 from .over_table import AUTO, largest_axis_angle
@@ -133,7 +134,8 @@ def _context(
         wanted = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
         keep, left_out = wanted & facets_under_axes(mesh, most), tuple[Finding, ...]()
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
-            reacher = reacher_of(settings, machine, kinematics, mesh)
+            bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, (), progress)
+            reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
             frames, keep, left_out = find_frames(joined, wanted, reacher, most, int(settings.passes.frames), progress)
     else:
         followed = None if keeps_its_axis(settings, machine) else kinematics

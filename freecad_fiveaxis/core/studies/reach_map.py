@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from freecad_fiveaxis.core.base.spread import spread
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture, join_obstacles
-from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters, obstacles
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, enters, obstacles, stick_out_farther
 from freecad_fiveaxis.core.gouge.rest_material import surface_samples
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.tool import Cutter
@@ -104,7 +104,7 @@ def reach_map(
     parts = list(_split_places(point, normal, BATCH if executor else len(point)))
     tried = spread(_try_all, ground, parts, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in parts])
     obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
-    held = np.flatnonzero(obstacle == Obstacle.HOLDER)
+    held = np.flatnonzero((obstacle == Obstacle.HOLDER) | (obstacle == Obstacle.MACHINE))
     rows = held[:: max(1, len(held) // TRIED)]
     parts = list(_split_places(point[rows], normal[rows], FEW if executor else len(rows)))
     scaled = _scaled(progress, tilts, 1.0)
@@ -166,10 +166,9 @@ def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
 def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
     """The first of LONGER (k,) by which the tool has to stick out farther to get there; len(LONGER) where it never does."""
     reacher, step, none = ground.reacher, np.full(len(places), len(LONGER)), len(LONGER)
-    width = reacher.shank[-1][0] if reacher.shank else reacher.cutter.diameter
     for k, more in enumerate(LONGER):
         rows = np.flatnonzero(step == none)
-        longer = replace(reacher, shank=(*reacher.shank, (width, more)))
+        longer = stick_out_farther(reacher, more)
         met, _, _ = _set_on(longer, ground.tree, places, rows, _scaled(progress, k / none, (k + 1) / none))
         step[met == Obstacle.NONE] = k
     return step

@@ -23,7 +23,7 @@ VERSION = 1
 
 KEYS = {
     Obstacle.CUTTER: "tighter_than_cutter", Obstacle.LIMITS: "beyond_machine", Obstacle.TABLE: "below_table",
-    Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder",
+    Obstacle.SHANK: "shank", Obstacle.HOLDER: "holder", Obstacle.MACHINE: "machine",
 }  # fmt: skip
 
 NOTE = (
@@ -38,7 +38,8 @@ def reason(obstacle: Obstacle) -> Sentence:
     return {
         Obstacle.LIMITS: say("beyond the machine's limits"), Obstacle.TABLE: say("below the table"),
         Obstacle.CUTTER: say("tighter than the cutter"), Obstacle.SHANK: say("shank in the way"),
-        Obstacle.HOLDER: say("holder in the way"), Obstacle.NONE: say("reachable"),
+        Obstacle.HOLDER: say("holder in the way"), Obstacle.MACHINE: say("machine in the way"),
+        Obstacle.NONE: say("reachable"),
     }[obstacle]  # fmt: skip
 
 

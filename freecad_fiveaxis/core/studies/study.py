@@ -34,6 +34,7 @@ from freecad_fiveaxis.core.pipeline.avoided import facets_off, keep_off_of, repo
 from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.pipeline.job import chosen_faces, make
+from freecad_fiveaxis.core.pipeline.machine_around import bodies_in_pose
 from freecad_fiveaxis.core.pipeline.options import (
     clamped,
     driven_to_surface,
@@ -122,7 +123,9 @@ def try_reach(
     table, below = _table_under(mesh, None if table is None else table - setup.origin[2])
     tool = settings.gouge
     limit, cutter = settings.proof.tolerance, settings.cutter.cutter
-    reacher = Reacher(cutter, tool.shank, tool.holder, chain(machine, setup), limit, table, most)
+    kinematics = chain(machine, setup)
+    bodies = bodies_in_pose(settings, machine, kinematics, mesh, fixtures, progress)
+    reacher = Reacher(cutter, tool.shank, tool.holder, kinematics, limit, table, most, machine=bodies)
     found = reach_map(mesh, reacher, faces, progress, fixtures, executor, keep_off)
     remarks += report_places(keep_off, mesh, faces, found.spacing)
     return ReachTrial(settings, found, mesh.findings + remarks + below, reacher)

@@ -13,6 +13,7 @@ Branch and winding come from :mod:`.branches`, the rows that are inserted where 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -39,6 +40,9 @@ POINT = Body((Piece(0.0, 0.0, 0.0, 0.0, 0.0),))
 CROSSING_ANGLE = math.radians(0.1)
 """A step whose axis passes the pole that near (rad) may go through the pole itself; its axis then leaves the commanded arc
 by about this angle."""
+Blocked = Callable[[Floats, Floats, Floats], Bools]
+"""Where (n,) the machine is in its own way with the tip (n, 3) mm and unit axis (n, 3) there at rotary words (n, 2) rad."""
+
 LINEAR_SLACK = 1e-6
 """Excess over a linear limit (mm) that is rounding, not travel: below any controller's step."""
 
@@ -68,16 +72,17 @@ class JointPath:
 
 def solve(
     path: CLPath, kinematics: Chain, low: Floats, high: Floats, clearance: float, radius: float = 0.0,
-    progress: Progress = silent, tool: Body | None = None,
+    progress: Progress = silent, tool: Body | None = None, blocked: Blocked | None = None,
 ) -> JointPath:  # fmt: skip
     """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
 
     ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
     rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too, and ``tool``, the body as seen from the driven
-    point (:func:`~freecad_fiveaxis.core.tool.body.seen_from`), None: the ball alone. Rotary words may jump on rapids that go
-    above the part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real
-    tip curve stays within half the clearance of the chord, and within the safe plane's margin. Each break gives a warning,
-    each linear axis beyond its limits an error. Raises ReachError where the machine cannot take up an axis within its
+    point (:func:`~freecad_fiveaxis.core.tool.body.seen_from`), None: the ball alone. ``blocked``: where the machine is in its own
+    way; there the other branch is taken, where it is free. Rotary words may jump on rapids that go above the
+    part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real tip curve
+    stays within half the clearance of the chord, and within the safe plane's margin. Each break gives a warning, each linear
+    axis beyond its limits an error. Raises ReachError where the machine cannot take up an axis within its
     rotary limits, SettingsError for a clearance that is not positive.
     """
     if not clearance > 0.0:
@@ -96,6 +101,9 @@ def solve(
     fits = _reachable(kinematics, path, angles, pole)
     cutting = ~_above(path, high[2] + clearance)
     words, branch = choose(angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress)
+    if blocked is not None and blocked(path.tip, path.axis, words).any():
+        fits = _free_of_machine(path, angles, fits, blocked)
+        words, branch = choose(angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress)
     _place_turns(path, pole, words, branch)
     _hold_stand_ins(words, kinematics)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
@@ -200,6 +208,12 @@ def _reachable(kinematics: Chain, path: CLPath, angles: Floats, pole: Bools) -> 
             (float(i), float(j), float(k)),
         )
     return fits
+
+
+def _free_of_machine(path: CLPath, angles: Floats, fits: Bools, blocked: Blocked) -> Bools:
+    """Which branches (2, n) of those that fit are not blocked; both stay where no other is left."""
+    free = fits & ~np.array([blocked(path.tip, path.axis, branch) for branch in angles])
+    return np.where(free.any(0), free, fits)
 
 
 def _too_few_axes(letter: str, count: int, all_rows: int, tip: Floats, axis: Floats) -> str:
