@@ -6,57 +6,114 @@ free      on one branch within the rotary limits no body of table or base is in 
           :mod:`.machine_check` looks for, in this one pose. Without the tool's length what depends on it is not asked, as there.
 pole      where any first rotary word will do, the tool has to be free on all of SAMPLES: its neighbours decide
           which one it gets.
-near      a body is asked only about poses in which the stack reaches beyond all six sides of the body's box.
+parted    a piece of the stack and a body, where along one of WAYS the one ends before the other begins: that is a proof, and only
+          what is not parted is searched.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import groupby
+from itertools import groupby, product
 from typing import NamedTuple
 
 import numpy as np
 
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.geometry.convex import find_gaps
+from freecad_fiveaxis.core.geometry.convex import Convex, find_gaps
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.machine.kinematics import chain, forward, inverse_axis, joint_words, q_to_words, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import Chain, chain, forward, inverse_axis, joint_words, q_to_words, words_to_q
 from freecad_fiveaxis.core.motion.joint_path.branches import POLE_ANGLE, within_limits
-from freecad_fiveaxis.core.tool.body import Body, body_support, extend_way_out, grow_body
+from freecad_fiveaxis.core.tool.body import CUTTER, Body, Piece, extend_way_out, support
 
 from .body_pairs import PARED
+from .body_search import Pair, open_blocks
+from .carried_motion import CarriedMotion
 from .carried_pieces import Carried, CarriedPair, carry_bodies, carry_tool, carry_work, pair_up
 from .inside import inside, is_closed
 from .machine_bodies import make_mesh, spindle_body
 from .machine_check import InMachine, is_held, lock_words, locked_letters, needs_length, zero_words
+from .rest_material import surface_samples
 from .search import which_enter
 from .swept_motion import still_positions
 
 SAMPLES = 8
 """First rotary words of a pole."""
 
+POINTS = 16
+"""Samples of a body's surface, about."""
+
+CELLS = 36
+"""Into which the range of each rotary axis is divided to prove that two bodies never meet."""
+
 BATCH = 16384
 """Poses at a time."""
 
+WAYS = np.array(sorted((way for way in product((-1.0, 0.0, 1.0), repeat=3) if any(way)), key=lambda way: np.count_nonzero(way)))
+WAYS /= np.linalg.norm(WAYS, axis=1)[:, None]
+"""Unit directions (26, 3), those of the sides of a box first."""
+
 
 class HeldBody(NamedTuple):
-    """A body that table or base carry: the axes that are ``locked`` seen from it, and its ``mesh``, mm, in the work frame that
-    stands still to it."""
+    """A body that table or base carry: the axes that are ``locked`` seen from it, its ``mesh``, mm, in the work frame that stands
+    still to it, how far it goes along WAYS, (26,) mm, and some points (k, 3) of its surface."""
 
     locked: str
     mesh: Mesh
+    reach: Floats
+    sample: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class PairInPose:
+    """Two pieces, as they move (``motion``) by the joints ``at`` (k,) of X Y Z and the rotary axes: they meet no farther apart
+    than ``within`` mm from the ``standing`` one."""
+
+    motion: CarriedMotion
+    standing: Convex
+    at: Ints
+    within: float
+
+    @staticmethod
+    def of(pair: CarriedPair, at: Ints, pared: float, margin: float) -> PairInPose:
+        """Give the pair of which ``pared`` mm may be in each other, thicker by ``margin`` mm."""
+        standing, rounds = pair.standing.piece, pair.moved.piece.round + pair.standing.piece.round
+        if rounds:
+            return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds))
+        return PairInPose(pair.motion, standing.pared(min(pared, 0.99 * standing.inmost[1])), at, margin)
+
+    @property
+    def turned(self) -> bool:
+        """Whether no linear axis moves the one against the other."""
+        return bool((self.at >= 3).all())
+
+    def never_meets(self, low: Floats, high: Floats) -> bool:
+        """Tell whether it is proven that nothing is met with any rotary words between ``low`` and ``high`` (2,) rad."""
+        if not self.turned:
+            return False
+        ends = [np.linspace(low[k - 3], high[k - 3], CELLS + 1) for k in self.at]
+        start, end = (np.stack(np.meshgrid(*pick, indexing="ij"), -1).reshape(-1, len(self.at)) for pick in _ends(ends))
+        return not len(open_blocks(Pair(self.motion, self.standing, self.within), start, end))
+
+    def meet(self, off: Floats) -> Bools:
+        """Tell where (n,) they do, all joints (n, 5) in mm and rad."""
+        joints, met = off[:, self.at], np.zeros(len(off), np.bool_)
+        rows = open_blocks(Pair(self.motion, self.standing, self.within), joints, joints)
+        poses, guess = self.motion.lines(joints[rows]).poses, np.tile((0.0, 0.0, 1.0), (len(rows), 1))
+        gaps = find_gaps(self.motion.moved, self.standing, poses, self.within, np.zeros(len(rows)), guess)
+        met[rows] = ~(gaps.least > 0.0)
+        return met
 
 
 @dataclass(frozen=True, eq=False)
 class MachineInPose:
     """``given``: machine, setup, chain with the limits that count, and the tool; ``held``: what the stack must not hit;
-    ``carried``: bodies, part and fixtures as convex pieces; ``tolerance`` mm that may be entered; ``margin`` mm by which all that
-    the spindle carries is thicker."""
+    ``carried``: bodies, part and fixtures as convex pieces; ``tolerance`` mm that may be entered; ``margin`` mm by which all but
+    the cutter is thicker where axes are chosen, for they are to be free between, too."""
 
     given: InMachine
     held: tuple[HeldBody, ...]
@@ -69,17 +126,21 @@ class MachineInPose:
         """What the spindle carries, heights from the tip; nothing where the tool's length is not known."""
         if self.given.length is None:
             return Body(())
-        return grow_body(spindle_body(self.given.machine, self.given.length + self.given.back), self.margin)
+        return spindle_body(self.given.machine, self.given.length + self.given.back)
 
     @cached_property
-    def pairs(self) -> tuple[CarriedPair, ...]:
+    def pairs(self) -> tuple[PairInPose, ...]:
         """What moves against each other, of what is known without the tool's length if there is none."""
-        given = self.given
+        given, letters = self.given, self.given.kinematics.letters
         tool = [] if given.length is None else carry_tool(given.machine, given.body, given.length + given.back)
         found, _ = pair_up(given.machine, [*self.carried, *tool])
         rise = np.linalg.solve(given.kinematics.direction[:3].T, (0.0, 0.0, 1.0))
         known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
-        return tuple(pair for pair in found if known[self._columns(pair)].all())
+        columns = [np.array([letters.index(step.axis.letter) for step in pair.motion.steps]) for pair in found]
+        pared = PARED * self.tolerance
+        low, high = _all_words(given.kinematics)
+        known_ = (PairInPose.of(pair, at, pared, self.margin) for pair, at in zip(found, columns, strict=True) if known[at].all())
+        return tuple(pair for pair in known_ if not pair.never_meets(low, high))
 
     def longer(self, more: float, body: Body) -> MachineInPose:
         """Put in a tool that is ``more`` mm longer, of this ``body``."""
@@ -103,7 +164,7 @@ class MachineInPose:
 
     def _hits(self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float) -> Bools:
         spindle = extend_way_out(self.spindle, far) if far else self.spindle
-        stack, kinematics = Body((*tool.pieces, *spindle.pieces)), self.given.kinematics
+        stack, kinematics = self._thickened((*tool.pieces, *spindle.pieces)), self.given.kinematics
         angles, sine = inverse_axis(kinematics, axis)
         low, high = kinematics.low[3:], kinematics.high[3:]
         fits, pole, met = within_limits(angles, low, high), sine <= POLE_ANGLE, np.ones(len(tip), np.bool_)
@@ -117,14 +178,16 @@ class MachineInPose:
         met[rows] = _enters(spindle, tree, tip[rows], axis[rows], limit)
         return met
 
+    def _thickened(self, pieces: Iterable[Piece]) -> Body:
+        """Shank, holder and spindle thicker by the margin; the cutter as it is, for it may work close to a body."""
+        return Body(tuple(one._replace(round=one.round + self.margin * (one.part != CUTTER)) for one in pieces))
+
     def _at_pole(self, stack: Body, tip: Floats, axis: Floats, angles: Floats, limit: float) -> Bools:
         """The same of poses at the pole, where the first word is free."""
-        met = np.zeros(len(tip), np.bool_)
-        for word in _spread_words(float(self.given.kinematics.low[3]), float(self.given.kinematics.high[3])):
-            rows = np.flatnonzero(~met)
-            turned = np.column_stack([np.full(len(rows), word), angles[rows, 1]])
-            met[rows] = self._at(stack, tip[rows], axis[rows], turned, limit)
-        return met
+        words = _spread_words(float(self.given.kinematics.low[3]), float(self.given.kinematics.high[3]))
+        row = np.repeat(np.arange(len(tip)), len(words))
+        turned = np.column_stack([np.tile(words, len(tip)), angles[row, 1]])
+        return self._at(stack, tip[row], axis[row], turned, limit).reshape(-1, len(words)).any(axis=1)
 
     def blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
         """Tell where (n,) the machine is in the way with the driven point (n, 3) mm and unit axis (n, 3) there at rotary words
@@ -145,11 +208,15 @@ class MachineInPose:
             seen = self._seen_from(locked, words, tip, axis)
             for body in bodies:
                 rows = np.flatnonzero(~met)
-                met[rows] = _in_body(stack, body.mesh, seen[0][rows], seen[1][rows], limit)
+                met[rows] = _in_body(stack, body, seen[0][rows], seen[1][rows], limit)
         off = words - zero_words(given.machine, given.setup, given.kinematics)
+        off[:, 3:], (first, which) = np.deg2rad(off[:, 3:]), _different(angles)
         for pair in self.pairs:
-            rows = np.flatnonzero(~met)
-            met[rows] = self._meet(pair, off[rows][:, self._columns(pair)])
+            if pair.turned:  # what turns alone is the same wherever the tool stands
+                met |= pair.meet(off[first])[which]
+            else:
+                rows = np.flatnonzero(~met)
+                met[rows] = pair.meet(off[rows])
         return met
 
     def _seen_from(self, locked: str, words: Floats, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
@@ -161,30 +228,10 @@ class MachineInPose:
         driven, axis = forward(given.kinematics, words_to_q(words))
         return driven - given.back * axis, axis
 
-    def _columns(self, pair: CarriedPair) -> Ints:
-        return np.array([self.given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps], np.int64)
 
-    def _meet(self, pair: CarriedPair, off: Floats) -> Bools:
-        """Whether (n,) two pieces are in each other, joints (n, k) in mm and degrees."""
-        joints, which = off, np.arange(len(off))
-        if pair.motion.rotary.all():
-            joints, which = np.unique(off, axis=0, return_inverse=True)
-        joints = np.where(pair.motion.rotary, np.deg2rad(joints), joints)
-        moved, standing, level = pair.moved.piece, pair.standing.piece, PARED * self.tolerance
-        if rounds := moved.round + standing.round:
-            within = self.margin - min(level, 0.99 * rounds)
-        else:
-            within, standing = self.margin, standing.pared(min(level, 0.99 * standing.inmost[1]))
-        poses = pair.motion.lines(joints).poses
-        away = np.linalg.norm(poses.turn @ moved.middle + poses.shift - standing.middle, axis=1)
-        met = away <= moved.reach + standing.reach + within
-        rows = np.flatnonzero(met)
-        guess = np.tile((0.0, 0.0, 1.0), (len(rows), 1))
-        met[rows] = ~(find_gaps(moved, standing, poses.take(rows), within, np.zeros(len(rows)), guess).least > 0.0)
-        return np.asarray(met[which.reshape(-1)])
-
-
-def machine_in_pose(given: InMachine, part: Mesh | None, tolerance: float, progress: Progress = silent) -> MachineInPose | None:
+def machine_in_pose(
+    given: InMachine, part: Mesh | None, tolerance: float, progress: Progress = silent, margin: float = 0.0
+) -> MachineInPose | None:
     """Prepare a machine, with the ``part`` on it, to be asked; None where its file names no bodies. Raises FiveAxisError for the
     file of a body that cannot be used."""
     machine = given.machine
@@ -192,37 +239,72 @@ def machine_in_pose(given: InMachine, part: Mesh | None, tolerance: float, progr
         return None
     held = sorted(_held_bodies(given, progress), key=lambda one: one.locked)
     carried = [*carry_bodies(machine, progress), *carry_work(machine, given.setup, part, given.fixtures)]
-    return MachineInPose(given, tuple(held), tuple(carried), tolerance)
+    return MachineInPose(given, tuple(held), tuple(carried), tolerance, margin)
 
 
 def _held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody]:
     for body in given.machine.bodies:
         if is_held(given.machine, body) and not (given.length is None and needs_length(given.machine, body)):
             mesh = make_mesh(body, -np.array(given.setup.origin), progress)
-            yield HeldBody(locked_letters(given.machine, body), mesh)
+            sample, _, _ = surface_samples(mesh, math.sqrt(float(mesh.area.sum()) / POINTS))
+            yield HeldBody(locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample)
 
 
-def _in_body(stack: Body, mesh: Mesh, tip: Floats, axis: Floats, limit: float) -> Bools:
+def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: float) -> Bools:
     """Whether (n,) the stack is in a body by more than ``limit`` mm, or its cutter all in it."""
-    met, tree = np.zeros(len(tip), np.bool_), facet_tree(mesh)
-    rows = np.flatnonzero(_reaches_box(stack, tip, axis, *mesh.box))
-    met[rows] = _enters(stack, tree, tip[rows], axis[rows], limit)
-    if is_closed(mesh):
+    met, tree = np.zeros(len(tip), np.bool_), facet_tree(body.mesh)
+    near = np.flatnonzero(_is_not_parted(_around(stack), body, tip, axis))
+    if not len(near):
+        return met
+    for piece in sorted(stack.pieces, key=lambda one: -one.widest):  # what is wide hits most of what is hit
+        rows = near[~met[near]]
+        rows = rows[_is_not_parted(piece, body, tip[rows], axis[rows])]
+        met[rows] = _holds_sample(piece, body, tip[rows], axis[rows], limit)
         rows = rows[~met[rows]]
+        met[rows] = _enters(Body((piece,)), tree, tip[rows], axis[rows], limit)
+    if is_closed(body.mesh):
+        rows = near[~met[near]]
+        rows = rows[_is_not_parted(stack.pieces[0], body, tip[rows], axis[rows])]
         met[rows] = inside(tree, tip[rows] + stack.pieces[0].low * axis[rows])
     return met
 
 
-def _reaches_box(stack: Body, tip: Floats, axis: Floats, low: Floats, high: Floats) -> Bools:
-    """Which stacks (n,) no side of a box from ``low`` to ``high`` (3,) mm parts from it: a side that does is a proof."""
-    rows = np.arange(len(tip))
-    for k in range(3):
-        for sign, side in ((1.0, high[k]), (-1.0, -low[k])):
-            least = sign * tip[rows, k] - body_support(stack, -sign * axis[rows, k])
-            rows = rows[least <= side]
-    reaches = np.zeros(len(tip), np.bool_)
-    reaches[rows] = True
-    return reaches
+def _holds_sample(piece: Piece, body: HeldBody, tip: Floats, axis: Floats, limit: float) -> Bools:
+    """Tell where (n,) a sample of the body is surely deeper than ``limit`` mm in a piece, which then need not be searched."""
+    least, held = min(piece.low_radius, piece.high_radius) - limit, np.zeros(len(tip), np.bool_)
+    if least <= 0.0:
+        return held
+    low, high = (tip * axis).sum(axis=1) + piece.low + limit, (tip * axis).sum(axis=1) + piece.high - limit
+    for place in body.sample:
+        rows = np.flatnonzero(~held)
+        height = axis[rows] @ place
+        rows = rows[(height > low[rows]) & (height < high[rows])]
+        arm = place - tip[rows]
+        along = (arm * axis[rows]).sum(axis=1)
+        held[rows] = (arm * arm).sum(axis=1) - along * along < least * least
+    return held
+
+
+def _around(stack: Body) -> Piece:
+    """A cylinder about all of a stack."""
+    low, high = min(one.low - one.round for one in stack.pieces), max(one.high + one.round for one in stack.pieces)
+    wide = max(piece.widest for piece in stack.pieces)
+    return Piece(low, wide, high, wide, 0.0)
+
+
+def _is_not_parted(piece: Piece, body: HeldBody, tip: Floats, axis: Floats) -> Bools:
+    """Tell where (n,) a piece and a body are not parted by any of WAYS."""
+    rows, found = np.arange(len(tip)), np.zeros(len(tip), np.bool_)
+    for way, reach in zip(WAYS, body.reach, strict=True):
+        rows = rows[tip[rows] @ way - support(piece, -(axis[rows] @ way)) <= reach]
+    found[rows] = True
+    return found
+
+
+def _different(angles: Floats) -> tuple[Ints, Ints]:
+    """The first rows (k,) of different ones of angles (n, 2), and which of them each is (n,)."""
+    _, first, which = np.unique(angles[:, 0] + 1j * angles[:, 1], return_index=True, return_inverse=True)
+    return first, which.reshape(-1)
 
 
 def _enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float) -> Bools:
@@ -230,6 +312,16 @@ def _enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float
     if not body.pieces or not len(tip):
         return np.zeros(len(tip), np.bool_)
     return which_enter(body, tree, still_positions(tip, axis), limit, np.arange(len(tip)))
+
+
+def _ends(ends: list[Floats]) -> tuple[list[Floats], list[Floats]]:
+    return [one[:-1] for one in ends], [one[1:] for one in ends]
+
+
+def _all_words(kinematics: Chain) -> tuple[Floats, Floats]:
+    """Between which rotary words (2,) rad all poses are that are asked for: a turn or the limits, whatever is less."""
+    turn = 2.0 * math.pi
+    return np.maximum(kinematics.low[3:], -turn), np.minimum(kinematics.high[3:], turn)
 
 
 def _spread_words(low: float, high: float) -> Floats:

@@ -204,10 +204,9 @@ def raised(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> 
 
 
 def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
-    """Thicken shank, holder, a lollipop's neck and what the spindle carries by ``margin`` mm all round."""
+    """Thicken shank, holder and a lollipop's neck by ``margin`` mm all round."""
     shank, holder = (tuple((wide + 2.0 * margin, long) for wide, long in rows) for rows in (reacher.shank, reacher.holder))
-    machine = None if reacher.machine is None else replace(reacher.machine, margin=margin)
-    return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder, machine=machine)
+    return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder)
 
 
 def are_free(

@@ -18,13 +18,19 @@ from .settings import Settings
 
 
 def bodies_in_pose(
-    settings: Settings, machine: Machine, kinematics: Chain, mesh: Mesh, fixtures: Sequence[Fixture], progress: Progress
+    settings: Settings,
+    machine: Machine,
+    kinematics: Chain,
+    mesh: Mesh,
+    fixtures: Sequence[Fixture],
+    progress: Progress,
+    margin: float = 0.0,
 ) -> MachineInPose | None:
-    """Prepare the bodies of a machine with part and fixtures on it, ``kinematics`` with the limits that count; None where its
-    file names none. Raises FiveAxisError for the file of a body that cannot be used."""
+    """Prepare the bodies of a machine with part and fixtures on it, ``kinematics`` with the limits that count, ``margin`` as of
+    :class:`MachineInPose`; None where its file names none. Raises FiveAxisError for the file of a body that cannot be used."""
     if not machine.bodies:
         return None
     _, setup, _ = resolve_setup(settings, machine)
     length = None if settings.machine.tool_length is None else setup.tool_length
     given = InMachine(machine, setup, kinematics, tool_body(settings), length, tip_to_driven(settings), fixtures=tuple(fixtures))
-    return machine_in_pose(given, mesh, settings.proof.tolerance, progress)
+    return machine_in_pose(given, mesh, settings.proof.tolerance, progress, margin)

@@ -13,6 +13,7 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.machine import Machine
 from freecad_fiveaxis.core.machine.kinematics import Chain
+from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.facets_with_axis import find_axis_field, select_facets
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.orientation.free_in_frames import stands_in
@@ -62,7 +63,7 @@ def mill_context(
         standing = find_standing(settings, mesh, faces)
         faces = (~standing if faces is None else faces) & inside
         check_passes(settings, mesh, faces & facets_under_axes(mesh, most))
-        bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, fixtures, progress)
+        bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, fixtures, progress, MARGIN)
         reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
         reports += (*report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))

@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import load_machine
+from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
 from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy, with_room
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
@@ -134,7 +135,7 @@ def _context(
         wanted = (~find_standing(settings, mesh, faces) if faces is None else faces) & inside
         keep, left_out = wanted & facets_under_axes(mesh, most), tuple[Finding, ...]()
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
-            bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, (), progress)
+            bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, (), progress, MARGIN)
             reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
             frames, keep, left_out = find_frames(joined, wanted, reacher, most, int(settings.passes.frames), progress)
     else:
