@@ -50,7 +50,8 @@ ENOUGH = 0.9
 """Of the area that only the holder keeps from being cut."""
 AREAS = {
     Obstacle.NONE: "ReachableArea", Obstacle.CUTTER: "TighterThanCutter", Obstacle.SHANK: "ShankInTheWay",
-    Obstacle.HOLDER: "HolderInTheWay", Obstacle.TABLE: "BelowTable", Obstacle.LIMITS: "BeyondMachine",
+    Obstacle.HOLDER: "HolderInTheWay", Obstacle.MACHINE: "MachineInTheWay", Obstacle.TABLE: "BelowTable",
+    Obstacle.LIMITS: "BeyondMachine",
 }  # fmt: skip
 """The property that holds the area of each reason, in the order of the legend."""
 WORTH = 3
@@ -242,8 +243,13 @@ def stick_out(chart: Chart) -> tuple[float, float]:
     """How much farther, mm, the tool should stick out, and the area, mm2, that it reaches then besides; zeros: no help."""
     if not chart.longer:
         return 0.0, 0.0
-    held = chart.area_of(Obstacle.HOLDER)
+    held = held_area(chart)
     return next((one for one in chart.longer if one[1] >= ENOUGH * held), chart.longer[-1])
+
+
+def held_area(chart: Chart) -> float:
+    """mm2 where holder or machine are in the way, and a tool that sticks out farther may help."""
+    return chart.area_of(Obstacle.HOLDER) + chart.area_of(Obstacle.MACHINE)
 
 
 def radius_too_large(found: Last) -> float:
@@ -254,9 +260,17 @@ def radius_too_large(found: Last) -> float:
 def advice(found: Last) -> list[Sentence]:
     """What would help where the holder is in the way, and where the cutter is too large: a sentence each."""
     chart = found.chart
-    held, (step, area) = chart.area_of(Obstacle.HOLDER), stick_out(chart)
+    held, (step, area) = held_area(chart), stick_out(chart)
+    by_machine = chart.area_of(Obstacle.MACHINE) > 0.0
     sentences = []
-    if held > 0.0 and step > 0.0:
+    if by_machine and step > 0.0:
+        sentences.append(say(
+            "Let the tool stick out {step} farther and it reaches {area} of the {held} where holder or machine are in the way.",
+            step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
+        ))  # fmt: skip
+    elif by_machine:
+        sentences.append(say("Where holder or machine are in the way, no tool that sticks out up to 80 mm farther helps."))
+    elif held > 0.0 and step > 0.0:
         sentences.append(say(
             "Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.",
             step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),

@@ -51,6 +51,11 @@ PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Surface where cutter and shank would be free, but not the holder"), 0.0, RESULT,
     ),
     Property(
+        "MachineInTheWay", "App::PropertyArea", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the tool would be free, but bodies of the machine are in the way"),
+        0.0, RESULT,
+    ),
+    Property(
         "BelowTable", "App::PropertyArea", "Result",
         QT_TRANSLATE_NOOP("App::Property", "Surface where a part of the tool would be below the table's face"), 0.0, RESULT,
     ),
@@ -61,7 +66,7 @@ PROPERTIES = (
     ),
     Property(
         "StickOut", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where the holder is in the way"),
+        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where holder or machine are in the way"),
         0.0, RESULT,
     ),
     Property(
@@ -75,7 +80,7 @@ PROPERTIES = (
     ),
     Property(
         "Advice", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What would help where holder or cutter are in the way, in plain sentences"),
+        QT_TRANSLATE_NOOP("App::Property", "What would help where holder, machine or cutter are in the way, in plain sentences"),
         "", RESULT,
     ),
     Property(

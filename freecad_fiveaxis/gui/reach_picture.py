@@ -27,6 +27,7 @@ def reason_text(obstacle: Obstacle) -> str:
         Obstacle.CUTTER: translate("FiveAxis", "cutter too large"),
         Obstacle.SHANK: translate("FiveAxis", "shank in the way"),
         Obstacle.HOLDER: translate("FiveAxis", "holder in the way"),
+        Obstacle.MACHINE: translate("FiveAxis", "machine in the way"),
         Obstacle.TABLE: translate("FiveAxis", "below the table"),
         Obstacle.LIMITS: translate("FiveAxis", "beyond the machine's limits"),
     }[obstacle]

@@ -680,6 +680,10 @@
         <translation>Maschinendatei</translation>
     </message>
     <message>
+        <source>Machine In The Way</source>
+        <translation>Maschine im Weg</translation>
+    </message>
+    <message>
         <source>Machined Area</source>
         <translation>Bearbeitete Fläche</translation>
     </message>
@@ -1116,8 +1120,8 @@
         <translation>So weit darf sich das Werkzeug gegen Z des Werkstücks neigen; 180°: so weit die Maschine schwenkt</translation>
     </message>
     <message>
-        <source>So much farther the tool should stick out where the holder is in the way</source>
-        <translation>Um so viel sollte das Werkzeug weiter auskragen, wo der Halter im Weg ist</translation>
+        <source>So much farther the tool should stick out where holder or machine are in the way</source>
+        <translation>So viel weiter sollte das Werkzeug auskragen, wo Halter oder Maschine im Weg sind</translation>
     </message>
     <message>
         <source>So much may be left: twice the scallop, and the tolerance</source>
@@ -1198,6 +1202,10 @@
     <message>
         <source>Surface where the cutter would be free, but not the shank</source>
         <translation>Fläche, bei der der Fräser frei wäre, der Schaft aber nicht</translation>
+    </message>
+    <message>
+        <source>Surface where the tool would be free, but bodies of the machine are in the way</source>
+        <translation>Oberfläche, an der das Werkzeug frei wäre, aber Körper der Maschine im Weg sind</translation>
     </message>
     <message>
         <source>Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with auto all that the machine reaches above its table</source>
@@ -1480,8 +1488,8 @@
         <translation>Was geschieht, wo Fräser, Schaft oder Halter in das Werkstück eindringen würde</translation>
     </message>
     <message>
-        <source>What would help where holder or cutter are in the way, in plain sentences</source>
-        <translation>Was hülfe, wo Halter oder Fräser im Weg sind, in Sätzen</translation>
+        <source>What would help where holder, machine or cutter are in the way, in plain sentences</source>
+        <translation>Was hülfe, wo Halter, Maschine oder Fräser im Weg sind, in einfachen Sätzen</translation>
     </message>
     <message>
         <source>Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV file with the points of a curve (or these, a ; between two)</source>
@@ -3803,6 +3811,10 @@
         <translation>prüft, wohin das Werkzeug kommt</translation>
     </message>
     <message>
+        <source>machine in the way</source>
+        <translation>Maschine im Weg</translation>
+    </message>
+    <message>
         <source>machines</source>
         <translation>Maschinen</translation>
     </message>
@@ -4740,6 +4752,10 @@
         <translation>Kragt das Werkzeug {step} weiter aus, erreicht es {area} mehr.</translation>
     </message>
     <message>
+        <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where holder or machine are in the way.</source>
+        <translation>Lassen Sie das Werkzeug {step} weiter auskragen, dann erreicht es {area} von den {held}, bei denen Halter oder Maschine im Weg sind.</translation>
+    </message>
+    <message>
         <source>Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.</source>
         <translation>Lassen Sie das Werkzeug {step} weiter auskragen, dann erreicht es {area} von den {held}, bei denen der Halter im Weg ist.</translation>
     </message>
@@ -5356,6 +5372,10 @@
         <translation>Was eine Änderung der Achse auf {part} Zeilen bringt, die dem Pol näher als {change} kommen (größte Drehung je Weg und gesamte Drehung von {letter}, NC-Sätze, die {tolerance} einhielten): {rows}.</translation>
     </message>
     <message>
+        <source>Where holder or machine are in the way, no tool that sticks out up to 80 mm farther helps.</source>
+        <translation>Wo Halter oder Maschine im Weg sind, hilft kein Werkzeug, das bis zu 80 mm weiter auskragt.</translation>
+    </message>
+    <message>
         <source>Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.</source>
         <translation>Wo der Fräser zu groß ist, passt eine Kugel von {diameter}, deren Radius um {more} kleiner ist, auf 90 % dieser Fläche.</translation>
     </message>
@@ -5378,6 +5398,10 @@
     <message>
         <source>While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.</source>
         <translation>Während Rundachsen drehen, tragen gerade Bewegungen der Achsen die Werkzeugspitze auf einer Kurve neben der Sollstrecke.</translation>
+    </message>
+    <message>
+        <source>With a tool that sticks out {more} farther an axis is free on about {share} % of that.</source>
+        <translation>Mit einem Werkzeug, das {more} weiter auskragt, ist auf etwa {share} % davon eine Achse frei.</translation>
     </message>
     <message>
         <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>
@@ -6540,6 +6564,10 @@
         <translation>die Maschinendatei {output} braucht die Endung .fcm</translation>
     </message>
     <message>
+        <source>machine in the way</source>
+        <translation>Maschine im Weg</translation>
+    </message>
+    <message>
         <source>machine {name} has a rotary head: give {tool_length}, gauge point to tip</source>
         <translation>die Maschine {name} hat einen Schwenkkopf: {tool_length} angeben, vom Bezugspunkt bis zur Werkzeugspitze</translation>
     </message>
@@ -7474,6 +7502,10 @@
     <message>
         <source>the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows it), and the part stands where the program takes it to stand</source>
         <translation>die Maschine ist so, wie {machine} sie beschreibt: Achsen, ihre Vorzeichen, Drehpunkte ({signs} zeigt es), und das Teil steht dort, wo das Programm es annimmt</translation>
+    </message>
+    <message>
+        <source>the machine is in the way; use a longer tool, or clamp the part higher or elsewhere</source>
+        <translation>die Maschine ist im Weg; ein längeres Werkzeug nehmen, oder das Teil höher oder woanders spannen</translation>
     </message>
     <message>
         <source>the machine's centres of rotation, about which it leads the axes, are not known</source>

@@ -187,7 +187,8 @@ class MachineInPose:
         words = _spread_words(float(self.given.kinematics.low[3]), float(self.given.kinematics.high[3]))
         row = np.repeat(np.arange(len(tip)), len(words))
         turned = np.column_stack([np.tile(words, len(tip)), angles[row, 1]])
-        return self._at(stack, tip[row], axis[row], turned, limit).reshape(-1, len(words)).any(axis=1)
+        met = self._at(stack, tip[row], axis[row], turned, limit)
+        return np.asarray(met.reshape(-1, len(words)).any(axis=1))
 
     def blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
         """Tell where (n,) the machine is in the way with the driven point (n, 3) mm and unit axis (n, 3) there at rotary words
@@ -203,7 +204,7 @@ class MachineInPose:
         """Whether (n,) something is hit at these rotary words (n, 2), but for the spindle in the part."""
         given = self.given
         words = q_to_words(joint_words(given.kinematics, tip + given.back * axis, angles))
-        met = np.isnan(words).any(axis=1)
+        met = np.asarray(np.isnan(words).any(axis=1))
         for locked, bodies in groupby(self.held, key=lambda one: one.locked):
             seen = self._seen_from(locked, words, tip, axis)
             for body in bodies:

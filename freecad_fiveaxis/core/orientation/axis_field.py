@@ -105,6 +105,12 @@ class Nodes:
         """Coordinates (n, 6) mm in which near is meant."""
         return near_places(self.point, self.normal, self.spacing)
 
+    def take(self, rows: Ints) -> Nodes:
+        """Pick these nodes (k,)."""
+        return Nodes(
+            self.point[rows], self.facet[rows], self.normal[rows], self.stand[rows], self.fits[rows], self.spacing
+        )  # fmt: skip
+
     def joined(self, more: Nodes) -> Nodes:
         """Append ``more`` nodes."""
 

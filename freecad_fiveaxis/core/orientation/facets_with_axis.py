@@ -19,10 +19,10 @@ from freecad_fiveaxis.core.base.errors import ReachError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Number, Sentence, say
+from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Number, Sentence, joined, say
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
+from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher, stick_out_farther
 from freecad_fiveaxis.core.passes.within_limits import LEVEL
 
 from .axis_field import (
@@ -44,6 +44,10 @@ NEAREST = 6
 
 BATCH = 16384
 """Points that are asked for an axis at a time."""
+
+LONGER, TRIED, ENOUGH = (10.0, 20.0, 40.0, 80.0), 60, 0.9
+"""mm by which a tool is tried to stick out farther where the machine is in the way, at so many nodes, about; it helps where such
+a share is free then."""
 
 ABOUT = 3
 """Nodes about the middle of a facet of which one must be free, where none lies on it."""
@@ -101,10 +105,13 @@ def find_axis_field(
     return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
 
 
-def select_facets(field: AxisField, mesh: Mesh, facets: Bools, most: float) -> tuple[Bools, tuple[Finding, ...]]:
+def select_facets(
+    field: AxisField, mesh: Mesh, facets: Bools, most: float, reacher: Reacher | None = None
+) -> tuple[Bools, tuple[Finding, ...]]:
     """Choose those of ``facets`` (f,) on or near which a node has a free axis, and say by reason what is left out.
 
-    ``most`` rad: the largest angle from +Z that was wanted. Raises ReachError where nothing is left.
+    ``most`` rad: the largest angle from +Z that was wanted; ``reacher``: with which a longer tool is tried where the machine is
+    in the way, None: none is. Raises ReachError where nothing is left.
     """
     some, out = field.freedom.some, np.zeros(len(mesh.face), np.bool_)
     if some.all():
@@ -120,14 +127,32 @@ def select_facets(field: AxisField, mesh: Mesh, facets: Bools, most: float) -> t
     if not (facets & ~out).any():
         met = Obstacle(int(np.bincount(reason[rows], mesh.area[rows]).argmax()))
         raise ReachError(say("no facet can be cut: no tool axis is free on any; {remedy}", remedy=_REMEDY[met]), None)
-    return facets & ~out, _left_out(mesh, out, reason, most)
+    by_machine = reacher is not None and (out & (reason == Obstacle.MACHINE)).any()
+    longer = _try_longer(field, mesh, reacher) if reacher is not None and by_machine else ""
+    return facets & ~out, _left_out(mesh, out, reason, most, longer)
 
 
-def _left_out(mesh: Mesh, out: Bools, reason: Ints, most: float) -> tuple[Finding, ...]:
+def _try_longer(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
+    """Say by how much a longer tool would help, tried at some of the nodes where the machine is in the way; nothing where no
+    tool does that is up to the last of LONGER longer."""
+    held = np.flatnonzero(~field.freedom.some & (field.freedom.met == Obstacle.MACHINE))
+    nodes, tree = field.nodes.take(held[:: max(1, len(held) // TRIED)]), facet_tree(mesh)
+    for more in LONGER:
+        longer = stick_out_farther(with_margin(reacher), more)
+        share = float(find_freedom(nodes, longer, tree, field.freedom.direction).some.mean()) if len(held) else 0.0
+        if share >= ENOUGH:
+            return say(
+                "With a tool that sticks out {more} farther an axis is free on about {share} % of that.",
+                more=Length(more), share=Number(100.0 * share, ".0f"),
+            )  # fmt: skip
+    return ""
+
+
+def _left_out(mesh: Mesh, out: Bools, reason: Ints, most: float, longer: str) -> tuple[Finding, ...]:
     """How much area is left out for each reason; the place is the middle of the largest such facet."""
     down = out & (reason == Obstacle.LIMITS) & (mesh.normal[:, 2] < -math.sin(LEVEL))
     groups = [(obstacle, out & ~down & (reason == obstacle)) for obstacle in _REMEDY]
-    return (*_looking_down(mesh, down, most), *(_without_axis(mesh, group, why) for why, group in groups if group.any()))
+    return (*_looking_down(mesh, down, most), *(_without_axis(mesh, group, why, longer) for why, group in groups if group.any()))
 
 
 def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
@@ -142,12 +167,13 @@ def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
     return (report_finding(Code.FACETS_LOOKING_DOWN, text, lost, 0.0, place=place),)
 
 
-def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle) -> Finding:
+def _without_axis(mesh: Mesh, group: Bools, obstacle: Obstacle, longer: str) -> Finding:
     lost, share, place = _area_of(mesh, group)
     text = say(
         "{area} ({share} % of the part) are left out, for no tool axis is free there: {remedy}.",
         area=Area(lost, ".6g"), share=share, remedy=_REMEDY[obstacle],
     )  # fmt: skip
+    text = joined((text, longer if obstacle == Obstacle.MACHINE else ""))
     return report_finding(Code.FACETS_WITHOUT_FREE_AXIS, text, lost, 0.0, place=place)
 
 

@@ -67,7 +67,7 @@ def find_frames(
     nodes = surface_nodes(mesh, facets, reacher, tree)
     freedom = find_freedom(nodes, wide, tree, candidates(mesh, reacher.kinematics), progress)
     freedom = Freedom(freedom.direction, freedom.free, np.zeros_like(freedom.upright), freedom.met)
-    keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most)
+    keep, left_out = select_facets(AxisField(nodes, freedom, nodes.normal), mesh, facets, most, reacher)
     chosen = _cover_of(nodes, freedom, count)
     places, direction = surface_nodes(mesh, keep, reacher, tree, PLACES), freedom.direction
     rest = np.flatnonzero(~find_freedom(places, wide, tree, direction[chosen], progress).free.any(axis=1))

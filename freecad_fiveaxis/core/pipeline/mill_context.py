@@ -71,7 +71,7 @@ def mill_context(
             frames, keep, left_out = find_frames(joined, to_cut, reacher, most, int(settings.passes.frames), progress)
         else:
             field = find_axis_field(joined, to_cut, reacher, progress)
-            keep, left_out = select_facets(field, joined, to_cut, most)
+            keep, left_out = select_facets(field, joined, to_cut, most, reacher)
         keep = keep[: len(faces)]
     elif settings.tool_axis.tool_axis == FROM_AXIS:
         stand = axis_options(settings)

@@ -4,7 +4,7 @@
 place     the surface is divided into triangles no larger than a spacing; each stands for its middle with its facet's normal.
           There the cutter is set on the part with many axes, the facet's normal first, then ever farther from it.
 obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the machine's limits, the tool
-          then above the table, then cutter, shank and holder out of the part.
+          then above the table, then cutter, shank and holder out of the part, then bodies of the machine out of the way.
 
 It is as fine as its places and axes: what it calls reachable is (that axis was tried), what it does not may still be, under an
 axis between those tried.
@@ -63,7 +63,7 @@ TRIED = 1000
 """Places, about, at which a tool that sticks out farther is tried."""
 
 LONGER = (5.0, 10.0, 20.0, 40.0, 80.0)
-"""mm: so much farther the tool is tried to stick out where only the holder is in the way."""
+"""mm: so much farther the tool is tried to stick out where only holder or machine are in the way."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,8 +241,8 @@ def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
 
 def _reached(area: Floats, held: Ints, rows: Ints, step: Ints) -> Iterator[tuple[float, float]]:
     """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of the places ``held``, where
-    only the holder is in the way: an estimate from ``rows``, of which ``step`` is the first of LONGER that helps. A shank as wide
-    as the one there is, or as the cutter, fills the gap."""
+    only holder or machine are in the way: an estimate from ``rows``, of which ``step`` is the first of LONGER that helps. A shank
+    as wide as the one there is, or as the cutter, fills the gap."""
     each, reached = float(area[held].sum()) / max(float(area[rows].sum()), 1e-30), 0.0
     for k, more in enumerate(LONGER):
         free = rows[step == k]
