@@ -78,16 +78,17 @@ def open_blocks(pair: Pair, low: Floats, high: Floats) -> Ints:
         if parts > 1 and WORTH * len(cells) > len(rows):
             return rows
         low_, high_ = cells[:, : low.shape[1]] * size + first, cells[:, low.shape[1] :] * size + first
-        free = np.concatenate(
-            [
-                _look(pair, _cells(low_[k : k + SLICE], high_[k : k + SLICE]), False)[0]
-                for k in range(0, len(cells), SLICE)
-            ]
-        )  # fmt: skip
+        free = free_cells(pair, low_, high_)
         rows = rows[~free[which]]
         if not len(rows):
             return rows
     return rows
+
+
+def free_cells(pair: Pair, low: Floats, high: Floats) -> Bools:
+    """Tell of cells of joints, each from ``low`` to ``high`` (n, k), mm and rad, which are proven to be free all over (n,)."""
+    parts = [_look(pair, _cells(low[k : k + SLICE], high[k : k + SLICE]), False)[0] for k in range(0, len(low), SLICE)]
+    return np.concatenate(parts) if parts else np.zeros(0, np.bool_)
 
 
 def _different(rows: Floats) -> tuple[Floats, Ints]:

@@ -31,7 +31,7 @@ from freecad_fiveaxis.core.motion.joint_path.branches import POLE_ANGLE, within_
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, Piece, extend_way_out, support
 
 from .body_pairs import PARED
-from .body_search import Pair, open_blocks
+from .body_search import Pair, free_cells
 from .carried_motion import CarriedMotion
 from .carried_pieces import Carried, CarriedPair, carry_bodies, carry_tool, carry_work, pair_up
 from .inside import inside, is_closed
@@ -47,8 +47,8 @@ SAMPLES = 8
 POINTS = 16
 """Samples of a body's surface, about."""
 
-CELLS = 36
-"""Into which the range of each rotary axis is divided to prove that two bodies never meet."""
+CELLS = 32
+"""Into which the range of each rotary axis is divided, to prove once where two bodies that it turns never meet."""
 
 BATCH = 16384
 """Poses at a time."""
@@ -71,42 +71,55 @@ class HeldBody(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class PairInPose:
     """Two pieces, as they move (``motion``) by the joints ``at`` (k,) of X Y Z and the rotary axes: they meet no farther apart
-    than ``within`` mm from the ``standing`` one."""
+    than ``within`` mm from the ``standing`` one. ``low``, ``high`` (2,) rad: the rotary words between which cells are proven."""
 
     motion: CarriedMotion
     standing: Convex
     at: Ints
     within: float
+    low: Floats
+    high: Floats
 
     @staticmethod
-    def of(pair: CarriedPair, at: Ints, pared: float, margin: float) -> PairInPose:
+    def of(pair: CarriedPair, at: Ints, pared: float, margin: float, low: Floats, high: Floats) -> PairInPose:
         """Give the pair of which ``pared`` mm may be in each other, thicker by ``margin`` mm."""
         standing, rounds = pair.standing.piece, pair.moved.piece.round + pair.standing.piece.round
         if rounds:
-            return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds))
-        return PairInPose(pair.motion, standing.pared(min(pared, 0.99 * standing.inmost[1])), at, margin)
+            return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds), low, high)
+        return PairInPose(pair.motion, standing.pared(min(pared, 0.99 * standing.inmost[1])), at, margin, low, high)
 
     @property
     def turned(self) -> bool:
         """Whether no linear axis moves the one against the other."""
         return bool((self.at >= 3).all())
 
-    def never_meets(self, low: Floats, high: Floats) -> bool:
-        """Tell whether it is proven that nothing is met with any rotary words between ``low`` and ``high`` (2,) rad."""
-        if not self.turned:
-            return False
-        ends = [np.linspace(low[k - 3], high[k - 3], CELLS + 1) for k in self.at]
-        start, end = (np.stack(np.meshgrid(*pick, indexing="ij"), -1).reshape(-1, len(self.at)) for pick in _ends(ends))
-        return not len(open_blocks(Pair(self.motion, self.standing, self.within), start, end))
+    @cached_property
+    def free(self) -> Bools:
+        """Which cells of the rotary words, CELLS along each, are proven to be free."""
+        ends = [np.linspace(self.low[k - 3], self.high[k - 3], CELLS + 1) for k in self.at]
+        low, high = (
+            np.stack(np.meshgrid(*(one[part] for one in ends), indexing="ij"), -1).reshape(-1, len(ends))
+            for part in (slice(None, -1), slice(1, None))
+        )
+        return free_cells(Pair(self.motion, self.standing, self.within), low, high)
 
     def meet(self, off: Floats) -> Bools:
         """Tell where (n,) they do, all joints (n, 5) in mm and rad."""
         joints, met = off[:, self.at], np.zeros(len(off), np.bool_)
-        rows = open_blocks(Pair(self.motion, self.standing, self.within), joints, joints)
+        rows = np.flatnonzero(~self._proven(joints)) if self.turned else np.arange(len(off))
         poses, guess = self.motion.lines(joints[rows]).poses, np.tile((0.0, 0.0, 1.0), (len(rows), 1))
         gaps = find_gaps(self.motion.moved, self.standing, poses, self.within, np.zeros(len(rows)), guess)
         met[rows] = ~(gaps.least > 0.0)
         return met
+
+    def _proven(self, joints: Floats) -> Bools:
+        """Which joints (n, k) lie in a free cell."""
+        low, high = self.low[self.at - 3], self.high[self.at - 3]
+        cell = np.minimum(((joints - low) / (high - low) * CELLS).astype(np.int64), CELLS - 1)
+        within = ((joints >= low) & (joints <= high)).all(axis=1)
+        found = np.zeros(len(joints), np.bool_)
+        found[within] = self.free[np.ravel_multi_index(tuple(cell[within].T), (CELLS,) * len(self.at))]
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,8 +152,12 @@ class MachineInPose:
         columns = [np.array([letters.index(step.axis.letter) for step in pair.motion.steps]) for pair in found]
         pared = PARED * self.tolerance
         low, high = _all_words(given.kinematics)
-        known_ = (PairInPose.of(pair, at, pared, self.margin) for pair, at in zip(found, columns, strict=True) if known[at].all())
-        return tuple(pair for pair in known_ if not pair.never_meets(low, high))
+        pairs = (
+            PairInPose.of(pair, at, pared, self.margin, low, high)
+            for pair, at in zip(found, columns, strict=True)
+            if known[at].all()
+        )
+        return tuple(pair for pair in pairs if not (pair.turned and pair.free.all()))
 
     def longer(self, more: float, body: Body) -> MachineInPose:
         """Put in a tool that is ``more`` mm longer, of this ``body``."""
@@ -313,10 +330,6 @@ def _enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float
     if not body.pieces or not len(tip):
         return np.zeros(len(tip), np.bool_)
     return which_enter(body, tree, still_positions(tip, axis), limit, np.arange(len(tip)))
-
-
-def _ends(ends: list[Floats]) -> tuple[list[Floats], list[Floats]]:
-    return [one[:-1] for one in ends], [one[1:] for one in ends]
 
 
 def _all_words(kinematics: Chain) -> tuple[Floats, Floats]:
