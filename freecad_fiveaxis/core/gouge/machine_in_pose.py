@@ -16,7 +16,7 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import groupby, product
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -186,13 +186,13 @@ class MachineInPose:
         low, high = kinematics.low[3:], kinematics.high[3:]
         fits, pole, met = within_limits(angles, low, high), sine <= POLE_ANGLE, np.ones(len(tip), np.bool_)
         fits |= ~fits.any(axis=0)  # limits are asked by others
+        held = _enters(spindle, tree, tip, axis, limit)
+        self._add_hits(held, "", stack, tip, axis, limit)
         for branch in range(2):
-            rows = np.flatnonzero(met & fits[branch] & ~pole)
+            rows = np.flatnonzero(met & fits[branch] & ~pole & ~held)
             met[rows] = self._at(stack, tip[rows], axis[rows], angles[branch, rows], limit)
-        rows = np.flatnonzero(pole)
+        rows = np.flatnonzero(pole & ~held)
         met[rows] = self._at_pole(stack, tip[rows], axis[rows], angles[0, rows], limit)
-        rows = np.flatnonzero(~met)
-        met[rows] = _enters(spindle, tree, tip[rows], axis[rows], limit)
         return met
 
     def _thickened(self, pieces: Iterable[Piece]) -> Body:
@@ -215,18 +215,23 @@ class MachineInPose:
         for first in range(0, len(tip), BATCH):
             rows = slice(first, first + BATCH)
             met[rows] = self._at(stack, tip[rows], axis[rows], angles[rows], self.tolerance)
+            self._add_hits(met[rows], "", stack, tip[rows], axis[rows], self.tolerance)
         return met
 
+    def _add_hits(self, met: Bools, locked: str, stack: Body, tip: Floats, axis: Floats, limit: float) -> None:
+        """Add to ``met`` (n,) what hits a body from which on these axes are locked, tips and axes (n, 3) as it sees them."""
+        for body in self.held:
+            if body.locked == locked:
+                rows = np.flatnonzero(~met)
+                met[rows] = _in_body(stack, body, tip[rows], axis[rows], limit)
+
     def _at(self, stack: Body, tip: Floats, axis: Floats, angles: Floats, limit: float) -> Bools:
-        """Whether (n,) something is hit at these rotary words (n, 2), but for the spindle in the part."""
+        """Whether (n,) something is hit at these rotary words (n, 2), of all that depends on them."""
         given = self.given
         words = q_to_words(joint_words(given.kinematics, tip + given.back * axis, angles))
         met = np.asarray(np.isnan(words).any(axis=1))
-        for locked, bodies in groupby(self.held, key=lambda one: one.locked):
-            seen = self._seen_from(locked, words, tip, axis)
-            for body in bodies:
-                rows = np.flatnonzero(~met)
-                met[rows] = _in_body(stack, body, seen[0][rows], seen[1][rows], limit)
+        for locked in sorted({one.locked for one in self.held} - {""}):
+            self._add_hits(met, locked, stack, *self._seen_from(locked, words), limit)
         off = words - zero_words(given.machine, given.setup, given.kinematics)
         off[:, 3:], (first, which) = np.deg2rad(off[:, 3:]), _different(angles)
         for pair in self.pairs:
@@ -237,10 +242,8 @@ class MachineInPose:
                 met[rows] = pair.meet(off[rows])
         return met
 
-    def _seen_from(self, locked: str, words: Floats, tip: Floats, axis: Floats) -> tuple[Floats, Floats]:
+    def _seen_from(self, locked: str, words: Floats) -> tuple[Floats, Floats]:
         """Tips (n, 3) and axes (n, 3) as a body sees them from which on these axes are locked."""
-        if not locked:
-            return tip, axis
         given = self.given
         words = lock_words(given.machine, given.setup, given.kinematics, words, locked)
         driven, axis = forward(given.kinematics, words_to_q(words))
@@ -255,7 +258,7 @@ def machine_in_pose(
     machine = given.machine
     if not machine.bodies:
         return None
-    held = sorted(_held_bodies(given, progress), key=lambda one: one.locked)
+    held = _held_bodies(given, progress)
     carried = [*carry_bodies(machine, progress), *carry_work(machine, given.setup, part, given.fixtures)]
     return MachineInPose(given, tuple(held), tuple(carried), tolerance, margin)
 
