@@ -11,7 +11,7 @@ from typing import Any
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.editing import MachineDraft, Problem, check_draft, read_draft, save_draft
+from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft, Problem, check_draft, read_draft, save_draft
 
 from . import importing, machines
 
@@ -36,10 +36,11 @@ def check(draft: MachineDraft, file: str = "", names: Collection[str] = ()) -> t
     return machine, tuple(sorted(problems, key=lambda one: -one.severity))
 
 
-def write(draft: MachineDraft, fcm_file: Any = None) -> str:
-    """Write the machine file, never over another one; returns its name. None: in the user's folder. Raises FiveAxisError."""
+def write(draft: MachineDraft, fcm_file: Any = None, attached: AttachedMeshes | None = None) -> str:
+    """Write the machine file and the meshes ``attached`` to it, never over another file; returns its name. None: in the user's
+    folder. Raises FiveAxisError."""
     target = os.fspath(fcm_file) if fcm_file else machines.free_file(draft.name)
     importing.check_target(target)
     machines.make_folder(target)
-    save_draft(draft, target)
+    save_draft(draft, target, attached)
     return target

@@ -1615,6 +1615,10 @@
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
+        <source>About how far facets may lie beside the solid; a clearance makes up for it</source>
+        <translation>Etwa so weit dürfen Facetten neben dem Volumenkörper liegen; ein Abstand gleicht das aus</translation>
+    </message>
+    <message>
         <source>About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn</source>
         <translation>Etwa {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen; 1 von {one_in} Bahnen ist gezeichnet</translation>
     </message>
@@ -1685,6 +1689,10 @@
     <message>
         <source>Apply to the tool path</source>
         <translation>Für den Werkzeugweg übernehmen</translation>
+    </message>
+    <message>
+        <source>Attach the selected solid</source>
+        <translation>Gewählten Körper anhängen</translation>
     </message>
     <message>
         <source>Audit</source>
@@ -1987,6 +1995,10 @@
         <translation>Beschreibung</translation>
     </message>
     <message>
+        <source>Deviation of facets</source>
+        <translation>Abweichung der Facetten</translation>
+    </message>
+    <message>
         <source>Deviation of the tip</source>
         <translation>Abweichung der Spitze</translation>
     </message>
@@ -2129,6 +2141,10 @@
     <message>
         <source>From a CAM Job…</source>
         <translation>Aus einem CAM-Auftrag …</translation>
+    </message>
+    <message>
+        <source>From a document</source>
+        <translation>Aus einem Dokument</translation>
     </message>
     <message>
         <source>From a tool file…</source>
@@ -2499,6 +2515,10 @@
         <translation>Nächster singulärer</translation>
     </message>
     <message>
+        <source>No document of yours is open: open the one that holds the solid, select it there, and press this again.</source>
+        <translation>Keines Ihrer Dokumente ist offen: Öffnen Sie das mit dem Volumenkörper, wählen Sie ihn dort aus und drücken Sie dies noch einmal.</translation>
+    </message>
+    <message>
         <source>No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and type one.</source>
         <translation>Keine Spindeldrehzahl angegeben: das Programm lässt die Spindel aus, wie für einen Lauf ohne Schnitt. Abbrechen und eine eingeben.</translation>
     </message>
@@ -2529,6 +2549,10 @@
     <message>
         <source>Nothing is checked: the tool may enter the part.</source>
         <translation>Nichts wird geprüft: das Werkzeug kann in das Werkstück eindringen.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected: select solids, meshes, parts or links of “{}” in the tree or a view, then press this again.</source>
+        <translation>Nichts ist ausgewählt: Wählen Sie Volumenkörper, Netze, Parts oder Links von „{}“ im Baum oder in einer Ansicht aus und drücken Sie dies dann noch einmal.</translation>
     </message>
     <message>
         <source>Nothing is wrong with this machine.</source>
@@ -2811,6 +2835,10 @@
         <translation>Kuppenhöhe</translation>
     </message>
     <message>
+        <source>Select solids, meshes, parts or links in any document. Its coordinates are taken for the machine's, with all axes at zero. Saving writes them as STL files beside the machine's file.</source>
+        <translation>Wählen Sie in einem beliebigen Dokument Volumenkörper, Netze, Parts oder Links aus. Seine Koordinaten gelten als die der Maschine, alle Achsen auf null. Beim Speichern werden daraus STL-Dateien neben der Maschinendatei.</translation>
+    </message>
+    <message>
         <source>Set the tool path's work zero on the machine to the recommended one, and compute it.</source>
         <translation>Den Werkstücknullpunkt des Werkzeugwegs auf der Maschine auf den empfohlenen setzen und den Werkzeugweg berechnen.</translation>
     </message>
@@ -2975,6 +3003,10 @@
         <translation>Die Achse mit der kleinsten Abweichung auf dieser Maschine, innerhalb des größten Achswinkels; dauert lange.</translation>
     </message>
     <message>
+        <source>The axis that moves what is attached, or the spindle</source>
+        <translation>Die Achse, die das Angehängte bewegt, oder die Spindel</translation>
+    </message>
+    <message>
         <source>The axis's own limit, as its machine coordinates count; empty: none</source>
         <translation>Die Grenze der Achse selbst, in Maschinenkoordinaten; leer: keine</translation>
     </message>
@@ -3077,6 +3109,10 @@
     <message>
         <source>The part was deleted meanwhile: press Cancel, and select another one.</source>
         <translation>Das Werkstück wurde inzwischen gelöscht: „Abbrechen“ drücken und ein anderes auswählen.</translation>
+    </message>
+    <message>
+        <source>The point of the document that is the machine's zero</source>
+        <translation>Der Punkt des Dokuments, der der Maschinennullpunkt ist</translation>
     </message>
     <message>
         <source>The point of the part that is the program's zero</source>
@@ -3243,6 +3279,10 @@
         <translation>Bis</translation>
     </message>
     <message>
+        <source>To be carried by</source>
+        <translation>Soll getragen werden von</translation>
+    </message>
+    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
@@ -3395,6 +3435,10 @@
         <translation>Was würde mehr fertig bearbeiten?</translation>
     </message>
     <message>
+        <source>Where the machine's zero lies in the document</source>
+        <translation>Wo der Maschinennullpunkt im Dokument liegt</translation>
+    </message>
+    <message>
         <source>Where the program's zero is drawn in the document</source>
         <translation>Wo der Nullpunkt des Programms im Dokument gezeichnet wird</translation>
     </message>
@@ -3525,6 +3569,10 @@
     <message>
         <source>as they stand</source>
         <translation>wie sie dastehen</translation>
+    </message>
+    <message>
+        <source>attached</source>
+        <translation>angehängt</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -5470,6 +5518,10 @@
     <message>
         <source>a deviation of {enough} cannot be enough; give 0 or more</source>
         <translation>eine Abweichung von {enough} kann nicht genug sein; 0 oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>a deviation of {linear} is not above 0; give one as 0.1 mm</source>
+        <translation>Eine Abweichung von {linear} ist nicht größer als 0; geben Sie eine wie 0,1 mm an</translation>
     </message>
     <message>
         <source>a dimension of the machine is certain within a range only</source>
@@ -8630,6 +8682,10 @@
     <message>
         <source>{label} ({kind}) has no solid: {what}.</source>
         <translation>{label} ({kind}) hat keinen Volumenkörper: {what}.</translation>
+    </message>
+    <message>
+        <source>{label} ({kind}) holds neither a solid nor a mesh: select a solid, a mesh, or a part or link of some.</source>
+        <translation>{label} ({kind}) enthält weder einen Volumenkörper noch ein Netz: Wählen Sie einen Volumenkörper, ein Netz oder ein Part oder einen Link davon aus.</translation>
     </message>
     <message>
         <source>{label} ({typeid}) has no solid: {what}.</source>
