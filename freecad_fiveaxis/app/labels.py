@@ -237,7 +237,7 @@ def _of_the_machine_editor() -> dict[str, str]:
         "body_file": translate("FiveAxis", "STL file"),
         "body_clearance": translate("FiveAxis", "Clearance"),
         "attach_carrier": translate("FiveAxis", "To be carried by"),
-        "machine_zero": translate("FiveAxis", "Where the machine's zero lies in the document"),
+        "machine_zero": translate("FiveAxis", "Machine's zero in the document"),
         "attach_deviation": translate("FiveAxis", "Deviation of facets"),
     }
 

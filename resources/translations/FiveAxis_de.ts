@@ -2379,6 +2379,10 @@
         <translation>Ausgangsmaschine</translation>
     </message>
     <message>
+        <source>Machine's zero in the document</source>
+        <translation>Maschinennullpunkt im Dokument</translation>
+    </message>
+    <message>
         <source>Machine, controller and work zero that several paths share</source>
         <translation>Maschine, Steuerung und Nullpunkt, die mehrere Wege teilen</translation>
     </message>
@@ -3433,10 +3437,6 @@
     <message>
         <source>What would finish more?</source>
         <translation>Was würde mehr fertig bearbeiten?</translation>
-    </message>
-    <message>
-        <source>Where the machine's zero lies in the document</source>
-        <translation>Wo der Maschinennullpunkt im Dokument liegt</translation>
     </message>
     <message>
         <source>Where the program's zero is drawn in the document</source>

@@ -393,10 +393,11 @@ def test_what_is_selected_in_a_document_becomes_bodies_and_files_beside_the_mach
     assert cells(field("bodies_table"))[-1] == ["Net 2", "–", "attached"]
     assert extent(opened[0].draft.bodies[-1]) == [(-20.0, -30.0, -160.0), (20.0, 30.0, -140.0)]
     until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    until(lambda: FreeCAD.ActiveDocument.Name == opened[0].document, 20000, "the picture in front of the user's document")
     until(lambda: not cut(panel_form()), 20000, "no text that is cut")
     pump(500)
     screenshot("machine-editor-attached")
-    slide(field("jog_A"), 0.75)
+    field("jog_A").setValue(300)
     pump(300)
     screenshot("machine-editor-attached-moved")
     kept = [one.file for one in opened[0].draft.bodies]

@@ -93,6 +93,7 @@ class EditorPanel:
         self.axes.edited.connect(lambda: self._edit(self.axes.draft or self.draft))
         self.bodies.edited.connect(lambda: self._edit(self.bodies.draft or self.draft))
         self.bodies.refused.connect(self._tell)
+        self.bodies.attach.found.connect(lambda *_: later(self._come_to_front))
         self.jog.moved.connect(self._move)
         self.target.edited.connect(self._check_target)
         self.save_button.clicked.connect(lambda *_: self.save())
@@ -176,6 +177,11 @@ class EditorPanel:
     def _move(self) -> None:
         if self.picture is not None:
             self.picture.move(self.jog.joints)
+
+    def _come_to_front(self) -> None:
+        """Show the machine's picture again, behind which the user's document came when something was selected there."""
+        if self.document in FreeCAD.listDocuments():
+            FreeCADGui.setActiveDocument(self.document)
 
     def _fit(self) -> None:
         if self.document:
