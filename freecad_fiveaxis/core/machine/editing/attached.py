@@ -7,19 +7,18 @@ beside    with the draft each is written beside the machine's file, named after 
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from freecad_fiveaxis.core.base.files import plain_name, read_bytes
+from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.geometry.mesh import Mesh, write_stl
-from freecad_fiveaxis.core.machine.bodies import FILE, MachineBody
+from freecad_fiveaxis.core.machine.bodies import FILE, MachineBody, free_body_name
+from freecad_fiveaxis.core.machine.mesh_files import SUFFIX, free_mesh_file
 
 from .draft import MachineDraft
-
-SUFFIX = ".stl"
 
 
 class AttachedMeshes:
@@ -55,16 +54,9 @@ def attach_bodies(
     body's name already gets a number. Raises FileError."""
     bodies = list(draft.bodies)
     for label, mesh in surfaces:
-        name = free_name(label, [body.name for body in bodies])
+        name = free_body_name(label, [body.name for body in bodies])
         bodies.append(MachineBody(name, carrier, FILE, file=attached.add(mesh)))
     return replace(draft, bodies=tuple(bodies))
-
-
-def free_name(label: str, taken: Collection[str]) -> str:
-    """Name a body after a label, unlike all that are ``taken``."""
-    label = label.strip() or "body"
-    numbered = (f"{label} {number}" for number in count(2))
-    return label if label not in taken else next(name for name in numbered if name not in taken)
 
 
 def name_attached(draft: MachineDraft, target: Path, attached: AttachedMeshes) -> tuple[MachineDraft, dict[str, bytes]]:
@@ -79,15 +71,3 @@ def name_attached(draft: MachineDraft, target: Path, attached: AttachedMeshes) -
             body = replace(body, file=name)
         bodies.append(body)
     return replace(draft, bodies=tuple(bodies)), files
-
-
-def free_mesh_file(target: Path, body: str, taken: Collection[str] = ()) -> str:
-    """Name an STL file for a ``body`` of the machine file ``target`` that neither is there nor ``taken``."""
-    used = {name.casefold() for name in taken}
-    return next(name for name in _names(target, body) if name.casefold() not in used and not os.path.lexists(name))
-
-
-def _names(target: Path, body: str) -> Iterator[str]:
-    stem = plain_name(f"{target.stem} {body}", "body")
-    for number in count(1):
-        yield str(target.absolute().parent / f"{stem}{f'-{number}' if number > 1 else ''}{SUFFIX}")
