@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection
-from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.base.codes import Severity
@@ -26,10 +25,10 @@ def known_names() -> frozenset[str]:
     return frozenset(choice.label for choice in machines.choices())
 
 
-def check(draft: MachineDraft, file: str = "", names: Collection[str] = ()) -> tuple[Machine | None, tuple[Problem, ...]]:
-    """The machine of a draft that is to be ``file``, None where it is none yet, and what is wrong or open, errors first.
+def check(draft: MachineDraft, names: Collection[str] = ()) -> tuple[Machine | None, tuple[Problem, ...]]:
+    """The machine of a draft, None where it is none yet, and what is wrong or open, errors first.
     ``names``: of other machines."""
-    machine, problems = check_draft(draft, Path(file).parent if file else None)
+    machine, problems = check_draft(draft)
     if draft.name.strip() in names:
         text = say("the lists have a machine called {name}; give this one a name of its own", name=draft.name.strip())
         problems = (*problems, Problem("machine", text, Severity.WARNING))

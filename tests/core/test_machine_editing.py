@@ -246,6 +246,8 @@ def test_the_meshes_of_bodies_are_found_from_wherever_the_file_lies(tmp_path, mo
         data = json.loads((tmp_path / folder / "again.fcm").read_bytes())
         assert data["fiveaxis"]["bodies"] == [{"name": "bed", "carrier": "base", "file": name}]
         assert Path(load_machine(f"{folder}/again.fcm").bodies[0].file).samefile(tmp_path / "old" / "parts" / "bed.stl")
+    machine, _ = check_draft(draft)
+    assert machine.bodies[0].file == str(tmp_path / "old" / "parts" / "bed.stl"), "a picture can read it from anywhere"
 
 
 def test_what_is_no_machine_makes_no_draft(tmp_path):

@@ -405,6 +405,9 @@ def test_what_is_selected_in_a_document_becomes_bodies_and_files_beside_the_mach
     until(lambda: (folder / "mine.fcm").exists(), 20000, "the file")
     until(lambda: "Written: " in findings(field), 20000, "that it is written")
     assert cells(field("bodies_table"))[0] == ["Vise", "A", "STL file"]
+    assert [Path(one.file).parent for one in opened[0].picture.shown.bodies] == 4 * [folder], (
+        "drawn of the files that are there now"
+    )
     panel_button("Close", 500)
     panel_closed()
     assert sorted(path.name for path in folder.iterdir()) == [

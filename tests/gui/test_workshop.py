@@ -333,6 +333,7 @@ def test_a_urdf_file_is_imported_with_its_bodies_which_the_editor_then_shows(
     parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("Machine", str(folder / "mill.fcm"))
     press("FiveAxis_EditMachine", SLID)
     until(lambda: field("bodies_table").rowCount() == 3, 20000, "its bodies")
+    assert "a name of its own" in shown(field, "editor_findings"), "it is in the lists, and its mesh can be read"
     pump(500)
     screenshot("import-urdf-edited")
     panel_button("Close", 500)

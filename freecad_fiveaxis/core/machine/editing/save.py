@@ -19,7 +19,7 @@ def save_draft(draft: MachineDraft, path: str | os.PathLike[str], attached: Atta
     """Write the draft as a new ``.fcm`` file, the meshes ``attached`` to it as STL files beside it. Raises MachineError for what
     is wrong with it, FileError where the file is there already or cannot be written; then no file is left."""
     target = Path(path)
-    require_machine(draft, target.parent)
+    require_machine(draft)
     check_new(target)
     draft, files = name_attached(draft, target, attached or AttachedMeshes())
     write_all(files | {str(target): draft_bytes(draft, target.parent)})

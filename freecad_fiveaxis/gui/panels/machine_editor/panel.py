@@ -192,7 +192,7 @@ class EditorPanel:
     def judge(self) -> None:
         """Say what is wrong with the machine and what it leaves open."""
         self.timer.stop()
-        self.machine, problems = editing.check(self.draft, self.target.value(), self.names)
+        self.machine, problems = editing.check(self.draft, self.names)
         lines = [(COLOURS[one.severity], wording.localize(one.text)) for one in problems]
         if self.written and not self.changed:
             lines.insert(0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written)))
