@@ -68,7 +68,7 @@ def stand(axes: Any, text: str, lead: float, title: str) -> None:
 
 def main() -> None:
     """Seven shapes above, seven stands below."""
-    figure, axes = plt.subplots(2, 7, figsize=(16.4, 6.2), constrained_layout=True)
+    figure, axes = plt.subplots(2, 7, figsize=(14.0, 6.2), constrained_layout=True)
     for place, text in zip(axes[0], SHAPES, strict=True):
         shape(place, text)
     stand(axes[1, 0], "bull:10:2:16", 15.0, "lead 15 deg: contact, corner centre,\nhub (x), tip (dot)")

@@ -17,11 +17,14 @@ from freecad_fiveaxis.core.geometry.convex import convex_hull
 from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge import body_search
 from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_between
+from freecad_fiveaxis.core.gouge.carried_pieces import carry_tool
 from freecad_fiveaxis.core.gouge.fixtures import Fixture
 from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine, zero_words
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.tool import body as tool_body
+from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
@@ -394,3 +397,17 @@ def test_a_part_is_milled_free_of_bodies_on_that_machine_where_it_stands_high_en
     found = job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "tool_length": 150})).findings
     met = {(one.hit.enters, one.hit.entered) for one in found if one.code == "machine-collision"}
     assert (not met) == free and (free or any("table slide" in pair and "housing" in pair for pair in met))
+
+
+@pytest.mark.parametrize("text", ["ball:10", "flat:10", "bull:10:2", "taperbull:8:1.5:8deg", "lollipop:10:5", "barrel:10:85:2"])
+def test_what_the_tool_carries_holds_all_of_it(text):
+    """Points of the tool's own body, at all heights, are in one of its convex pieces."""
+    machine, body = load_machine("trunnion_ac"), tool_body.body_of(parse_cutter(text))
+    pieces = [one.piece for one in carry_tool(machine, body, 120.0)]
+    tip = np.array(machine.gauge_point) - (0.0, 0.0, 120.0)
+    at = np.random.default_rng(2).uniform((-6.0, -6.0, -1.0), (6.0, 6.0, 40.0), (20000, 3))
+    inside = at[tool_body.depth_of(body, np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]), at) > 0.0] + tip
+    off = [(inside @ one.plane[:, :3].T + one.plane[:, 3]).max(axis=1) - one.round for one in pieces if len(one.plane)]
+    off += [np.linalg.norm(inside - np.clip(inside, one.corner.min(axis=0), one.corner.max(axis=0)), axis=1) - one.round
+            for one in pieces if not len(one.plane)]  # fmt: skip
+    assert len(inside) > 1000 and np.min(off, axis=0).max() < 1e-6

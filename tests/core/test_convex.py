@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Gaps of convex pieces, beside scipy's least squares and linear programmes, and bounds over cells of joints, beside samples."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from mesh_shapes import box
@@ -11,6 +13,7 @@ from test_machine_bodies import MACHINES
 from freecad_fiveaxis.core.geometry import convex
 from freecad_fiveaxis.core.geometry.convex import Poses, convex_hull, find_gaps, nearest_weights, support_gap
 from freecad_fiveaxis.core.geometry.solids import frustum_facets
+from freecad_fiveaxis.core.gouge import carried_motion
 from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_between
 from freecad_fiveaxis.core.machine import load_machine
 
@@ -122,6 +125,30 @@ def cell_slack(name, joined, count=60):
 @pytest.mark.parametrize("name", MACHINES)
 def test_in_no_sample_of_a_cell_the_gap_is_less_than_is_said_to_be_left(name, joined):
     assert cell_slack(name, joined) > -1e-9
+
+
+def slack_of_two_turns():
+    """How much less than at the ends of cells of a trunnion's two turns the gap is that is said to be left: the least, mm. The
+    pieces are hulls of some points, so that the corner that both turns take lowest is often one that neither of them does."""
+    rng, machine, slack = np.random.default_rng(3), load_machine("trunnion_ac"), []
+    for _ in range(20):
+        motion = CarriedMotion(steps_between(machine, "base", "C"), convex_hull(rng.normal(size=(12, 3)) * (200.0, 200.0, 50.0)))
+        for middle, half in zip(rng.uniform(-1.5, 1.5, (20, 1, 2)), rng.choice([0.003, 0.01, 0.1], (20, 1, 2)), strict=True):
+            g = rng.normal(size=(1, 3))
+            g /= np.linalg.norm(g)
+            left = motion.least_gap(CONE, motion.lines(middle), half, g, False)[0]
+            at = motion.lines(middle + np.array(list(product((-1.0, 1.0), repeat=2))) * half).poses
+            slack.append(support_gap(motion.moved, CONE, at, np.tile(g, (4, 1))).min() - left)
+    return min(slack)
+
+
+def test_no_corner_goes_lower_by_two_turns_of_their_own_than_is_said():
+    assert slack_of_two_turns() > -1e-9
+
+
+def test_turns_taken_together_that_go_each_as_it_will_would_be_noticed(monkeypatch):
+    monkeypatch.setattr(carried_motion, "product", lambda signs, repeat: [repeat * (sign,) for sign in signs])
+    assert slack_of_two_turns() < -1.0
 
 
 def test_turns_that_add_up_would_be_noticed_where_each_is_counted_alone(monkeypatch):

@@ -18,7 +18,9 @@ farther than its velocities say, and ``sum of half (half / 2 + phi) lever``, whe
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -134,23 +136,31 @@ class CarriedMotion:
         return bend, (size * lines.lever).sum(axis=0)
 
     def least_gap(self, standing: Convex, lines: Lines, half: Floats, g: Floats, joined: bool) -> Floats:
-        """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left all over cells of ``half`` (n, k), rounds taken off."""
+        """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left all over cells of ``half`` (n, k), rounds taken off.
+
+        With the velocities of the middle the place of each corner along ``g`` is linear in the joints, so the least
+        of all corners is least at an end of the cell: at one of both where the joints go in step, else of all that
+        the joints that turn make.
+        """
         bend, _ = self.travel(lines, half)
         axis = crossed(g, lines.direction) * self.rotary[:, None, None]
         flat = np.where(self.rotary[:, None], -(axis * lines.point).sum(axis=2), (g * lines.direction).sum(axis=2))
         axis, flat = axis * half.T[:, :, None], flat * half.T
         if joined:
-            return np.asarray(self._both(standing, lines, g, axis.sum(axis=0), flat.sum(axis=0)) - bend)
-        gap = support_gap(self.moved, standing, lines.poses, g)
-        lost = [
-            gap - self._both(standing, lines, g, *one) for one in zip(axis, flat, strict=True) if one[1].any() or one[0].any()
-        ]
-        return np.asarray(gap - np.sum(lost, axis=0) - bend) if lost else gap - bend
+            ways = [np.ones(len(self.steps)), -np.ones(len(self.steps))]
+        else:  # what a linear axis does is the same for every point
+            bend = bend + np.abs(flat[~self.rotary]).sum(axis=0)
+            ways = [self._turning(signs) for signs in product((1.0, -1.0), repeat=int(self.rotary.sum()))]
+        gaps = [
+            support_gap(self.moved, standing, lines.poses, g, np.tensordot(way, axis, 1)) + way @ flat for way in ways
+        ]  # fmt: skip
+        return np.asarray(np.min(gaps, axis=0) - bend)
 
-    def _both(self, standing: Convex, lines: Lines, g: Floats, tilt: Floats, flat: Floats) -> Floats:
-        """The lesser of the gaps at both ends, were the velocities those of the middle."""
-        one, other = (support_gap(self.moved, standing, lines.poses, g, s * tilt) + s * flat for s in (1.0, -1.0))
-        return np.asarray(np.minimum(one, other))
+    def _turning(self, signs: Sequence[float]) -> Floats:
+        """These signs (k,) for the steps that turn, 0 for the others."""
+        way = np.zeros(len(self.steps))
+        way[self.rotary] = signs
+        return way
 
 
 def _turns(axis: Floats, angle: Floats) -> Floats:

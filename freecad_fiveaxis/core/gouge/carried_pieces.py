@@ -98,7 +98,8 @@ def _tool_piece(piece: Piece, tip: Floats) -> Convex:
     if piece.low == piece.high:
         disc = frustum_facets(low, low + up, piece.low_radius, piece.low_radius).reshape(-1, 3)
         return convex_hull(np.unique(disc * (1.0, 1.0, 0.0) + (0.0, 0.0, low[2]), axis=0), piece.round)
-    return convex_hull(frustum_facets(low, high, piece.low_radius, piece.high_radius).reshape(-1, 3), piece.round)
+    wide = piece.high_radius if piece.bulge > 0.0 else piece.low_radius  # the cylinder about a barrel's arc
+    return convex_hull(frustum_facets(low, high, wide, piece.high_radius).reshape(-1, 3), piece.round)
 
 
 def pair_up(machine: Machine, carried: Sequence[Carried]) -> tuple[list[CarriedPair], list[tuple[Carried, Carried]]]:

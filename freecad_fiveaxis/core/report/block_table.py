@@ -38,7 +38,8 @@ def header(letters: str, depth: bool = False, surface: bool = False) -> str:
     """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``, ``surface``: the last
     ones too."""
     words = ",".join(letters[column] for column in letter_order(letters))
-    names = f"block,line,motion,{words},feed,u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
+    of_deviation = "u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
+    names = f"block,line,motion,{words},feed,{of_deviation}"
     return names + ",depth" * depth + ",surface_deviation,surface_bound" * surface
 
 

@@ -43,8 +43,9 @@ def circle_numbers(rest: str) -> tuple[float, ...] | None:
 
 _N = rb"([-+.0-9E\x01]+)"
 CATIA_ARC = re.compile(
-    rb"(?m)^INDIRV/" + rb",".join([_N] * 3) + rb"$\nT\x01?LON,\x01?GOFWD/\x01?\(CIRCLE/\x01?" + rb",".join([_N] * 4)
-    + rb"\)\x01?,\x01?ON\x01?,\x01?(?:[12],\x01?INTOF,\x01?)?\(\x01?LINE/\x01?" + rb",".join([_N] * 6) + rb"\)\x01?$"
+    rb"(?m)^INDIRV/" + rb",".join([_N] * 3) + rb"$\nT\x01?LON,\x01?GOFWD/\x01?"
+    + rb"\(CIRCLE/\x01?" + rb",".join([_N] * 4) + rb"\)\x01?,\x01?ON\x01?,\x01?(?:[12],\x01?INTOF,\x01?)?"
+    + rb"\(\x01?LINE/\x01?" + rb",".join([_N] * 6) + rb"\)\x01?$"
 )  # fmt: skip
 
 
