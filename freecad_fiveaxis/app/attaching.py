@@ -137,6 +137,5 @@ def _holder(top: Any) -> Any:
     whole path, as it does of what is selected in its tree and views."""
     if hasattr(top, "getGlobalPlacement"):
         return selection.holder_of(top)
-    for parent, path in top.Parents:
-        return parent.getSubObject("".join(f"{name}." for name in path.split(".")[:-2]), 3)
-    return FreeCAD.Placement()
+    group = top.getParentGeoFeatureGroup()  # of a link; not its parents, which name the links to its group too
+    return FreeCAD.Placement() if group is None else group.getGlobalPlacement()
