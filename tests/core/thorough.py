@@ -6,7 +6,6 @@ OTHERS_ONCE: larger ones of the same kind, to which it is nothing which numpy is
 import pytest
 from _pytest.mark import ParameterSet
 
-
 OTHERS_ONCE = pytest.mark.slow
 
 
