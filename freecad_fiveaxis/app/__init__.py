@@ -209,9 +209,10 @@ def prove_signs(nc_file: Any, machine: str, sheet: Any = None, overwrite: bool =
 
 
 def import_machine(source: Any, fcm_file: Any = None) -> str:
-    """Make a machine file of a LinuxCNC .ini or a file of FreeCAD's Machine editor; returns its name.
+    """Make a machine file of a LinuxCNC .ini, a .urdf or a file of FreeCAD's Machine editor; returns its name.
 
-    ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. Raises FiveAxisError.
+    ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. The meshes of a .urdf are written
+    beside it. Raises FiveAxisError.
     """
     from . import arguments, importing
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Collection
-from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.editing import MachineDraft, Problem, check_draft, read_draft, save_draft
+from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft, Problem, check_draft, read_draft, save_draft
 
 from . import importing, machines
 
@@ -26,20 +25,21 @@ def known_names() -> frozenset[str]:
     return frozenset(choice.label for choice in machines.choices())
 
 
-def check(draft: MachineDraft, file: str = "", names: Collection[str] = ()) -> tuple[Machine | None, tuple[Problem, ...]]:
-    """The machine of a draft that is to be ``file``, None where it is none yet, and what is wrong or open, errors first.
+def check(draft: MachineDraft, names: Collection[str] = ()) -> tuple[Machine | None, tuple[Problem, ...]]:
+    """The machine of a draft, None where it is none yet, and what is wrong or open, errors first.
     ``names``: of other machines."""
-    machine, problems = check_draft(draft, Path(file).parent if file else None)
+    machine, problems = check_draft(draft)
     if draft.name.strip() in names:
         text = say("the lists have a machine called {name}; give this one a name of its own", name=draft.name.strip())
         problems = (*problems, Problem("machine", text, Severity.WARNING))
     return machine, tuple(sorted(problems, key=lambda one: -one.severity))
 
 
-def write(draft: MachineDraft, fcm_file: Any = None) -> str:
-    """Write the machine file, never over another one; returns its name. None: in the user's folder. Raises FiveAxisError."""
+def write(draft: MachineDraft, fcm_file: Any = None, attached: AttachedMeshes | None = None) -> str:
+    """Write the machine file and the meshes ``attached`` to it, never over another file; returns its name. None: in the user's
+    folder. Raises FiveAxisError."""
     target = os.fspath(fcm_file) if fcm_file else machines.free_file(draft.name)
     importing.check_target(target)
     machines.make_folder(target)
-    save_draft(draft, target)
+    save_draft(draft, target, attached)
     return target

@@ -10,14 +10,13 @@ from typing import Any
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_readable, check_writable
 from freecad_fiveaxis.core.base.sentences import say
-from freecad_fiveaxis.core.machine import save_machine
-from freecad_fiveaxis.core.machine.importing import Imported, import_machine
+from freecad_fiveaxis.core.machine.importing import Imported, import_machine, save_imported
 
 from . import machines
 
 
 def read(source: Any) -> Imported:
-    """The machine of a LinuxCNC .ini or a FreeCAD .fcm, with what that file leaves open. Raises FiveAxisError."""
+    """The machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open. Raises FiveAxisError."""
     check_readable(source)
     return import_machine(os.fspath(source))
 
@@ -40,9 +39,10 @@ def check_target(fcm_file: Any) -> None:
 
 
 def write(imported: Imported, fcm_file: Any = None) -> str:
-    """Write the machine file, never over another one; returns its name. None: in the user's folder. Raises FiveAxisError."""
+    """Write the machine file and the meshes of its bodies, never over another file; returns its name. None: in the user's
+    folder. Raises FiveAxisError."""
     target = os.fspath(fcm_file) if fcm_file else machines.free_file(imported.machine.name)
     check_target(target)
     machines.make_folder(target)
-    save_machine(imported.machine, target)
+    save_imported(imported, target)
     return target

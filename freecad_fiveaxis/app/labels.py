@@ -236,6 +236,9 @@ def _of_the_machine_editor() -> dict[str, str]:
         "body_high_radius": translate("FiveAxis", "Radius at the high end"),
         "body_file": translate("FiveAxis", "STL file"),
         "body_clearance": translate("FiveAxis", "Clearance"),
+        "attach_carrier": translate("FiveAxis", "To be carried by"),
+        "machine_zero": translate("FiveAxis", "Machine's zero in the document"),
+        "attach_deviation": translate("FiveAxis", "Deviation of facets"),
     }
 
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import importlib
 import os
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from freecad_fiveaxis.core.base.errors import FileError, FiveAxisError
+from freecad_fiveaxis.core.base.files import plain_name
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 
@@ -22,8 +22,6 @@ from . import preferences, wording
 
 SHIPPED, USER, FREECAD = "shipped", "user", "freecad"
 SUFFIX = ".fcm"
-FORBIDDEN = re.compile(r'[\\/:*?"<>|\x00-\x1f]+')
-"""What no file name can hold on one system or another."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +57,7 @@ def user_folder() -> Path:
 
 def free_file(name: str) -> str:
     """A file in the user's folder that is not there yet, named after a machine."""
-    plain = FORBIDDEN.sub("_", name).strip(" .") or "machine"
+    plain = plain_name(name, "machine")
     names = (plain if count == 1 else f"{plain}-{count}" for count in range(1, 1000))
     found = (user_folder() / (stem + SUFFIX) for stem in names)
     return str(next(path for path in found if not os.path.lexists(path)))

@@ -193,9 +193,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_import(commands: Any) -> None:
-    text = "make a machine file from a LinuxCNC configuration or a file of FreeCAD's Machine editor"
+    text = "make a machine file from a LinuxCNC configuration, a URDF file or a file of FreeCAD's Machine editor"
     parser = commands.add_parser("import-machine", help=text, description=text)
-    parser.add_argument("source", metavar="CONFIG.ini|MACHINE.fcm")
+    parser.add_argument("source", metavar="CONFIG.ini|ROBOT.urdf|MACHINE.fcm")
     parser.add_argument(
         "-o", "--output", metavar="OUT.fcm", required=True, help="the machine file to write; no file is overwritten"
     )
@@ -379,17 +379,16 @@ def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
 
 
 def _import_machine(arguments: argparse.Namespace) -> int:
-    from freecad_fiveaxis.core.machine import save_machine
-    from freecad_fiveaxis.core.machine.importing import as_text, import_machine
+    from freecad_fiveaxis.core.machine.importing import as_text, import_machine, save_imported
 
     if not arguments.output.lower().endswith(".fcm"):
         raise SettingsError(say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output)
     check_readable(arguments.source)
     check_writable(arguments.output)
     imported = import_machine(arguments.source)
-    save_machine(imported.machine, arguments.output)
+    written = save_imported(imported, arguments.output)
     if not arguments.quiet:
-        _show_report([as_text(imported), *_wrote([arguments.output])], [arguments.output])
+        _show_report([as_text(imported), *_wrote(written)], written)
     return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
 
 

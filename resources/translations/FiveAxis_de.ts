@@ -1623,6 +1623,10 @@
         <translation>Ein längeres Werkzeug, ein schlankerer Halter, das Werkzeug von der Wand weg voreilen lassen oder zur Seite neigen; oder solche Stellen auslassen.</translation>
     </message>
     <message>
+        <source>About how far facets may lie beside the solid; a clearance makes up for it</source>
+        <translation>Etwa so weit dürfen Facetten neben dem Volumenkörper liegen; ein Abstand gleicht das aus</translation>
+    </message>
+    <message>
         <source>About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn</source>
         <translation>Etwa {length}, {time} Schnittzeit beim Vorschub, ohne Verbindungen; 1 von {one_in} Bahnen ist gezeichnet</translation>
     </message>
@@ -1693,6 +1697,10 @@
     <message>
         <source>Apply to the tool path</source>
         <translation>Für den Werkzeugweg übernehmen</translation>
+    </message>
+    <message>
+        <source>Attach the selected solid</source>
+        <translation>Gewählten Körper anhängen</translation>
     </message>
     <message>
         <source>Audit</source>
@@ -1773,6 +1781,10 @@
     <message>
         <source>Bodies that the tool must not hit</source>
         <translation>Körper, an die das Werkzeug nicht stoßen darf</translation>
+    </message>
+    <message>
+        <source>Bodies, and what carries them: {}</source>
+        <translation>Körper, und was sie trägt: {}</translation>
     </message>
     <message>
         <source>Boundary</source>
@@ -1995,6 +2007,10 @@
         <translation>Beschreibung</translation>
     </message>
     <message>
+        <source>Deviation of facets</source>
+        <translation>Abweichung der Facetten</translation>
+    </message>
+    <message>
         <source>Deviation of the tip</source>
         <translation>Abweichung der Spitze</translation>
     </message>
@@ -2137,6 +2153,10 @@
     <message>
         <source>From a CAM Job…</source>
         <translation>Aus einem CAM-Auftrag …</translation>
+    </message>
+    <message>
+        <source>From a document</source>
+        <translation>Aus einem Dokument</translation>
     </message>
     <message>
         <source>From a tool file…</source>
@@ -2339,12 +2359,12 @@
         <translation>Verbindungen</translation>
     </message>
     <message>
-        <source>LinuxCNC configurations and machine files (*.ini *.fcm)</source>
-        <translation>LinuxCNC-Konfigurationen und Maschinendateien (*.ini *.fcm)</translation>
+        <source>LinuxCNC configurations, URDF and machine files (*.ini *.urdf *.fcm)</source>
+        <translation>LinuxCNC-Konfigurationen, URDF- und Maschinendateien (*.ini *.urdf *.fcm)</translation>
     </message>
     <message>
-        <source>LinuxCNC's .ini, or a .fcm of FreeCAD's Machine editor</source>
-        <translation>LinuxCNCs .ini oder eine .fcm des Maschineneditors von FreeCAD</translation>
+        <source>LinuxCNC's .ini, a .urdf, or a .fcm of FreeCAD's Machine editor</source>
+        <translation>LinuxCNCs .ini, eine .urdf oder eine .fcm des Maschineneditors von FreeCAD</translation>
     </message>
     <message>
         <source>Low end</source>
@@ -2369,6 +2389,10 @@
     <message>
         <source>Machine to start from</source>
         <translation>Ausgangsmaschine</translation>
+    </message>
+    <message>
+        <source>Machine's zero in the document</source>
+        <translation>Maschinennullpunkt im Dokument</translation>
     </message>
     <message>
         <source>Machine, controller and work zero that several paths share</source>
@@ -2507,6 +2531,10 @@
         <translation>Nächster singulärer</translation>
     </message>
     <message>
+        <source>No document of yours is open: open the one that holds the solid, select it there, and press this again.</source>
+        <translation>Keines Ihrer Dokumente ist offen: Öffnen Sie das mit dem Volumenkörper, wählen Sie ihn dort aus und drücken Sie dies noch einmal.</translation>
+    </message>
+    <message>
         <source>No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and type one.</source>
         <translation>Keine Spindeldrehzahl angegeben: das Programm lässt die Spindel aus, wie für einen Lauf ohne Schnitt. Abbrechen und eine eingeben.</translation>
     </message>
@@ -2537,6 +2565,10 @@
     <message>
         <source>Nothing is checked: the tool may enter the part.</source>
         <translation>Nichts wird geprüft: das Werkzeug kann in das Werkstück eindringen.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected: select solids, meshes, parts or links of “{}” in the tree or a view, then press this again.</source>
+        <translation>Nichts ist ausgewählt: Wählen Sie Volumenkörper, Netze, Parts oder Links von „{}“ im Baum oder in einer Ansicht aus und drücken Sie dies dann noch einmal.</translation>
     </message>
     <message>
         <source>Nothing is wrong with this machine.</source>
@@ -2819,6 +2851,10 @@
         <translation>Kuppenhöhe</translation>
     </message>
     <message>
+        <source>Select solids, meshes, parts or links in any document. Its coordinates are taken for the machine's, with all axes at zero. Saving writes them as STL files beside the machine's file.</source>
+        <translation>Wählen Sie in einem beliebigen Dokument Volumenkörper, Netze, Parts oder Links aus. Seine Koordinaten gelten als die der Maschine, alle Achsen auf null. Beim Speichern werden daraus STL-Dateien neben der Maschinendatei.</translation>
+    </message>
+    <message>
         <source>Set the tool path's work zero on the machine to the recommended one, and compute it.</source>
         <translation>Den Werkstücknullpunkt des Werkzeugwegs auf der Maschine auf den empfohlenen setzen und den Werkzeugweg berechnen.</translation>
     </message>
@@ -2983,6 +3019,10 @@
         <translation>Die Achse mit der kleinsten Abweichung auf dieser Maschine, innerhalb des größten Achswinkels; dauert lange.</translation>
     </message>
     <message>
+        <source>The axis that moves what is attached, or the spindle</source>
+        <translation>Die Achse, die das Angehängte bewegt, oder die Spindel</translation>
+    </message>
+    <message>
         <source>The axis's own limit, as its machine coordinates count; empty: none</source>
         <translation>Die Grenze der Achse selbst, in Maschinenkoordinaten; leer: keine</translation>
     </message>
@@ -3085,6 +3125,10 @@
     <message>
         <source>The part was deleted meanwhile: press Cancel, and select another one.</source>
         <translation>Das Werkstück wurde inzwischen gelöscht: „Abbrechen“ drücken und ein anderes auswählen.</translation>
+    </message>
+    <message>
+        <source>The point of the document that is the machine's zero</source>
+        <translation>Der Punkt des Dokuments, der der Maschinennullpunkt ist</translation>
     </message>
     <message>
         <source>The point of the part that is the program's zero</source>
@@ -3249,6 +3293,10 @@
     <message>
         <source>To</source>
         <translation>Bis</translation>
+    </message>
+    <message>
+        <source>To be carried by</source>
+        <translation>Soll getragen werden von</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -3533,6 +3581,10 @@
     <message>
         <source>as they stand</source>
         <translation>wie sie dastehen</translation>
+    </message>
+    <message>
+        <source>attached</source>
+        <translation>angehängt</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -4444,6 +4496,10 @@
         <translation>Der Drehpunkt eines Kopfes wurde als Abstand von der Werkzeugspitze gefunden, das Werkzeug eingeschlossen. {tool_length} angeben, damit der des Bezugspunkts geschrieben wird; sonst die Datei mit Werkzeuglänge 0 verwenden.</translation>
     </message>
     <message>
+        <source>A positive word is taken for a positive value of its joint, which moves table or tool along or about its axis. Prove the signs before cutting.</source>
+        <translation>Ein positives Wort gilt als positiver Wert seines Gelenks, das Tisch oder Werkzeug entlang seiner Achse oder um sie bewegt. Prüfen Sie die Vorzeichen, bevor Sie fräsen.</translation>
+    </message>
+    <message>
         <source>A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.</source>
         <translation>Ein Schritt oder FROM steht in einem Bohrzyklus (Zeile {line}): Dort wird nicht gebohrt. Vorher CYCLE/OFF angeben.</translation>
     </message>
@@ -4804,6 +4860,10 @@
         <translation>Kein Fräser ist angegeben; der im Programm genannte gilt: {cutter}.</translation>
     </message>
     <message>
+        <source>No link has a collision or visual shape: the machine has no bodies that the tool must not hit.</source>
+        <translation>Kein Link hat eine Kollisions- oder sichtbare Form: Die Maschine hat keine Körper, die das Werkzeug nicht treffen darf.</translation>
+    </message>
+    <message>
         <source>No setup of the region keeps all axes within their limits and the part on the table.</source>
         <translation>Keine Aufspannung des Bereichs hält alle Achsen in ihren Grenzen und das Werkstück auf dem Tisch.</translation>
     </message>
@@ -4970,6 +5030,10 @@
     <message>
         <source>Subprograms are not interpreted, because of this line: {reason}. Post one program without them.</source>
         <translation>Unterprogramme werden wegen dieser Zeile nicht ausgewertet: {reason}. Ein Programm ohne sie ausgeben.</translation>
+    </message>
+    <message>
+        <source>Taken of {name}: the axes {letters}; the gauge point {gauge} mm, the origin of {tool}; the usual work zero {zero} mm, that of {table}. Neither controller nor height of the table's face is known. Correct what is otherwise in the machine file.</source>
+        <translation>Angenommen von {name}: die Achsen {letters}; der Bezugspunkt der Werkzeuge {gauge} mm, der Ursprung von {tool}; der übliche Werkstücknullpunkt {zero} mm, der von {table}. Weder Steuerung noch Höhe der Tischfläche sind bekannt. Berichtigen Sie in der Maschinendatei, was anders ist.</translation>
     </message>
     <message>
         <source>The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in inches do. Give {option}, mm or inch.</source>
@@ -5496,6 +5560,10 @@
         <translation>eine Abweichung von {enough} kann nicht genug sein; 0 oder mehr angeben</translation>
     </message>
     <message>
+        <source>a deviation of {linear} is not above 0; give one as 0.1 mm</source>
+        <translation>Eine Abweichung von {linear} ist nicht größer als 0; geben Sie eine wie 0,1 mm an</translation>
+    </message>
+    <message>
         <source>a dimension of the machine is certain within a range only</source>
         <translation>ein Maß der Maschine ist nur innerhalb eines Bereichs sicher</translation>
     </message>
@@ -5518,6 +5586,10 @@
     <message>
         <source>a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute</source>
         <translation>ein Vorschub je Umdrehung braucht die Spindeldrehzahl; vorher SPINDL/ angeben oder Vorschub je Minute</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
     </message>
     <message>
         <source>a list of names</source>
@@ -5830,6 +5902,10 @@
     <message>
         <source>below the table</source>
         <translation>unter dem Tisch</translation>
+    </message>
+    <message>
+        <source>between table and tool {linear} run straight and {rotary} turn; it needs three and at most two, make others fixed</source>
+        <translation>zwischen Tisch und Werkzeug laufen {linear} gerade und drehen {rotary}; es müssen drei und höchstens zwei sein, machen Sie andere fest (fixed)</translation>
     </message>
     <message>
         <source>beyond the machine's limits</source>
@@ -6312,6 +6388,10 @@
         <translation>es ruft mehr als {most} Programme auf</translation>
     </message>
     <message>
+        <source>it defines entities of its own, which are not read; write it without &lt;!DOCTYPE</source>
+        <translation>sie definiert eigene Entitäten, die nicht gelesen werden; schreiben Sie sie ohne &lt;!DOCTYPE</translation>
+    </message>
+    <message>
         <source>it gives more values than the program takes</source>
         <translation>er gibt mehr Werte, als das Programm nimmt</translation>
     </message>
@@ -6328,12 +6408,24 @@
         <translation>er hat kein R oder keine Tiefe</translation>
     </message>
     <message>
+        <source>it has no link; give the URDF of a machine</source>
+        <translation>sie hat keinen Link; geben Sie die URDF-Datei einer Maschine an</translation>
+    </message>
+    <message>
         <source>it has no {name}</source>
         <translation>{name} fehlt</translation>
     </message>
     <message>
+        <source>it is a xacro file; run xacro on it first, and give the URDF that it writes</source>
+        <translation>sie ist eine Xacro-Datei; lassen Sie zuerst xacro darüber laufen und geben Sie die URDF-Datei an, die es schreibt</translation>
+    </message>
+    <message>
         <source>it is empty; write a text in quotes</source>
         <translation>er ist leer; einen Text in Anführungszeichen schreiben</translation>
+    </message>
+    <message>
+        <source>it is no XML that can be read ({error}); correct it</source>
+        <translation>sie ist kein lesbares XML ({error}); berichtigen Sie sie</translation>
     </message>
     <message>
         <source>it is too tight for the cutter; use a smaller one</source>
@@ -6408,6 +6500,10 @@
         <translation>seine Wiederholungen sind keine ganze Zahl ab 0</translation>
     </message>
     <message>
+        <source>its root is &lt;{tag}&gt;, not &lt;robot&gt;; give a URDF file</source>
+        <translation>ihre Wurzel ist &lt;{tag}&gt;, nicht &lt;robot&gt;; geben Sie eine URDF-Datei an</translation>
+    </message>
+    <message>
         <source>its values are no numbers</source>
         <translation>ihre Werte sind keine Zahlen</translation>
     </message>
@@ -6438,6 +6534,30 @@
     <message>
         <source>joint axis {place} has no direction; give a unit vector</source>
         <translation>die Achse {place} hat keine Richtung; einen Einheitsvektor angeben</translation>
+    </message>
+    <message>
+        <source>joint {joint} has the axis 0 0 0; give its direction</source>
+        <translation>Gelenk {joint} hat die Achse 0 0 0; geben Sie seine Richtung an</translation>
+    </message>
+    <message>
+        <source>joint {joint} moves table and tool alike; make it fixed</source>
+        <translation>Gelenk {joint} bewegt Tisch und Werkzeug zugleich; machen Sie es fest (fixed)</translation>
+    </message>
+    <message>
+        <source>joint {joint} names the link {link}, which is not there; add it</source>
+        <translation>Gelenk {joint} nennt den Link {link}, den es nicht gibt; ergänzen Sie ihn</translation>
+    </message>
+    <message>
+        <source>joint {joint} runs along none of X, Y, Z; call it by its letter, as axis_{letter}</source>
+        <translation>Gelenk {joint} läuft entlang keiner von X, Y, Z; nennen Sie es nach seinem Buchstaben, etwa axis_{letter}</translation>
+    </message>
+    <message>
+        <source>joint {joint}, {error}</source>
+        <translation>Gelenk {joint}, {error}</translation>
+    </message>
+    <message>
+        <source>joint {name}</source>
+        <translation>Gelenk {name}</translation>
     </message>
     <message>
         <source>keep has shape {shape}: give one value for each of the {count} facets</source>
@@ -6550,6 +6670,10 @@
     <message>
         <source>lines that a switch of the control skips</source>
         <translation>Zeilen, die ein Schalter der Steuerung überspringt</translation>
+    </message>
+    <message>
+        <source>link {name}</source>
+        <translation>Link {name}</translation>
     </message>
     <message>
         <source>low and high are one point</source>
@@ -6772,6 +6896,14 @@
         <translation>keine Aufträge angegeben; nennen Sie einen Ordner mit Teilen oder eine Tabelle (JSON)</translation>
     </message>
     <message>
+        <source>no joint moves {table} and {tool} against each other; they make no machine</source>
+        <translation>kein Gelenk bewegt {table} und {tool} gegeneinander; das ist keine Maschine</translation>
+    </message>
+    <message>
+        <source>no link is called {words}; name the one that is it</source>
+        <translation>kein Link heißt {words}; nennen Sie den so, der es ist</translation>
+    </message>
+    <message>
         <source>no machine file named; give one with -o OUT.fcm</source>
         <translation>keine Maschinendatei genannt; eine mit -o OUT.fcm angeben</translation>
     </message>
@@ -6856,6 +6988,10 @@
         <translation>no_motion: {name} bewegt das Werkzeug oder beendet ein Programm; weglassen</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
         <source>none asked for</source>
         <translation>keine verlangt</translation>
     </message>
@@ -6922,6 +7058,10 @@
     <message>
         <source>on {uncut} more than {allowed} is left, at most {most}</source>
         <translation>auf {uncut} bleibt mehr als {allowed} stehen, höchstens {most}</translation>
+    </message>
+    <message>
+        <source>one link must carry all others and hang from none; of it hang from none: {roots}</source>
+        <translation>ein Link muss alle anderen tragen und an keinem hängen; hier hängen an keinem: {roots}</translation>
     </message>
     <message>
         <source>only a part of the chosen faces lies on the mesh</source>
@@ -7274,6 +7414,10 @@
     <message>
         <source>the CL path</source>
         <translation>der CL-Weg</translation>
+    </message>
+    <message>
+        <source>the Z axis of {tool} leans {lean} deg from that of the root; turn the root so that the tool stands along Z</source>
+        <translation>die Z-Achse von {tool} steht um {lean}° schräg zu der der Wurzel; drehen Sie die Wurzel so, dass das Werkzeug entlang Z steht</translation>
     </message>
     <message>
         <source>the arcs need {count} chords, more than {most}; is it a program in inches read as mm?</source>
@@ -8032,6 +8176,14 @@
         <translation>zwei Körper heißen {name}; jedem einen eigenen Namen geben</translation>
     </message>
     <message>
+        <source>two joints carry the link {link}; leave one of them</source>
+        <translation>zwei Gelenke tragen den Link {link}; lassen Sie eines davon übrig</translation>
+    </message>
+    <message>
+        <source>two links or joints are called {name}; give each a name of its own</source>
+        <translation>zwei Links oder Gelenke heißen {name}; geben Sie jedem einen eigenen Namen</translation>
+    </message>
+    <message>
         <source>unknown controller {name}; known are {dialects}</source>
         <translation>unbekannte Steuerung {name}; bekannt sind {dialects}</translation>
     </message>
@@ -8416,6 +8568,10 @@
         <translation>{count} Vorschubsätze drehen {letter} um fast eine ganze Umdrehung, und alle Wörter liegen innerhalb einer: gemeint ist wohl der kürzere Weg. Nimmt ihn die Steuerung, wrap_strategy auf modulo stellen.</translation>
     </message>
     <message>
+        <source>{count} finite numbers</source>
+        <translation>{count} endliche Zahlen</translation>
+    </message>
+    <message>
         <source>{count} lines begin with a colon without a number; the rest of them is read.</source>
         <translation>{count} Zeilen beginnen mit einem Doppelpunkt ohne Nummer; ihr Rest wird gelesen.</translation>
     </message>
@@ -8644,6 +8800,14 @@
         <translation>{gouge} ändert die Bahnen: nur mit {mill} verwenden; für eine Prüfung {report} angeben</translation>
     </message>
     <message>
+        <source>{joints} move neither the table nor the tool; make them fixed</source>
+        <translation>{joints} bewegen weder Tisch noch Werkzeug; machen Sie sie fest (fixed)</translation>
+    </message>
+    <message>
+        <source>{joints} would all be {letter} by their directions; call them by their letters, as axis_{small}</source>
+        <translation>{joints} wären nach ihren Richtungen alle {letter}; nennen Sie sie nach ihren Buchstaben, etwa axis_{small}</translation>
+    </message>
+    <message>
         <source>{joint} is not [[origin], [axis]]</source>
         <translation>{joint} ist nicht [[origin], [axis]]</translation>
     </message>
@@ -8662,6 +8826,10 @@
     <message>
         <source>{label} ({kind}) has no solid: {what}.</source>
         <translation>{label} ({kind}) hat keinen Volumenkörper: {what}.</translation>
+    </message>
+    <message>
+        <source>{label} ({kind}) holds neither a solid nor a mesh: select a solid, a mesh, or a part or link of some.</source>
+        <translation>{label} ({kind}) enthält weder einen Volumenkörper noch ein Netz: Wählen Sie einen Volumenkörper, ein Netz oder ein Part oder einen Link davon aus.</translation>
     </message>
     <message>
         <source>{label} ({typeid}) has no solid: {what}.</source>
@@ -8842,6 +9010,14 @@
     <message>
         <source>{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher</source>
         <translation>{line} ist kein Werkzeug; Nummer, Fräser und Namen schreiben, wie T3 ball:6:30 Schlichter</translation>
+    </message>
+    <message>
+        <source>{links} are all called {word}; give only one of them that name</source>
+        <translation>{links} heißen alle {word}; geben Sie nur einem davon diesen Namen</translation>
+    </message>
+    <message>
+        <source>{links} carry one another in a circle; hang one from the root</source>
+        <translation>{links} tragen einander im Kreis; hängen Sie einen an die Wurzel</translation>
     </message>
     <message>
         <source>{lost} carry one another in a circle; give one the parent null</source>
@@ -9072,8 +9248,24 @@
         <translation>{name}(...) steht in {count} Zeilen und ist nicht bekannt; was es tut, fehlt hier. Bewegt es nichts, in der Maschinendatei unter no_motion nennen.</translation>
     </message>
     <message>
+        <source>{name}: its mesh {file} is not found; put it beside the URDF file</source>
+        <translation>{name}: Sein Netz {file} ist nicht zu finden; legen Sie es neben die URDF-Datei</translation>
+    </message>
+    <message>
+        <source>{name}: the mesh {file} is no STL file; convert it, or give a collision shape</source>
+        <translation>{name}: Das Netz {file} ist keine STL-Datei; wandeln Sie es um oder geben Sie eine Kollisionsform an</translation>
+    </message>
+    <message>
         <source>{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}</source>
         <translation>{name}: der Postprozessor hat {value} (auf {certainty} genau), {machine} hat {given}, {apart} auseinander.{effect}</translation>
+    </message>
+    <message>
+        <source>{name}: the scale {scale} of its mesh has a 0; give three others</source>
+        <translation>{name}: Der Maßstab {scale} seines Netzes enthält eine 0; geben Sie drei andere Zahlen an</translation>
+    </message>
+    <message>
+        <source>{name}: the sizes {sizes} of its {kind} are not above 0; give others</source>
+        <translation>{name}: Die Maße {sizes} seiner Form {kind} sind nicht größer als 0; geben Sie andere an</translation>
     </message>
     <message>
         <source>{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: {reason}. Post without it.</source>
@@ -9204,8 +9396,8 @@
         <translation>{path} gibt es nicht; die zu lesende Datei nennen</translation>
     </message>
     <message>
-        <source>{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm</source>
-        <translation>{path} hat keine bekannte Endung; LinuxCNCs .ini oder FreeCADs .fcm angeben</translation>
+        <source>{path} has no ending that is known; give LinuxCNC's .ini, a .urdf or FreeCAD's .fcm</source>
+        <translation>{path} hat keine bekannte Endung; geben Sie LinuxCNCs .ini, eine .urdf oder FreeCADs .fcm an</translation>
     </message>
     <message>
         <source>{path} is a folder; name a file</source>
@@ -9266,6 +9458,14 @@
     <message>
         <source>{path}: {error}</source>
         <translation>{path}: {error}</translation>
+    </message>
+    <message>
+        <source>{path}: {name}: {error}</source>
+        <translation>{path}: {name}: {error}</translation>
+    </message>
+    <message>
+        <source>{path}: {problem}</source>
+        <translation>{path}: {problem}</translation>
     </message>
     <message>
         <source>{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import</source>
@@ -9528,6 +9728,26 @@
         <translation>{what} {value} braucht {remedy}</translation>
     </message>
     <message>
+        <source>{where} follows another one (mimic), as no axis does; make it fixed</source>
+        <translation>{where} folgt einem anderen (mimic), was keine Achse tut; machen Sie es fest (fixed)</translation>
+    </message>
+    <message>
+        <source>{where} has no &lt;{tag}&gt;; add it</source>
+        <translation>{where} hat kein &lt;{tag}&gt;; ergänzen Sie es</translation>
+    </message>
+    <message>
+        <source>{where} has the geometry {tags}; give one of {known}</source>
+        <translation>{where} hat die Geometrie {tags}; geben Sie eine von {known} an</translation>
+    </message>
+    <message>
+        <source>{where} is of the type {kind}; known are {known}</source>
+        <translation>{where} ist vom Typ {kind}; bekannt sind {known}</translation>
+    </message>
+    <message>
+        <source>{where} lacks {key}=; add it</source>
+        <translation>{where} fehlt {key}=; ergänzen Sie es</translation>
+    </message>
+    <message>
         <source>{where} loads {loaded}, but [KINS] KINEMATICS is {named}; make them agree</source>
         <translation>{where} lädt {loaded}, aber [KINS] KINEMATICS ist {named}; bringen Sie beide in Einklang</translation>
     </message>
@@ -9558,6 +9778,10 @@
     <message>
         <source>{where}: trivkins has the axes {letters}; {problem}</source>
         <translation>{where}: trivkins hat die Achsen {letters}; {problem}</translation>
+    </message>
+    <message>
+        <source>{where}: {key} is {text}; give {wanted}</source>
+        <translation>{where}: {key} ist {text}; geben Sie {wanted} an</translation>
     </message>
     <message>
         <source>{where}: {name} and others include one another in a circle; remove one</source>
@@ -9834,8 +10058,8 @@
         <translation>Maschine übernehmen…</translation>
     </message>
     <message>
-        <source>Make a machine file of a LinuxCNC configuration or of a FreeCAD machine file</source>
-        <translation>Aus einer LinuxCNC-Konfiguration oder einer FreeCAD-Maschinendatei eine Maschinendatei machen</translation>
+        <source>Make a machine file of a LinuxCNC configuration, a URDF file or a FreeCAD machine file</source>
+        <translation>Eine Maschinendatei aus einer LinuxCNC-Konfiguration, einer URDF-Datei oder einer Maschinendatei von FreeCAD machen</translation>
     </message>
 </context>
 <context>

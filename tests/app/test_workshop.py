@@ -148,9 +148,9 @@ def test_a_name_that_no_file_can_have_is_made_one_and_none_is_taken_twice(folder
 def test_an_edited_machine_goes_to_the_user_s_folder_and_over_no_file(folder):
     draft = replace(editing.open_draft("trunnion_ac"), name="mine")
     names = editing.known_names()
-    machine, problems = editing.check(draft, "", names)
+    machine, problems = editing.check(draft, names)
     assert machine is not None and not problems
-    _, problems = editing.check(editing.open_draft("trunnion_ac"), "", names)
+    _, problems = editing.check(editing.open_draft("trunnion_ac"), names)
     assert ["a name of its own" in one.text for one in problems] == [True]
     assert editing.write(draft) == str(folder / "mine.fcm") and load_machine(str(folder / "mine.fcm")).name == "mine"
     assert editing.write(draft) == str(folder / "mine-2.fcm"), "the next free name"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from gouge_examples import dense_points
 from test_reach_map import BALL, block, profile, slot
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
@@ -243,20 +243,32 @@ def contacts_on(shape):
 
 
 @cache
-def milled(shape, most=None, nodes=module.NODES, **lean):
-    """Passes over a part, what facet_mean gives, and the axes of `auto` with its findings."""
+def field_on(shape, reacher, nodes):
+    """The field over what is milled of a part, refined where its contacts ask for it: the same however the tool leans."""
     path, mesh, facets = contacts_on(shape)
-    given = facet_mean(path, AxisOptions())
-    reacher = Reacher(SHORT, holder=HOLDER, kinematics=None if most is None else trunnion(most))
     with pytest.MonkeyPatch.context() as patch:
         take_nodes(patch, nodes)
         field = find_axis_field(mesh, facets, reacher)
     assert len(field.nodes.point) <= nodes
-    field = refine_field(field, path, mesh, reacher)
+    return refine_field(field, path, mesh, reacher)
+
+
+@cache
+def reacher_of(most):
+    """The short tool in its holder, on a machine whose A axis stays within ``most`` deg, None: on any."""
+    return Reacher(SHORT, holder=HOLDER, kinematics=None if most is None else trunnion(most))
+
+
+@cache
+def milled(shape, most=None, nodes=module.NODES, **lean):
+    """Passes over a part, what facet_mean gives, and the axes of `auto` with its findings."""
+    path, mesh, _ = contacts_on(shape)
+    given, reacher = facet_mean(path, AxisOptions()), reacher_of(most)
+    field = field_on(shape, reacher, nodes)
     return path, given, auto_axes(path, given, field, mesh, reacher, AxisOptions(**lean)), mesh, reacher
 
 
-@some_in_core("nodes", [NODES, module.NODES])
+@some_in_core("nodes", [NODES, module.NODES], others=OTHERS_ONCE)
 @some_in_core("lean", [{}, {"lead": 0.1, "tilt": -0.1}], ids=["upright", "leaned"], kept=(1,))
 def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
     path, _, (axis, _, _), _, _ = milled(corner, nodes=nodes, **lean)
@@ -267,7 +279,7 @@ def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [NODES, module.NODES])
+@some_in_core("nodes", [NODES, module.NODES], others=OTHERS_ONCE)
 def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
     path, given, (axis, free, _), _, reacher = milled(hollows, nodes=nodes)
     points, row = points_on(hollows, 1.0), slice(None, None, 2)

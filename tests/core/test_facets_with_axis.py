@@ -12,7 +12,7 @@ from test_axis_field import NODES as FEW
 from test_axis_field import stemmed, take_nodes
 from test_fewer_axes import table_a
 from test_reach_map import block, slot
-from thorough import some_in_core
+from thorough import OTHERS_ONCE, some_in_core
 
 from freecad_fiveaxis.core.base.errors import ReachError, SettingsError
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
@@ -40,7 +40,7 @@ def sphere_milled(nodes):
         return milled(stemmed(), max_axis_angle=90)
 
 
-@pytest.fixture(params=[FEW, pytest.param(NODES, marks=pytest.mark.thorough)])
+@pytest.fixture(params=[FEW, pytest.param(NODES, marks=OTHERS_ONCE)])
 def some_nodes(request, monkeypatch):
     """So many places are looked at."""
     take_nodes(monkeypatch, request.param)
@@ -66,7 +66,7 @@ def finished(made, points):
 
 
 @pytest.mark.thorough
-@some_in_core("nodes", [FEW, NODES])
+@some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
 def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below(nodes):
     """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at most."""
     made = sphere_milled(nodes)
@@ -80,7 +80,7 @@ def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_
     assert not finished(by_normals, middle[under & (made.mesh.normal[:, 2] < -0.4)]).all()
 
 
-@some_in_core("nodes", [FEW, NODES])
+@some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
 def test_nothing_enters_and_nothing_is_told_that_is_not_so(nodes):
     result = job.prove(sphere_milled(nodes))
     codes = {one.code for one in result.findings}
@@ -127,8 +127,9 @@ def test_each_reason_is_named_with_its_area(width, tool, words):
 
 
 @pytest.mark.thorough
-def test_contacts_without_a_free_axis_are_left_out_and_the_pass_goes_on_behind_them():
+def test_contacts_without_a_free_axis_are_left_out_and_the_pass_goes_on_behind_them(monkeypatch):
     """The holder gets to the ends of the slot's floor, by leaning out of them, and not to its middle."""
+    take_nodes(monkeypatch, FEW)
     made = milled(slot(14.0, 40.0, 100.0), cutter="ball:6:12", holder="24x60", passes="planes")
     (held,) = [one for one in made.findings if one.code == "no-free-axis"]
     assert held.value > 0 and "left out" in held.text

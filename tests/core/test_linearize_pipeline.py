@@ -209,7 +209,7 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     part = parts / "saddle.stl"
     out = [tmp_path / f"{name}.ngc" for name in "abc"]
     report = tmp_path / "a.json"
-    assert run("mill", part, "--stepover", 12, *words, "-o", out[0], "--cl", tmp_path / "a.apt", "--report", report) == cli.DONE
+    assert run("mill", part, "--stepover", 24, *words, "-o", out[0], "--cl", tmp_path / "a.apt", "--report", report) == cli.DONE
     assert run("post", tmp_path / "a.apt", *words, "-o", out[1]) == cli.DONE
     inputs = json.loads(report.read_text())["inputs"]
     assert inputs["linearize"] == "on" and inputs["singularity"] == "report" and inputs["tolerance"] == 0.01
@@ -219,7 +219,7 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     assert json.loads(report.read_text())["summary"]["over_tolerance"] == 0
     blocks = [path.read_bytes().count(b"\n") for path in out]
     assert blocks[0] == pytest.approx(blocks[1], abs=12)  # the CL file rounds its numbers
-    assert run("mill", part, "--stepover", 12, *words[:2], "--linearize", "off", "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
+    assert run("mill", part, "--stepover", 24, *words[:2], "--linearize", "off", "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
 
 
 def test_mill_and_post_divide_unless_asked_not_to_or_the_controller_guides_the_tip():

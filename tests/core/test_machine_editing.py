@@ -11,13 +11,16 @@ import pytest
 from mesh_shapes import box, sphere
 
 from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base import files
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import FileError, MachineError
-from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, read_stl, write_stl
 from freecad_fiveaxis.core.machine import load_machine, machine_path, save_machine, shipped_machines
 from freecad_fiveaxis.core.machine.bodies import MachineBody
 from freecad_fiveaxis.core.machine.editing import (
+    AttachedMeshes,
     add_axis,
+    attach_bodies,
     change_axis,
     check_draft,
     free_letters,
@@ -243,6 +246,8 @@ def test_the_meshes_of_bodies_are_found_from_wherever_the_file_lies(tmp_path, mo
         data = json.loads((tmp_path / folder / "again.fcm").read_bytes())
         assert data["fiveaxis"]["bodies"] == [{"name": "bed", "carrier": "base", "file": name}]
         assert Path(load_machine(f"{folder}/again.fcm").bodies[0].file).samefile(tmp_path / "old" / "parts" / "bed.stl")
+    machine, _ = check_draft(draft)
+    assert machine.bodies[0].file == str(tmp_path / "old" / "parts" / "bed.stl"), "a picture can read it from anywhere"
 
 
 def test_what_is_no_machine_makes_no_draft(tmp_path):
@@ -252,3 +257,69 @@ def test_what_is_no_machine_makes_no_draft(tmp_path):
             read_draft(name)
     with pytest.raises(FileError):
         read_draft(str(tmp_path / "none.fcm"))
+
+
+@pytest.fixture
+def attached():
+    """The meshes of one session of editing."""
+    made = AttachedMeshes()
+    yield made
+    made.close()
+
+
+def with_attached(attached, *names):
+    """The shipped trunnion with a mesh attached under each name."""
+    mesh = from_triangles(box((0, 0, 0), (30, 20, 10)))
+    return attach_bodies(read_draft("trunnion_ac"), [(name, mesh) for name in names], "A", attached)
+
+
+def test_attached_meshes_are_written_beside_the_machine_s_file_and_over_none(attached, tmp_path, monkeypatch):
+    (tmp_path / "mine vise.stl").write_text("somebody's")
+    monkeypatch.chdir(tmp_path)
+    draft = with_attached(attached, "vise", "a/b", "a:b", "A_b")
+    assert check_draft(draft)[0] is not None
+    save_draft(draft, "mine.fcm", attached)
+    attached.close()
+    bodies = json.loads((tmp_path / "mine.fcm").read_bytes())["fiveaxis"]["bodies"]
+    assert [body["file"] for body in bodies] == ["mine vise-2.stl", "mine a_b.stl", "mine a_b-2.stl", "mine A_b-3.stl"]
+    assert (tmp_path / "mine vise.stl").read_text() == "somebody's"
+    for body in load_machine("mine.fcm").bodies:
+        assert [tuple(one) for one in read_stl(body.file).box] == [(0.0, 0.0, 0.0), (30.0, 20.0, 10.0)]
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
+        ["mine.fcm", "mine vise.stl", *(body["file"] for body in bodies)]
+    )
+
+
+def test_where_the_machine_cannot_be_written_no_mesh_is_left(attached, tmp_path, monkeypatch):
+    draft = with_attached(attached, "vise")
+    (tmp_path / "mine.fcm").write_text("mine")
+    with pytest.raises(FileError, match="exists already"):
+        save_draft(draft, tmp_path / "mine.fcm", attached)
+    with pytest.raises(MachineError, match="carries no body"):
+        save_draft(remove_axis(draft, draft.letters().index("A")), tmp_path / "other.fcm", attached)
+    place = files._Output.place
+
+    def fail_at_the_machine(output):
+        if output.path.endswith(".fcm"):
+            raise OSError("no room")
+        place(output)
+
+    monkeypatch.setattr(files._Output, "place", fail_at_the_machine)
+    with pytest.raises(FileError, match="no room"):
+        save_draft(draft, tmp_path / "other.fcm", attached)
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.fcm"]
+
+
+def test_meshes_are_gone_with_the_session_and_others_are_not_taken_for_attached(attached, tmp_path):
+    assert not attached.holds(str(write_part(tmp_path / "bed.stl"))) and not attached.holds("")
+    body = with_attached(attached, "vise").bodies[0]
+    assert attached.holds(body.file) and Path(body.file).exists()
+    attached.close()
+    attached.close()
+    assert not Path(body.file).exists() and not attached.holds(body.file)
+
+
+def test_what_is_attached_is_named_after_its_label_unlike_what_is_there(attached):
+    draft = with_attached(attached, "vise", " vise", "", "vise", "vise 2")
+    assert [one.name for one in draft.bodies] == ["vise", "vise 2", "body", "vise 3", "vise 2 2"]
+    assert {(one.carrier, one.shape) for one in draft.bodies} == {("A", "file")} and len({one.file for one in draft.bodies}) == 5

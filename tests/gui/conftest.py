@@ -31,7 +31,7 @@ QUICKLY = 85  # of 0 to 100: Qt's "quality" of a PNG is how little it is packed;
 SETTLED = 15000  # ms until a layout has settled, also on a machine that is busy with other FreeCADs
 TAKEN = 2000  # ms until what was clicked shows that; then it is clicked once more, where that does no harm
 READY = 20000  # ms until a command, a panel or a button of it is there to be pressed
-FRAME = 100  # ms between two pictures of the window: Mesa puts all of it together on the processor, whatever little changed
+FRAME = 200  # ms between two pictures of the window: Mesa puts all of it together on the processor, whatever little changed
 
 
 def _pump(ms=100):
@@ -301,7 +301,7 @@ def frames(window):
 @pytest.fixture(scope="session")
 def window():
     """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most tests need, and painted
-    ten times a second: each change of any widget paints all of it, on the processor.
+    five times a second: each change of any widget paints all of it, on the processor.
 
     The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks. It has no cube to
     turn it by: FreeCAD paints that anew for every view, in most of the time that a new document takes.

@@ -13,6 +13,7 @@ from conftest import close_all
 from test_workshop import cut, panel_form
 
 from freecad_fiveaxis.app import machines
+from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.machine import load_machine, machine_path
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
@@ -330,6 +331,141 @@ def test_bodies_are_added_changed_and_removed(
         {"name": "STL file 1", "carrier": "A", "file": str(mesh)},
     ]  # fmt: skip
     assert len(load_machine(str(folder / "mine.fcm")).bodies) == 4
+
+
+@pytest.fixture
+def fixture_model(doc):
+    """A document with a vise in a part that is moved, a link to it, and a mesh; the vise is 20 x 10 x 30 mm."""
+    part, vise, net = (doc.addObject(kind, name) for kind, name in
+                       (("App::Part", "Holder"), ("Part::Box", "Vise"), ("Mesh::Feature", "Net")))  # fmt: skip
+    vise.Length, vise.Width, vise.Height = 20, 10, 30
+    part.addObject(vise)
+    part.Placement.Base = FreeCAD.Vector(100, 0, -150)
+    net.Mesh = Mesh.createBox(40.0, 60.0, 20.0)
+    net.Placement.Base = FreeCAD.Vector(0, 0, -140)
+    link = doc.addObject("App::Link", "Link")
+    link.Label = "Second vise"
+    link.LinkedObject = part
+    link.Placement.Base = FreeCAD.Vector(-160, 0, -150)
+    doc.recompute()
+    return doc
+
+
+def extent(body):
+    return [tuple(np.round(one, 3).tolist()) for one in read_stl(body.file).box]
+
+
+def test_what_is_selected_in_a_document_becomes_bodies_and_files_beside_the_machine(
+    fixture_model, whole_screen, folder, opened, press, field, type_into, row, choose, click, until, unfold, panel_button,
+    panel_closed, screenshot, pump,
+):  # fmt: skip
+    doc = fixture_model
+    press("FiveAxis_EditMachine", SLID)
+    unfold()
+    type_into(field("machine_name"), "mine")
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    FreeCADGui.Selection.clearSelection()
+    click(field("attach"))
+    until(lambda: "Nothing is selected" in findings(field), 20000, "what to do")
+    assert doc.Label in findings(field), "the document that was active before"
+    FreeCADGui.Selection.addSelection(doc.Name, "Holder", "Vise.Face1")
+    FreeCADGui.Selection.addSelection(doc.Name, "Link")
+    FreeCADGui.Selection.addSelection(doc.Name, "Net")
+    choose(field("attach_carrier"), "A")
+    click(field("attach"))
+    until(lambda: len(cells(field("bodies_table"))) == 3, 20000, "three bodies")
+    assert cells(field("bodies_table")) == [["Vise", "A", "attached"], ["Second vise", "A", "attached"], ["Net", "A", "attached"]]
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    assert field("body_name").isVisible() and not opened[0].bodies.fields["body_file"].editor.isVisible()
+    assert not folder.exists(), "nothing is written before the machine is"
+    drawn = opened[0].picture.model.drawn
+    assert [one.name for one in drawn.standing] == ["Vise", "Second vise", "Net"]
+    assert [extent(one) for one in opened[0].draft.bodies] == [
+        [(100.0, 0.0, -150.0), (120.0, 10.0, -120.0)], [(-160.0, 0.0, -150.0), (-140.0, 10.0, -120.0)],
+        [(-20.0, -30.0, -150.0), (20.0, 30.0, -130.0)],
+    ]  # fmt: skip
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(doc.Name, "Net")
+    type_into(field("machine_zero_z"), "10")
+    choose(field("attach_carrier"), "nothing, it stands still")
+    click(field("attach"))
+    until(lambda: len(cells(field("bodies_table"))) == 4, 20000, "one more")
+    assert cells(field("bodies_table"))[-1] == ["Net 2", "–", "attached"]
+    assert extent(opened[0].draft.bodies[-1]) == [(-20.0, -30.0, -160.0), (20.0, 30.0, -140.0)]
+    until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
+    until(lambda: FreeCAD.ActiveDocument.Name == opened[0].document, 20000, "the picture in front of the user's document")
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
+    pump(500)
+    screenshot("machine-editor-attached")
+    field("jog_A").setValue(300)
+    pump(300)
+    screenshot("machine-editor-attached-moved")
+    kept = [one.file for one in opened[0].draft.bodies]
+    click(field("save"))
+    until(lambda: (folder / "mine.fcm").exists(), 20000, "the file")
+    until(lambda: "Written: " in findings(field), 20000, "that it is written")
+    assert cells(field("bodies_table"))[0] == ["Vise", "A", "STL file"]
+    assert [Path(one.file).parent for one in opened[0].picture.shown.bodies] == 4 * [folder], (
+        "drawn of the files that are there now"
+    )
+    panel_button("Close", 500)
+    panel_closed()
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "mine Net 2.stl", "mine Net.stl", "mine Second vise.stl", "mine Vise.stl", "mine.fcm",
+    ]  # fmt: skip
+    bodies = load_machine(str(folder / "mine.fcm")).bodies
+    assert [one.carrier for one in bodies] == ["A", "A", "A", "base"]
+    assert extent(bodies[0]) == [(100.0, 0.0, -150.0), (120.0, 10.0, -120.0)]
+    assert not any(Path(file).exists() for file in kept), "nothing is left of the session"
+    until(lambda: list(FreeCAD.listDocuments()) == [doc.Name], 20000, "the user's document alone")
+    assert doc.UndoCount == 0 and FreeCAD.ActiveDocument.Name == doc.Name
+
+
+def test_what_cannot_be_attached_is_named_and_changes_nothing(
+    fixture_model, whole_screen, folder, press, field, type_into, click, until, unfold, panel_button, panel_closed
+):
+    doc = fixture_model
+    drawing = doc.addObject("Sketcher::SketchObject", "Drawing")
+    doc.recompute()
+    press("FiveAxis_EditMachine", SLID)
+    unfold()
+    for one in ("Holder", drawing.Name):
+        FreeCADGui.Selection.addSelection(doc.Name, one)
+    click(field("attach"))
+    until(lambda: "Drawing (Sketcher::SketchObject) holds neither" in findings(field), 20000, "what is no solid")
+    FreeCADGui.Selection.removeSelection(doc.Name, drawing.Name)
+    type_into(field("attach_deviation"), "0")
+    click(field("attach"))
+    until(lambda: "is not above 0" in findings(field), 20000, "the deviation")
+    assert cells(field("bodies_table")) == []
+    panel_button("Close")
+    panel_closed()
+
+
+def test_the_machine_s_zero_is_picked_and_without_a_document_there_is_a_remedy(
+    empty, whole_screen, folder, opened, press, field, click, until, unfold, panel_button, panel_closed, pump, modal
+):
+    press("FiveAxis_EditMachine", SLID)
+    unfold()
+    click(field("attach"))
+    until(lambda: "No document of yours is open" in findings(field), 20000, "what to do")
+    assert field("machine_zero_pick").isEnabled()
+    late = FreeCAD.newDocument("Late")
+    box = late.addObject("Part::Box", "Box")
+    late.recompute()
+    click(field("machine_zero_pick"))
+    FreeCADGui.Selection.addSelection(late.Name, box.Name, "Vertex1", 0.0, 0.0, 10.0)
+    until(lambda: not field("machine_zero_pick").isChecked(), 20000, "a point")
+    assert opened[0].bodies.attach.fields["machine_zero"].value() == list(box.Shape.Vertexes[0].Point)
+    FreeCADGui.Selection.addSelection(late.Name, box.Name)
+    click(field("attach"))
+    until(lambda: len(cells(field("bodies_table"))) == 1, 20000, "a body of a document that was opened later")
+    kept = opened[0].draft.bodies[0].file
+    modal("Do not save")
+    panel_button("Close")
+    panel_closed()
+    assert not Path(kept).exists()
+    FreeCAD.closeDocument("Late")
 
 
 def test_a_body_whose_axis_goes_is_named(

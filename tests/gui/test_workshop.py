@@ -6,6 +6,7 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
+import Mesh
 import pytest
 from conftest import QtWidgets, close_all
 from test_clicks import look
@@ -292,6 +293,52 @@ def test_a_machine_is_imported_with_its_findings(empty, whole_screen, folder, pr
     type_into(field("source"), str(source))
     until(lambda: field("machine_file").text() == str(folder / "theirs-2.fcm"), 20000, "the name of no file that is there")
     panel_button("Cancel")
+
+
+URDF = """<robot name="home trunnion"><link name="base"/>
+<link name="cradle"><collision><geometry><mesh filename="cradle.stl" scale="0.001 0.001 0.001"/></geometry></collision></link>
+<link name="table"><collision><origin xyz="0 0 -0.065"/><geometry><cylinder radius="0.08" length="0.03"/></geometry></collision></link>
+<link name="saddle"/><link name="beam"/><link name="ram"/>
+<link name="tool"><collision><origin xyz="0 0 0.04"/><geometry><cylinder radius="0.03" length="0.08"/></geometry></collision></link>
+{joints}<joint name="nose" type="fixed"><parent link="ram"/><child link="tool"/><origin xyz="0 0 0.2"/></joint></robot>"""
+JOINT = """<joint name="{0}" type="{1}"><parent link="{2}"/><child link="{3}"/><origin xyz="{4}"/><axis xyz="{5}"/>
+<limit lower="-1.5" upper="1.5" velocity="0.5"/></joint>"""
+JOINTS = (
+    ("a", "revolute", "base", "cradle", "0 0 -0.05", "-1 0 0"), ("c", "continuous", "cradle", "table", "0 0 0.05", "0 0 -1"),
+    ("x", "prismatic", "base", "saddle", "0 0 0", "1 0 0"), ("y", "prismatic", "saddle", "beam", "0 0 0", "0 1 0"),
+    ("z", "prismatic", "beam", "ram", "0 0 0", "0 0 1"),
+)  # fmt: skip
+
+
+def test_a_urdf_file_is_imported_with_its_bodies_which_the_editor_then_shows(
+    empty, whole_screen, folder, press, field, type_into, click, until, panel_button, screenshot, tmp_path, pump, panel_closed,
+    parameters,
+):  # fmt: skip
+    Mesh.createBox(200.0, 100.0, 20.0).write(str(tmp_path / "cradle.stl"))
+    source = tmp_path / "mill.urdf"
+    source.write_text(URDF.format(joints="".join(JOINT.format(*one) for one in JOINTS)))
+    press("FiveAxis_ImportMachine", SLID)
+    type_into(field("source"), str(source))
+    until(lambda: field("machine_file").text() == str(folder / "mill.fcm"), 20000, "a name for the machine")
+    click(field("calculate"))
+    until(lambda: "cradle (A), table (C), tool (spindle)" in shown(field, "result"), 20000, "bodies")
+    assert "the origin of tool" in shown(field, "result")
+    until(lambda: not cut(panel_form()), 20000, "no text that is cut")
+    screenshot("import-urdf")
+    panel_button("OK", 500)
+    panel_closed()
+    assert sorted(path.name for path in folder.iterdir()) == ["mill cradle.stl", "mill.fcm"]
+    assert [body.carrier for body in load_machine(str(folder / "mill.fcm")).bodies] == ["A", "C", "spindle"]
+    until(lambda: not FreeCAD.listDocuments(), 20000, "what was lent is given back")
+    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("Machine", str(folder / "mill.fcm"))
+    press("FiveAxis_EditMachine", SLID)
+    until(lambda: field("bodies_table").rowCount() == 3, 20000, "its bodies")
+    assert "a name of its own" in shown(field, "editor_findings"), "it is in the lists, and its mesh can be read"
+    pump(500)
+    screenshot("import-urdf-edited")
+    panel_button("Close", 500)
+    panel_closed()
+    until(lambda: not FreeCAD.listDocuments(), 20000, "the editor's document is closed")
 
 
 def test_escape_writes_nothing(empty, folder, press, field, click, real_key, window, pump, tmp_path, until, panel_closed):

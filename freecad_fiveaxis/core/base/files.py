@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
 import shutil
 import stat
 import tempfile
@@ -23,6 +24,9 @@ from .signals import deferred, raise_received
 
 PathName = str | os.PathLike[str]
 
+FORBIDDEN = re.compile(r'[\\/:*?"<>|\x00-\x1f]+')
+"""What no file name can hold on one system or another."""
+
 written: list[str] = []
 """The outputs that this process has written since its command began: what a message may truthfully say when a signal comes."""
 
@@ -33,6 +37,11 @@ def is_name(text: PathName) -> bool:
         return b"\0" not in os.fsencode(text)
     except UnicodeEncodeError:
         return False
+
+
+def plain_name(text: str, otherwise: str) -> str:
+    """Give a file's name without its ending after a ``text``; ``otherwise`` where nothing of that can be one."""
+    return FORBIDDEN.sub("_", text).strip(" .") or otherwise
 
 
 def open_file(path: PathName) -> BufferedReader:

@@ -11,8 +11,9 @@ place    all in the machine frame with every joint at zero, in the file's unit.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from itertools import count
 
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.sentences import say
@@ -52,6 +53,13 @@ def check_carriers(bodies: Sequence[MachineBody], letters: Sequence[str]) -> Non
                 "body {name}: {carrier} carries no body; name one of {known}", name=body.name, carrier=body.carrier, known=known
             )
             raise MachineError(text, body.carrier)
+
+
+def free_body_name(label: str, taken: Collection[str]) -> str:
+    """Name a body after a label, unlike all that are ``taken``."""
+    label = label.strip() or "body"
+    numbered = (f"{label} {number}" for number in count(2))
+    return label if label not in taken else next(name for name in numbered if name not in taken)
 
 
 def is_round(body: MachineBody, gauge: Vector) -> bool:

@@ -19,7 +19,7 @@ class ImportMachine:
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_ImportMachine", "Import a machine…"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "FiveAxis_ImportMachine",
-                "Make a machine file of a LinuxCNC configuration or of a FreeCAD machine file",
+                "Make a machine file of a LinuxCNC configuration, a URDF file or a FreeCAD machine file",
             ),
         }
 

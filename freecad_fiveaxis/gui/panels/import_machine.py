@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that makes a machine file of a LinuxCNC configuration or of a file of FreeCAD's Machine editor."""
+"""The panel that makes a machine file of a LinuxCNC configuration, a URDF file or a file of FreeCAD's Machine editor."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ class ImportPanel(WorkPanel):
     """The file to import and the machine file that OK writes."""
 
     def __init__(self) -> None:
-        kinds = translate("FiveAxis", "LinuxCNC configurations and machine files (*.ini *.fcm)")
+        kinds = translate("FiveAxis", "LinuxCNC configurations, URDF and machine files (*.ini *.urdf *.fcm)")
         self.source = FileField(
             "source", translate("FiveAxis", "Choose the file to import"), ";;".join([kinds, all_files()]),
-            translate("FiveAxis", "LinuxCNC's .ini, or a .fcm of FreeCAD's Machine editor"),
+            translate("FiveAxis", "LinuxCNC's .ini, a .urdf, or a .fcm of FreeCAD's Machine editor"),
             translate("FiveAxis", "Choose the file to import."),
         )  # fmt: skip
         self.target = new_machine()

@@ -267,10 +267,10 @@ def proposed_name(path: Any) -> str:
 def proposed_file(name: str, document: str, suffix: str) -> str:
     """A file of that name in the folder of the preferences, else beside the file of the document, else in the user's own."""
     from freecad_fiveaxis.app import preferences
-    from freecad_fiveaxis.app.machines import FORBIDDEN
+    from freecad_fiveaxis.core.base.files import plain_name
 
     folder = preferences.output_folder() or os.path.dirname(document) or os.path.expanduser("~")
-    return os.path.join(str(folder), (FORBIDDEN.sub("_", name).strip(" .") or "program") + suffix)
+    return os.path.join(str(folder), plain_name(name, "program") + suffix)
 
 
 def nc_files() -> str:

@@ -102,7 +102,14 @@ def imported(found: Any) -> str:
         for axis in machine.fitted
     ]
     named = paragraph(f"{machine.name}: {machine.description}", bold=True)
-    return named + table([head, *rows]) + findings(found.findings)
+    return named + table([head, *rows]) + _bodies(machine.bodies) + findings(found.findings)
+
+
+def _bodies(bodies: Sequence[Any]) -> str:
+    if not bodies:
+        return ""
+    named = ", ".join(f"{body.name} ({body.carrier})" for body in bodies)
+    return paragraph(translate("FiveAxis", "Bodies, and what carries them: {}").format(named))
 
 
 def _limits(axis: Any) -> str:

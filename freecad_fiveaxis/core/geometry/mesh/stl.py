@@ -65,13 +65,27 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
     return mesh
 
 
+def read_corners(path: str | os.PathLike[str], progress: Progress = silent) -> Floats:
+    """Read the facets (f, 3, 3) of an STL file as they stand in it, in whatever unit: nothing is welded. Raises as
+    :func:`read_stl` for a file that is no STL."""
+    try:
+        return np.asarray(_columns(path, progress).T, dtype=np.float64)
+    except MeshError as problem:
+        raise MeshError(say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value) from problem
+
+
+def stl_bytes(mesh: Mesh) -> bytes:
+    """Give a mesh as the content of a binary STL file, coordinates in mm as 32-bit floats."""
+    return b"".join(_binary_pieces(mesh))
+
+
 def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> None:
     """Write a mesh as a binary STL file, coordinates in mm as 32-bit floats, or as an ASCII one with all digits.
 
     The file is written beside its place and then renamed, so there is never half a file. Raises FileError where the
     folder cannot be written.
     """
-    write_whole(path, b"".join(_ascii_pieces(mesh) if ascii else _binary_pieces(mesh)))
+    write_whole(path, b"".join(_ascii_pieces(mesh)) if ascii else stl_bytes(mesh))
 
 
 def _columns(path: str | os.PathLike[str], progress: Progress) -> NDArray[np.float32] | Floats:

@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from freecad_fiveaxis.core.base.codes import Severity
@@ -38,18 +37,19 @@ class Problem:
     severity: Severity = Severity.ERROR
 
 
-def check_draft(draft: MachineDraft, folder: Path | None = None) -> tuple[Machine | None, tuple[Problem, ...]]:
-    """Give the machine of a draft in a ``folder``, None where some problem is an error, and the problems, errors first."""
+def check_draft(draft: MachineDraft) -> tuple[Machine | None, tuple[Problem, ...]]:
+    """Give the machine of a draft, None where some problem is an error, and the problems, errors first. Its bodies' files have
+    their whole names."""
     found = [*_repeated_letters(draft), *_axis_errors(draft), *_body_errors(draft)]
     machine: Machine | None = None
     if not found:
-        machine, found = _whole(draft, folder)
+        machine, found = _whole(draft)
     return machine, (*found, *_open_questions(draft))
 
 
-def require_machine(draft: MachineDraft, folder: Path | None = None) -> Machine:
+def require_machine(draft: MachineDraft) -> Machine:
     """Give the machine of a draft. Raises MachineError for the first thing that is wrong with it."""
-    machine, problems = check_draft(draft, folder)
+    machine, problems = check_draft(draft)
     if machine is None:
         raise MachineError(problems[0].text, problems[0].field)
     return machine
@@ -88,10 +88,10 @@ def _check_body(body: MachineBody, draft: MachineDraft) -> None:
         check_readable(body.file)
 
 
-def _whole(draft: MachineDraft, folder: Path | None) -> tuple[Machine | None, list[Problem]]:
+def _whole(draft: MachineDraft) -> tuple[Machine | None, list[Problem]]:
     """The machine as its file will be read, and the chain that it makes."""
     try:
-        machine = read_machine(draft_data(draft, folder))
+        machine = read_machine(draft_data(draft))
     except FiveAxisError as error:
         return None, [Problem(MACHINE, error.text)]
     unsolved = list(_tried(AXES, lambda: chain(machine, Setup(machine.origin))))

@@ -2,6 +2,7 @@
 """A machine from a file of another program, with what that file leaves open.
 
 LinuxCNC   an ini file (``.ini``) with kinematics of :mod:`.registry`, and the HAL files that it names.
+URDF       a robot description of ROS (``.urdf``): :mod:`.urdf`.
 FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is told.
 """
 
@@ -9,7 +10,8 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
@@ -18,11 +20,13 @@ from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.controllers import DIALECTS
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.machine.older_layout import is_older
 
 from .linuxcnc import machine_of_ini
+from .urdf import machine_of_urdf
 
 UPRIGHT = {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]}
 DEFAULTS = {
@@ -33,29 +37,34 @@ DEFAULTS = {
 
 @dataclass(frozen=True)
 class Imported:
-    """A machine and what its source leaves open."""
+    """A machine and what its source leaves open; ``meshes``, mm, of its bodies that have no file yet, by their names."""
 
     machine: Machine
     findings: tuple[Finding, ...]
+    meshes: Mapping[str, Mesh] = field(default_factory=dict, compare=False)
 
 
 def import_machine(path: str) -> Imported:
-    """The machine of a LinuxCNC ini file or a FreeCAD machine file, checked for a chain that can be solved.
+    """The machine of a LinuxCNC ini file, a URDF file or a FreeCAD machine file, checked for a chain that can be solved.
 
     Raises MachineError that names the missing or wrong value and its file, FileError where a file cannot be read.
     """
-    suffix = Path(path).suffix.lower()
+    suffix, meshes = Path(path).suffix.lower(), dict[str, Mesh]()
     if suffix == ".ini":
         machine, findings = machine_of_ini(Path(path))
+    elif suffix == ".urdf":
+        machine, findings, meshes = machine_of_urdf(Path(path))
     elif suffix == ".fcm":
         machine, findings = _of_freecad(path)
     else:
-        raise MachineError(say("{path} has no ending that is known; give LinuxCNC's .ini or FreeCAD's .fcm", path=path), path)
+        raise MachineError(
+            say("{path} has no ending that is known; give LinuxCNC's .ini, a .urdf or FreeCAD's .fcm", path=path), path
+        )
     try:
         chain(machine, Setup(machine.origin))
     except MachineError as error:
         raise MachineError(say("{path}: {error}", path=path, error=error), error.value) from error
-    return Imported(machine, findings)
+    return Imported(machine, findings, meshes)
 
 
 def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
@@ -97,7 +106,12 @@ def _controller(data: dict[str, object]) -> str:
 def as_text(imported: Imported) -> str:
     """The machine as a table, from the work to the tool, and the findings."""
     machine = imported.machine
-    rows = [f"{machine.name}: {machine.description}", *(_row(axis) for axis in machine.fitted), _start(machine)]
+    rows = [
+        f"{machine.name}: {machine.description}",
+        *(_row(axis) for axis in machine.fitted),
+        *_bodies(machine),
+        _start(machine),
+    ]
     marks = {Severity.NOTE: "note", Severity.WARNING: "warning", Severity.ERROR: "ERROR"}
     return "\n".join([*rows, *(f"{marks[found.severity]}: {found.text}" for found in imported.findings)])
 
@@ -107,6 +121,12 @@ def _row(axis: Axis) -> str:
     line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
     line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
     return line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+
+
+def _bodies(machine: Machine) -> list[str]:
+    """What each of machine's bodies is carried by, in one row."""
+    named = ", ".join(f"{body.name} ({body.carrier})" for body in machine.bodies)
+    return [f"  bodies, and what carries them: {named}"] if named else []
 
 
 def _start(machine: Machine) -> str:

@@ -6,15 +6,19 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from freecad_fiveaxis.app import wording
+from freecad_fiveaxis.core.base.errors import FiveAxisError
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.machine.bodies import BASE, BOX, CONE, CYLINDER, FILE, POINTS, RADII, SPHERE, SPINDLE, MachineBody
-from freecad_fiveaxis.core.machine.editing import MachineDraft
+from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft, attach_bodies
 from freecad_fiveaxis.gui.panels.fields import ChoiceField, Field, QuantityField, TextField
 from freecad_fiveaxis.gui.panels.files import FileField, all_files
 from freecad_fiveaxis.gui.panels.folding import FoldingGroup
 from freecad_fiveaxis.gui.panels.triple import TripleField
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
+from .attach import AttachFields
 from .table import Table, buttons_row, show_items, tool_button
 
 SHAPES = (BOX, CYLINDER, CONE, SPHERE, FILE)
@@ -23,12 +27,15 @@ HALF, TALL = 50.0, 50.0
 
 
 class BodiesEditor(QtCore.QObject):
-    """``group`` is what to show; ``draft`` the machine as it stands. ``edited`` tells that the user changed it."""
+    """``group`` is what to show; ``draft`` the machine as it stands, with the meshes ``attached``. ``edited`` tells that the user
+    changed it, ``refused`` why that cannot be."""
 
     edited = QtCore.Signal()
+    refused = QtCore.Signal(str)
 
-    def __init__(self) -> None:
+    def __init__(self, attached: AttachedMeshes) -> None:
         super().__init__()
+        self.attached, self.attach = attached, AttachFields()
         self.draft: MachineDraft | None = None
         self.filling = False
         self.group = FoldingGroup("bodies", translate("FiveAxis", "Bodies"), "machine-editor_bodies", False)
@@ -39,6 +46,7 @@ class BodiesEditor(QtCore.QObject):
         self.fields: dict[str, Field] = {field.name: field for field in _fields()}
         self.group.body.add_wide(self.table)
         self.group.body.add_wide(buttons_row(self.add, self.remove))
+        self.group.body.add_wide(self.attach.group)
         self.rows = {name: self.group.body.add(field) for name, field in self.fields.items()}
         self._connect()
 
@@ -52,6 +60,8 @@ class BodiesEditor(QtCore.QObject):
             menu.addAction(shape_label(shape)).triggered.connect(lambda *_, shape=shape: self._add(shape))
         self.add.setPopupMode(QtWidgets.QToolButton.InstantPopup)
         self.add.setMenu(menu)
+        self.attach.found.connect(self._attach)
+        self.attach.refused.connect(self.refused)
 
     @property
     def body(self) -> MachineBody | None:
@@ -62,8 +72,13 @@ class BodiesEditor(QtCore.QObject):
     def show_draft(self, draft: MachineDraft, at: int | None = None) -> None:
         """Show a draft, its body ``at`` chosen; None: the same row as before."""
         self.draft = draft
-        self.table.show_rows([_cells(body) for body in draft.bodies], at)
+        self.table.show_rows([self._cells(body) for body in draft.bodies], at)
         self._fill()
+
+    def _cells(self, body: MachineBody) -> tuple[str, ...]:
+        carrier = "–" if body.carrier == BASE else carrier_label(body.carrier)
+        attached = self.attached.holds(body.file)
+        return body.name, carrier, translate("FiveAxis", "attached") if attached else shape_label(body.shape)
 
     def follow(self, draft: MachineDraft) -> None:
         """Show a draft whose axes were changed: bodies go with their axes."""
@@ -77,8 +92,10 @@ class BodiesEditor(QtCore.QObject):
         if draft is None:
             return
         self.filling = True
-        show_items(self.fields["body_carrier"], [(one, carrier_label(one)) for one in (BASE, *draft.letters(), SPINDLE)])
-        shown = {"body_name", "body_carrier", "body_clearance"} | (_sizes(body.shape) if body is not None else set())
+        carriers = [(one, carrier_label(one)) for one in (BASE, *draft.letters(), SPINDLE)]
+        show_items(self.fields["body_carrier"], carriers)
+        self.attach.show_carriers(carriers)
+        shown = {"body_name", "body_carrier", "body_clearance"} | (self._sizes(body) if body is not None else set())
         for name, row in self.rows.items():
             for widget in row:
                 widget.setVisible(body is not None and name in shown)
@@ -89,6 +106,10 @@ class BodiesEditor(QtCore.QObject):
         self.filling = False
         self.group.show_state(str(len(draft.bodies)) if draft.bodies else translate("FiveAxis", "none"))
 
+    def _sizes(self, body: MachineBody) -> set[str]:
+        """The fields of a body's shape; none of a mesh that has no file of the user's yet."""
+        return set() if self.attached.holds(body.file) else _sizes(body.shape)
+
     def _change(self, name: str) -> None:
         body, draft = self.body, self.draft
         if self.filling or body is None or draft is None:
@@ -97,13 +118,23 @@ class BodiesEditor(QtCore.QObject):
         if new == body:
             return
         self.draft = replace(draft, bodies=(*draft.bodies[:at], new, *draft.bodies[at + 1 :]))
-        self.table.show_cells(at, _cells(new))
+        self.table.show_cells(at, self._cells(new))
         self.edited.emit()
 
     def _add(self, shape: str) -> None:
         if self.draft is not None:
             bodies = (*self.draft.bodies, new_body(self.draft, shape))
             self._put(replace(self.draft, bodies=bodies), len(bodies) - 1)
+
+    def _attach(self, surfaces: list[tuple[str, Mesh]]) -> None:
+        if self.draft is None:
+            return
+        try:
+            draft = attach_bodies(self.draft, surfaces, self.attach.carrier, self.attached)
+        except FiveAxisError as error:
+            self.refused.emit(wording.localize(error))
+            return
+        self._put(draft, len(draft.bodies) - 1)
 
     def _remove(self) -> None:
         at = self.table.at()
@@ -144,11 +175,6 @@ def carrier_label(carrier: str) -> str:
     """What carries a body, in a word."""
     labels = {BASE: translate("FiveAxis", "nothing, it stands still"), SPINDLE: translate("FiveAxis", "the spindle")}
     return str(labels.get(carrier, carrier))
-
-
-def _cells(body: MachineBody) -> tuple[str, ...]:
-    carrier = "–" if body.carrier == BASE else carrier_label(body.carrier)
-    return body.name, carrier, shape_label(body.shape)
 
 
 def _sizes(shape: str) -> set[str]:

@@ -19,7 +19,7 @@ from freecad_fiveaxis.app import editing, machines, wording
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.editing import MachineDraft
+from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft
 from freecad_fiveaxis.gui.messages import ask, status
 from freecad_fiveaxis.gui.panels.choosers import MachineField
 from freecad_fiveaxis.gui.panels.files import new_machine
@@ -45,7 +45,8 @@ class EditorPanel:
 
     def __init__(self, machine: str) -> None:
         self.start = MachineField("start_from", translate("FiveAxis", "The machine whose values are changed; it stays as it is"))
-        self.general, self.axes, self.bodies = GeneralFields(), AxesEditor(), BodiesEditor()
+        self.attached = AttachedMeshes()
+        self.general, self.axes, self.bodies = GeneralFields(), AxesEditor(), BodiesEditor(self.attached)
         self.jog, self.target = JogSliders(), new_machine()
         self.picture: Any = None
         self.names, self.document, self.written = editing.known_names(), "", ""
@@ -91,6 +92,8 @@ class EditorPanel:
         self.general.edited.connect(lambda: self._edit(self.general.apply(self.draft)))
         self.axes.edited.connect(lambda: self._edit(self.axes.draft or self.draft))
         self.bodies.edited.connect(lambda: self._edit(self.bodies.draft or self.draft))
+        self.bodies.refused.connect(self._tell)
+        self.bodies.attach.found.connect(lambda *_: later(self._come_to_front))
         self.jog.moved.connect(self._move)
         self.target.edited.connect(self._check_target)
         self.save_button.clicked.connect(lambda *_: self.save())
@@ -175,6 +178,11 @@ class EditorPanel:
         if self.picture is not None:
             self.picture.move(self.jog.joints)
 
+    def _come_to_front(self) -> None:
+        """Show the machine's picture again, behind which the user's document came when something was selected there."""
+        if self.document in FreeCAD.listDocuments():
+            FreeCADGui.setActiveDocument(self.document)
+
     def _fit(self) -> None:
         if self.document:
             later(lambda: fit(self.document))
@@ -184,7 +192,7 @@ class EditorPanel:
     def judge(self) -> None:
         """Say what is wrong with the machine and what it leaves open."""
         self.timer.stop()
-        self.machine, problems = editing.check(self.draft, self.target.value(), self.names)
+        self.machine, problems = editing.check(self.draft, self.names)
         lines = [(COLOURS[one.severity], wording.localize(one.text)) for one in problems]
         if self.written and not self.changed:
             lines.insert(0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written)))
@@ -222,7 +230,7 @@ class EditorPanel:
         if self.machine is None or not self._check_target():
             return False
         try:
-            self.written = editing.write(self.draft, self.target.value())
+            self.written = editing.write(self.draft, self.target.value(), self.attached)
         except FiveAxisError as error:
             self._tell(wording.localize(error))
             return False
@@ -237,7 +245,8 @@ class EditorPanel:
         self.draft = self.kept = editing.open_draft(self.written)
         self.opened = self.written
         self.start.show_value(self.written)
-        self.general.draft = self.axes.draft = self.bodies.draft = self.draft
+        self.general.draft = self.axes.draft = self.draft
+        self.bodies.show_draft(self.draft)  # what was attached has a file now
         self.target.show_value("")
         self.filling = False
         self.target.propose(machines.free_file(self.draft.name))
@@ -269,8 +278,10 @@ class EditorPanel:
 
     def _close(self) -> None:
         self.timer.stop()
+        self.bodies.attach.stop()
         if self.picture is not None:
             self.picture.remove()
+        self.attached.close()
         FreeCADGui.Control.closeDialog()
         later(lambda: give_back(self.document))
 
@@ -291,7 +302,9 @@ def create() -> EditorPanel:
     except FiveAxisError:
         panel = EditorPanel(shipped_machines()[-1])
     if not FreeCADGui.Control.activeDialog():
+        before = FreeCAD.ActiveDocument
         panel.document = FreeCAD.newDocument("Machine", translate("FiveAxis", "Machine")).Name
+        panel.bodies.attach.stand_beside(panel.document, before.Name if before is not None else "")
         view = FreeCADGui.getDocument(panel.document).ActiveView
         if hasattr(view, "getSceneGraph"):
             panel.draw_in(view)
