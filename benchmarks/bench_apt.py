@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading a CL file against splitting its lines and converting its numbers in plain Python: the same positions, both in one run.
+"""Reading a CL file against splitting its lines and converting its numbers in plain Python: the same
+positions, both in one run.
 
-Run: ``python benchmarks/bench_apt.py [lines]``. The target is at most 10 times the plain way's time; it is about twice.
+Run: ``python benchmarks/bench_apt.py [lines]``. The target is at most 10 times the plain way's time; it is
+about twice.
 """
 
 from __future__ import annotations
@@ -29,7 +31,11 @@ def big(lines: int) -> bytes:
 
 def in_plain_python(text: bytes) -> Floats:
     """The positions, and nothing else, of a file of GOTO lines."""
-    rows = [[float(part) for part in line[5:].split(b",")] for line in text.split(b"\n") if line.startswith(b"GOTO/")]
+    rows = [
+        [float(part) for part in line[5:].split(b",")]
+        for line in text.split(b"\n")
+        if line.startswith(b"GOTO/")
+    ]
     return np.array(rows)[:, :3]
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The audit of a posted impeller-like program of 100,000 lines, from NC text to the proof, against ``%`` formatting in one run.
+"""The audit of a posted impeller-like program of 100,000 lines, from NC text to the proof, against ``%``
+formatting in one run.
 
-The aim is 2 s on a machine that makes 0.5 M ``%`` rows a second: no longer than ``%`` needs for a million rows. With the CL path,
-with the part's STL, and with the HTML report it is timed too.
+The aim is 2 s on a machine that makes 0.5 M ``%`` rows a second: no longer than ``%`` needs for a million
+rows. With the CL path, with the part's STL, and with the HTML report it is timed too.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ ALLOWED = 1_000_000
 
 
 def blade_rows(lines: int) -> tuple[Floats, Floats]:
-    """Tips, unit axes (about ``lines``, 3): zigzag over the flanks of twisted blades; C turns by more than a degree a step."""
+    """Tips, unit axes (about ``lines``, 3): zigzag over the flanks of twisted blades; C turns by more than a
+    degree a step."""
     passes = max(1, round(lines / (BLADES * STEPS)))
     even = np.linspace(0.0, 1.0, passes), np.linspace(0.0, 1.0, STEPS)
     blade, height, step = np.meshgrid(np.arange(BLADES), *even, indexing="ij")
@@ -70,7 +72,9 @@ def cl_text(tip: Floats, axis: Floats) -> str:
 def hub(path: Path) -> None:
     """An STL of the hub below the blades' feet: a surface of revolution of 20k facets."""
     turns, rows = 200, 50
-    turn, step = np.meshgrid(np.linspace(0.0, 2.0 * np.pi, turns, endpoint=False), np.linspace(0.0, 1.0, rows))
+    turn, step = np.meshgrid(
+        np.linspace(0.0, 2.0 * np.pi, turns, endpoint=False), np.linspace(0.0, 1.0, rows)
+    )
     out, up = 12.0 + 22.0 * step * step, 44.0 - 40.0 * step
     vertex = np.column_stack([(out * np.cos(turn)).ravel(), (out * np.sin(turn)).ravel(), up.ravel()])
     row = np.arange(turns * rows).reshape(rows, turns)
@@ -113,9 +117,15 @@ def main(lines: int = LINES) -> float:
         start = time.perf_counter()
         page = as_html(job.figures(results["first"]))
         rows.append(("its HTML page", time.perf_counter() - start))
-    table = [(name, f"{s:.2f}", f"{len(words) / s / 1e3:.0f}", f"{s * rate / ALLOWED:.2f}") for name, s in rows]
+    table = [
+        (name, f"{s:.2f}", f"{len(words) / s / 1e3:.0f}", f"{s * rate / ALLOWED:.2f}") for name, s in rows
+    ]
     heads = ("", "s", "k lines/s", f"of the time of {ALLOWED / 1e6:g} M % rows")
-    print_table(f"Audit of {len(words)} lines, % {rate / 1e6:.2f} M rows/s, HTML {len(page) / 1e3:.0f} kB", heads, table)
+    print_table(
+        f"Audit of {len(words)} lines, % {rate / 1e6:.2f} M rows/s, HTML {len(page) / 1e3:.0f} kB",
+        heads,
+        table,
+    )
     return rows[0][1] * rate / ALLOWED
 
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a batch gains by a second process, as a ratio in the same run, and what it costs a job beside doing it here.
+"""What a batch gains by a second process, as a ratio in the same run, and what it costs a job beside doing it
+here.
 
-Run: ``python benchmarks/bench_batch.py [jobs]``; half a minute for 64. The targets: on two idle processors at least 1.8 times
-as fast by two processes as by one, and no more than 20 ms a job beyond the job.
+Run: ``python benchmarks/bench_batch.py [jobs]``; half a minute for 64. The targets: on two idle processors at
+least 1.8 times as fast by two processes as by one, and no more than 20 ms a job beyond the job.
 
-The jobs are small, and their pages left blank, which are nearly all that they take: what is spent beside them shows the more.
-They are done in turns: some here, the same by one process, the same by two, then the next ones. Beside the seconds on the
-wall stand those of the processor, this process's and its workers', which other work on the computer changes less.
+The jobs are small, and their pages left blank, which are nearly all that they take: what is spent beside them
+shows the more. They are done in turns: some here, the same by one process, the same by two, then the next
+ones. Beside the seconds on the wall stand those of the processor, this process's and its workers', which
+other work on the computer changes less.
 """
 
 from __future__ import annotations
@@ -30,7 +32,14 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[1]
 
-WAY = {"machine": "trunnion_ac", "passes": "planes", "tool_axis": "facet_mean", "stepover": 9, "gouge": "off", "tolerance": 10}
+WAY = {
+    "machine": "trunnion_ac",
+    "passes": "planes",
+    "tool_axis": "facet_mean",
+    "stepover": 9,
+    "gouge": "off",
+    "tolerance": 10,
+}
 RATIO = 1.8
 OVERHEAD = 0.020
 """s a job."""
@@ -101,7 +110,10 @@ def main(count: int = 64) -> float:
         jobs = jobs_in(folder, os.path.join(out, "made"))
         with pools(jobs_in(folder, os.path.join(out, "warm"))) as made:
             turns = [
-                [timed(own[at : at + TURN], pool, way) for way, (own, pool) in enumerate(zip(jobs, made, strict=True))]
+                [
+                    timed(own[at : at + TURN], pool, way)
+                    for way, (own, pool) in enumerate(zip(jobs, made, strict=True))
+                ]
                 for at in range(0, count, TURN)
             ]
     return show(np.array(turns), count)
@@ -111,12 +123,16 @@ def show(turns: np.ndarray, count: int) -> float:
     """Print what was measured: ``turns`` (turns, ways, 2) s on the wall and of the processor."""
     wall, work = turns.sum(axis=0).T
     rows = [
-        (name, f"{wall[way]:.1f}", *(f"{1e3 * one[way] / count:.0f}" for one in (wall, work))) for way, name in enumerate(WAYS)
+        (name, f"{wall[way]:.1f}", *(f"{1e3 * one[way] / count:.0f}" for one in (wall, work)))
+        for way, name in enumerate(WAYS)
     ]
     print_table(f"batch of {count} jobs", ("done", "s", "ms a job", "ms of processors a job"), rows)
     ratio, each = wall[1] / wall[2], turns[:, 1, 0] / turns[:, 2, 0]
     more = (turns[:, 1] - turns[:, 0]) / TURN * 1e3
-    print(f"  two processes are {ratio:.2f} times as fast as one ({np.min(each):.2f} to {np.max(each):.2f} in its turns)")
+    print(
+        f"  two processes are {ratio:.2f} times as fast as one ({np.min(each):.2f} to {np.max(each):.2f} in "
+        "its turns)"
+    )
     print(
         "  a job in one process takes {:+.0f} ms more than here, {:+.0f} ms of processors (medians)".format(
             *np.median(more, axis=0)
@@ -124,8 +140,13 @@ def show(turns: np.ndarray, count: int) -> float:
     )
     print(f"  way of a task to a process and back: {1e3 * overhead():.2f} ms")
     enough = (os.cpu_count() or 1) >= 2
-    print(f"  target {RATIO}: {'reached' if ratio >= RATIO else 'MISSED' if enough else 'needs two processors'}")
-    print(f"  target {1e3 * OVERHEAD:.0f} ms: {'reached' if np.median(more[:, 0]) <= 1e3 * OVERHEAD else 'MISSED'}")
+    print(
+        f"  target {RATIO}: {'reached' if ratio >= RATIO else 'MISSED' if enough else 'needs two processors'}"
+    )
+    print(
+        f"  target {1e3 * OVERHEAD:.0f} ms: "
+        f"{'reached' if np.median(more[:, 0]) <= 1e3 * OVERHEAD else 'MISSED'}"
+    )
     return float(ratio)
 
 

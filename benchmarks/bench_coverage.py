@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How much of a part is finished, by how long a cut, and how long the tool is under way beside it: real meshes, each strategy.
+"""How much of a part is finished, by how long a cut, and how long the tool is under way beside it: real
+meshes, each strategy.
 
-The judge knows nothing of how a program is made: the ball is swept along the real way of the program's words (a forward map of
-the chain for each sample), and area samples of the surface look for the nearest place of its centre. *Finished*: no more than
-WITHIN left and no deeper; *share*: of what such a ball finishes wherever it fits, from any side (libigl, where it is there).
-*Cut*, *links*, *rapids*: length over finished area / stepover on a flat. *Overcut*: deepest sample, mm. *95 %*: of what is
-left, mm.
-Arguments: names of parts, then strategies as PASSES/AXIS or PASSES/AXIS/WITHIN_FRAMES (``head scallop/facet_mean``); none: all
-that are here, every strategy.
+The judge knows nothing of how a program is made: the ball is swept along the real way of the program's words
+(a forward map of the chain for each sample), and area samples of the surface look for the nearest place of
+its centre. *Finished*: no more than WITHIN left and no deeper; *share*: of what such a ball finishes wherever
+it fits, from any side (libigl, where it is there). *Cut*, *links*, *rapids*: length over finished area /
+stepover on a flat. *Overcut*: deepest sample, mm. *95 %*: of what is left, mm.
+Arguments: names of parts, then strategies as PASSES/AXIS or PASSES/AXIS/WITHIN_FRAMES (``head
+scallop/facet_mean``); none: all that are here, every strategy.
 """
 
 from __future__ import annotations
@@ -50,7 +51,11 @@ def area_samples(mesh: Mesh, count: int) -> tuple[Floats, Floats, float]:
     face, share = random.choice(len(area), count, p=area / area.sum()), random.random((count, 2))
     share = np.where(share.sum(axis=1, keepdims=True) > 1.0, 1.0 - share, share)
     sides = corner[face, 1:] - corner[face, :1]
-    return corner[face, 0] + (share[..., None] * sides).sum(axis=1), across[face] / area[face, None], float(area.sum() / 2.0)
+    return (
+        corner[face, 0] + (share[..., None] * sides).sum(axis=1),
+        across[face] / area[face, None],
+        float(area.sum() / 2.0),
+    )
 
 
 def swept_centres(made: job.ProgramDraft) -> Floats:
@@ -64,14 +69,19 @@ def swept_centres(made: job.ProgramDraft) -> Floats:
     for rows in np.array_split(np.flatnonzero(feeding), feeding.sum() // BATCH + 1):
         row = np.repeat(rows, count[rows])
         ends = np.cumsum(count[rows])
-        share = (np.arange(len(row)) - np.repeat(ends - count[rows], count[rows])) / np.repeat(count[rows], count[rows])
-        tip, axis = forward(made.kinematics, words_to_q(words[row] + share[:, None] * (words[row + 1] - words[row])))
+        share = (np.arange(len(row)) - np.repeat(ends - count[rows], count[rows])) / np.repeat(
+            count[rows], count[rows]
+        )
+        tip, axis = forward(
+            made.kinematics, words_to_q(words[row] + share[:, None] * (words[row + 1] - words[row]))
+        )
         found.append(tip + radius * axis)
     return np.concatenate(found)
 
 
 def fitting_centres(mesh: Mesh) -> Floats:
-    """Places (k, 3) mm of the ball's centre, set down all over the surface, where it keeps out of the part."""
+    """Places (k, 3) mm of the ball's centre, set down all over the surface, where it keeps out of the
+    part."""
     import igl
 
     point, normal, _ = area_samples(mesh, CONTACTS)
@@ -89,7 +99,8 @@ def measured(name: str, strategy: str, fits: Floats | None) -> list[str]:
     """One row of the table."""
     mesh = read_stl(str(MESHES / f"{name}.stl"))
     passes, axis, *within = strategy.split("/")
-    options = {"machine": MACHINE, "tool_length": 120, "cutter": f"ball:{DIAMETER}", "scallop": SCALLOP, "passes": passes,
+    options = {"machine": MACHINE, "tool_length": 120, "cutter": f"ball:{DIAMETER}", "scallop": SCALLOP,
+        "passes": passes,
                "tool_axis": axis, "within_frames": within[0] if within else None}  # fmt: skip
     begin = time.process_time()
     result = job.prove(job.make(build_settings("mill", name, options), mesh=mesh))
@@ -108,7 +119,9 @@ def measured(name: str, strategy: str, fits: Floats | None) -> list[str]:
 
 def main(arguments: list[str]) -> None:
     """Measure the parts and strategies that are named, or all."""
-    names = [one for one in arguments if "/" not in one] or [one for one in PARTS if (MESHES / f"{one}.stl").exists()]
+    names = [one for one in arguments if "/" not in one] or [
+        one for one in PARTS if (MESHES / f"{one}.stl").exists()
+    ]
     strategies = [one for one in arguments if "/" in one] or list(STRATEGIES)
     if not names:
         print(f"no real meshes in {MESHES}: install Debian's occt-misc, or name a folder in FIVEAXIS_MESHES")

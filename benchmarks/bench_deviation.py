@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Deviation with its proven bound against plain numpy at 100 samples a block, both in one run and in turns.
 
-The blocks are those of a milling program: chords of about 1 mm, turns of 0.1 to 2 deg, 60 to 250 mm from the rotary axes.
+The blocks are those of a milling program: chords of about 1 mm, turns of 0.1 to 2 deg, 60 to 250 mm from the
+rotary axes.
 """
 
 from __future__ import annotations
@@ -28,10 +29,13 @@ AT_LEAST = 8.0
 
 
 def milling_program(kinematics: Chain, count: int, seed: int = 1) -> Floats:
-    """Words (count, 5), mm and deg, of a smooth path: chords of about 1 mm, each rotary axis turning by 0.1 to 2 deg a block."""
+    """Words (count, 5), mm and deg, of a smooth path: chords of about 1 mm, each rotary axis turning by 0.1
+    to 2 deg a block."""
     rng = np.random.default_rng(seed)
     sign = np.where(np.arange(count) // 60 % 2, 1, -1)[:, None]
-    angles = np.radians((20.0, 35.0)) + np.cumsum(np.radians(rng.uniform(0.1, 2.0, (count, 2))) * sign * (1.0, 0.5), axis=0)
+    angles = np.radians((20.0, 35.0)) + np.cumsum(
+        np.radians(rng.uniform(0.1, 2.0, (count, 2))) * sign * (1.0, 0.5), axis=0
+    )
     way = 0.02 * np.arange(count)
     heading = np.stack([np.cos(way), np.sin(way), 0.3 * np.sin(3.0 * way)], axis=1)
     tips = np.cumsum(rng.uniform(0.7, 1.3, (count, 1)) * heading, axis=0) + (60.0, 0.0, 80.0)
@@ -39,7 +43,8 @@ def milling_program(kinematics: Chain, count: int, seed: int = 1) -> Floats:
 
 
 def sampled(kinematics: Chain, words: Floats, samples: int = SAMPLES) -> Floats:
-    """Segment deviation (m - 1,) mm of a trunnion machine (C on A) by plain numpy: sin and cos at every sample, in cache."""
+    """Segment deviation (m - 1,) mm of a trunnion machine (C on A) by plain numpy: sin and cos at every
+    sample, in cache."""
     _, y0, z0 = kinematics.point2
     u, q = np.linspace(0.0, 1.0, samples), words_to_q(words)
     result = np.empty(len(words) - 1)
@@ -52,7 +57,9 @@ def sampled(kinematics: Chain, words: Floats, samples: int = SAMPLES) -> Floats:
         x, y, z = (p - p[:, :1] for p in (x, y, z))
         dx, dy, dz = (p[:, -1:] for p in (x, y, z))
         k = np.clip((x * dx + y * dy + z * dz) / (dx * dx + dy * dy + dz * dz), 0.0, 1.0)
-        result[first : first + 128] = np.sqrt((x - k * dx) ** 2 + (y - k * dy) ** 2 + (z - k * dz) ** 2).max(axis=1)
+        result[first : first + 128] = np.sqrt((x - k * dx) ** 2 + (y - k * dy) ** 2 + (z - k * dz) ** 2).max(
+            axis=1
+        )
     return result
 
 
@@ -84,8 +91,14 @@ def _print_accuracy(kinematics: Chain, words: Floats) -> None:
     fine = sampled(kinematics, words[:2001], 4001)
     off = np.abs(found.segment[1:] - fine) / fine
     over = (found.bound - found.segment)[1:]
-    print(f"largest difference from 4001 samples {off.max():.1e} of the deviation; bound at most {over.max():.1e} mm above it")
-    print(f"quick bound over proven bound, median {np.median(quick_bound(kinematics, words)[1:2001] / found.bound[1:]):.2f}")
+    print(
+        f"largest difference from 4001 samples {off.max():.1e} of the deviation; bound at most "
+        f"{over.max():.1e} mm above it"
+    )
+    print(
+        "quick bound over proven bound, median "
+        f"{np.median(quick_bound(kinematics, words)[1:2001] / found.bound[1:]):.2f}"
+    )
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a task costs beside its work on each engine, and what that means for up to ten thousand workers: docs/scale.md.
+"""What a task costs beside its work on each engine, and what that means for up to ten thousand workers:
+docs/scale.md.
 
-Run: ``python benchmarks/bench_engines.py [tasks]``. Measured with two workers, the engines in turns; what is not installed is
-left out. Then simulated: a queue that one process keeps, and that spends the measured time on each task.
+Run: ``python benchmarks/bench_engines.py [tasks]``. Measured with two workers, the engines in turns; what is
+not installed is left out. Then simulated: a queue that one process keeps, and that spends the measured time
+on each task.
 """
 
 from __future__ import annotations
@@ -41,8 +43,19 @@ TASKS_EACH = 10
 UNEVEN = 0.3
 """Standard deviation of the logarithm of a task's time."""
 STUDIES = {
-    "setup": {"passes": "planes", "tool_axis": "facet_mean", "stepover": 4.0, "region": (40, 40, 20), "grid": (3, 3, 3)},
-    "compare": {"passes": "planes", "tool_axis": "facet_mean", "stepover": 20.0, "machines": "trunnion_ac,mikron_ucp710"},
+    "setup": {
+        "passes": "planes",
+        "tool_axis": "facet_mean",
+        "stepover": 4.0,
+        "region": (40, 40, 20),
+        "grid": (3, 3, 3),
+    },
+    "compare": {
+        "passes": "planes",
+        "tool_axis": "facet_mean",
+        "stepover": 20.0,
+        "machines": "trunnion_ac,mikron_ucp710",
+    },
     "reach": {"holder": ((40.0, 30.0),), "tool_length": 120.0},
 }
 
@@ -79,8 +92,8 @@ ENGINES: Mapping[str, Callable[[], Any]] = {
 
 
 def measured(tasks: int) -> dict[str, tuple[float, float, float]]:
-    """Of each engine that is here: s a task, more s a megabyte that goes with each task, and s from a task's submission to its
-    result where nothing else is at work. Medians of ROUNDS, the engines in turns."""
+    """Of each engine that is here: s a task, more s a megabyte that goes with each task, and s from a task's
+    submission to its result where nothing else is at work. Medians of ROUNDS, the engines in turns."""
     with ExitStack() as stack:
         pools = {}
         for name, make in ENGINES.items():
@@ -140,15 +153,19 @@ def weigh(facets: int = 1_000) -> None:
             middle = (f"{np.median(one):,.0f}" for one in (scale.tasks, scale.results))
             rows.append([task, len(scale.tasks), *middle, f"{np.median(scale.seconds):.3f}"])
     print_table(
-        f"tasks of studies of {facets:,} facets, medians", ("study", "tasks", "bytes there", "and back", "s a task"), rows
+        f"tasks of studies of {facets:,} facets, medians",
+        ("study", "tasks", "bytes there", "and back", "s a task"),
+        rows,
     )
 
 
 def speed_up(workers: int, seconds: float, cost: float, delay: float, uneven: float = UNEVEN) -> float:
-    """How many times as fast so many workers are as one without a queue. ``seconds`` of a task in the mean, ``cost`` s that the
-    queue spends on each task, one after the other; ``delay`` s on the way to a worker and back.
+    """How many times as fast so many workers are as one without a queue. ``seconds`` of a task in the mean,
+    ``cost`` s that the queue spends on each task, one after the other; ``delay`` s on the way to a worker and
+    back.
 
-    Each worker does TASKS_EACH tasks: who is free first gets the next, no sooner than the queue has come to it.
+    Each worker does TASKS_EACH tasks: who is free first gets the next, no sooner than the queue has come to
+    it.
     """
     rng, free, last = np.random.default_rng(workers), np.zeros(workers), 0.0
     place = np.arange(1, workers + 1)
@@ -162,7 +179,8 @@ def speed_up(workers: int, seconds: float, cost: float, delay: float, uneven: fl
 
 
 def _queued(wanted: Any, cost: float, place: Any) -> Any:
-    """When a queue that spends ``cost`` s on each is done with what is ``wanted`` (w,) at these times, in their order."""
+    """When a queue that spends ``cost`` s on each is done with what is ``wanted`` (w,) at these times, in
+    their order."""
     ready = np.maximum(wanted, 0.0) - cost * (place - 1)
     return np.maximum.accumulate(ready) + cost * place
 
@@ -172,7 +190,11 @@ def least_seconds(workers: int, cost: float, delay: float, share: float = 0.9) -
     low, high = 1e-6, 1e6
     while high / low > 1.01:
         middle = (low * high) ** 0.5
-        low, high = (low, middle) if speed_up(workers, middle, cost, delay, 0.0) >= share * workers else (middle, high)
+        low, high = (
+            (low, middle)
+            if speed_up(workers, middle, cost, delay, 0.0) >= share * workers
+            else (middle, high)
+        )
     return high
 
 
@@ -184,8 +206,12 @@ def _row(workers: int, cost: float, delay: float) -> list[str]:
 def main(tasks: int = 400) -> None:
     """Print all tables."""
     found = measured(tasks)
-    rows = [(name, *(f"{1e3 * one:.2f}" for one in found[name]), f"{1.0 / found[name][0]:,.0f}") for name in found]
-    print_table("two workers, ms", ("engine", "a task", "and a MB with it", "alone, there and back", "tasks/s"), rows)
+    rows = [
+        (name, *(f"{1e3 * one:.2f}" for one in found[name]), f"{1.0 / found[name][0]:,.0f}") for name in found
+    ]
+    print_table(
+        "two workers, ms", ("engine", "a task", "and a MB with it", "alone, there and back", "tasks/s"), rows
+    )
     weigh()
     for name, (cost, _, delay) in found.items():
         table = [_row(workers, cost, delay) for workers in WORKERS]

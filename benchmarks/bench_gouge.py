@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The gouge check on the real ways of a machine against a k-d tree of the facets' centres with exact distances at the positions
-alone; and on real meshes (Debian's occt-misc) against OpenCAMLib's drop cutter, which does the three-axis part of it, at the same
-points, one above each of the places where that lets the cutter down. All in one run and in turns, in processor time.
+"""The gouge check on the real ways of a machine against a k-d tree of the facets' centres with exact
+distances at the positions alone; and on real meshes (Debian's occt-misc) against OpenCAMLib's drop cutter,
+which does the three-axis part of it, at the same points, one above each of the places where that lets the
+cutter down. All in one run and in turns, in processor time.
 """
 
 from __future__ import annotations
@@ -47,14 +48,17 @@ ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length 
 def milled(mesh: Mesh) -> job.MilledProgram:
     """A finishing program with its blocks divided to the tolerance, and no place lifted."""
     options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 2, "cutter": f"ball:{DIAMETER}"}
-    settings = build_settings("mill", "bumpy", {**options, **PLAIN, "max_axis_angle": 60, "linearize": "on", "gouge": "off"})
+    settings = build_settings(
+        "mill", "bumpy", {**options, **PLAIN, "max_axis_angle": 60, "linearize": "on", "gouge": "off"}
+    )
     made = job.make(settings, mesh=mesh)
     assert isinstance(made, job.MilledProgram)
     return made
 
 
 class Neighbours:
-    """The peer: facets whose centres are near, and their exact distances, position by position in plain numpy."""
+    """The peer: facets whose centres are near, and their exact distances, position by position in plain
+    numpy."""
 
     def __init__(self, mesh: Mesh) -> None:
         self.corner = mesh.vertex[mesh.face].transpose(1, 2, 0)
@@ -77,7 +81,10 @@ def rates(facets: int) -> dict[str, float]:
     """The check's rates and the peers', positions a second."""
     mesh = bumpy(facets)
     made, tree = milled(mesh), facet_tree(mesh)
-    real, straight = real_motion(made.kinematics, made.program.words), straight_motion(made.path.tip, made.path.axis)
+    real, straight = (
+        real_motion(made.kinematics, made.program.words),
+        straight_motion(made.path.tip, made.path.axis),
+    )
     body, few = body_of(Cutter(DIAMETER)), np.arange(1000, 1000 + FEW)
     centres = made.path.tip[few] + 0.5 * DIAMETER * made.path.axis[few]
     peer = Neighbours(mesh)
@@ -85,14 +92,18 @@ def rates(facets: int) -> dict[str, float]:
     for _ in range(ROUNDS):  # in turns: a busy machine slows all of them alike
         for name, swept in (("real", real), ("straight", straight)):
             blocks = np.arange(min(POSITIONS, len(swept)))
-            found[name].append(len(blocks) / _seconds(lambda c=swept, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b)))
+            found[name].append(
+                len(blocks)
+                / _seconds(lambda c=swept, b=blocks: find_entries(body, tree, c, TOLERANCE, blocks=b))
+            )
         found["peer"].append(FEW / _seconds(lambda: peer.depth(centres, 0.5 * DIAMETER)))
         found["tree"].append(_seconds(lambda: planted(mesh)))
     return {name: statistics.median(values) for name, values in found.items()}
 
 
 def dropped(mesh: Mesh, shape: Any, places: Floats) -> tuple[Floats, float]:
-    """The tips (n, 3) that OpenCAMLib's drop cutter finds at these places (n, 2), and how many it finds in a second."""
+    """The tips (n, 3) that OpenCAMLib's drop cutter finds at these places (n, 2), and how many it finds in a
+    second."""
     import opencamlib as ocl
 
     surface = ocl.STLSurf()
@@ -110,11 +121,16 @@ def dropped(mesh: Mesh, shape: Any, places: Floats) -> tuple[Floats, float]:
 
 
 def real_rows(name: str, diameter: float) -> list[tuple[str, ...]]:
-    """The check and the drop cutter at the same points over one of the real meshes, with a ball, a bull nose and a flat."""
+    """The check and the drop cutter at the same points over one of the real meshes, with a ball, a bull nose
+    and a flat."""
     import opencamlib as ocl
 
     mesh = read_stl(str(MESHES / f"{name}.stl"))
-    tree, (low, high), corner = facet_tree(mesh), (mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)), 0.2 * diameter
+    tree, (low, high), corner = (
+        facet_tree(mesh),
+        (mesh.vertex.min(axis=0), mesh.vertex.max(axis=0)),
+        0.2 * diameter,
+    )
     x, y = np.meshgrid(np.linspace(low[0], high[0], ALONG), np.linspace(low[1], high[1], ACROSS))
     x[1::2] = x[1::2, ::-1]  # to and fro
     shapes = {
@@ -130,11 +146,14 @@ def real_rows(name: str, diameter: float) -> list[tuple[str, ...]]:
             rates_["peer"].append(rate)
             axes = np.broadcast_to((0.0, 0.0, 1.0), tips.shape)
             for key, swept in (("still", still_positions(tips, axes)), ("way", straight_motion(tips, axes))):
-                rates_[key].append(len(tips) / _seconds(lambda b=body, c=swept: find_entries(b, tree, c, TOLERANCE)))
+                rates_[key].append(
+                    len(tips) / _seconds(lambda b=body, c=swept: find_entries(b, tree, c, TOLERANCE))
+                )
         rate = {key: statistics.median(values) for key, values in rates_.items()}
         deepest = find_entries(body, tree, still_positions(tips, axes), TOLERANCE).depth.max()
         rows.append((
-            name, f"{len(mesh.face)}", f"{kind} {diameter:g}", f"{rate['peer'] / 1e3:.2f} k", f"{rate['still'] / 1e3:.1f} k",
+            name, f"{len(mesh.face)}", f"{kind} {diameter:g}", f"{rate['peer'] / 1e3:.2f} k",
+            f"{rate['still'] / 1e3:.1f} k",
             f"{rate['still'] / rate['peer']:.1f}", f"{rate['way'] / 1e3:.1f} k", f"{deepest:.3f}",
         ))  # fmt: skip
     return rows
@@ -145,19 +164,37 @@ def real_meshes() -> None:
     try:
         import opencamlib  # noqa: F401
     except ImportError:
-        return print("\nno OpenCAMLib here (pip install opencamlib): the check is not timed beside its drop cutter")
+        return print(
+            "\nno OpenCAMLib here (pip install opencamlib): the check is not timed beside its drop cutter"
+        )
     there = {name: size for name, size in REAL.items() if (MESHES / f"{name}.stl").exists()}
     if not there:
-        return print(f"\nno real meshes in {MESHES}: install Debian's occt-misc, or name another folder in FIVEAXIS_MESHES")
-    heads = ("mesh", "facets", "cutter", "drop cutter", "check", "times", "with the ways between", "deepest, mm")
+        return print(
+            f"\nno real meshes in {MESHES}: install Debian's occt-misc, or name another folder in "
+            "FIVEAXIS_MESHES"
+        )
+    heads = (
+        "mesh",
+        "facets",
+        "cutter",
+        "drop cutter",
+        "check",
+        "times",
+        "with the ways between",
+        "deepest, mm",
+    )
     rows = [row for name, size in there.items() for row in real_rows(name, size)]
     print_table("Gouge check at the points of OpenCAMLib's drop cutter: positions/s", heads, rows)
     ratio = [float(row[5]) for row in rows]
-    print(f"times: median {statistics.median(ratio):.1f}, least {min(ratio):.1f}, most {max(ratio):.1f}; 10 are asked for")
+    print(
+        f"times: median {statistics.median(ratio):.1f}, least {min(ratio):.1f}, most {max(ratio):.1f}; 10 "
+        "are asked for"
+    )
 
 
 def _seconds(call: Callable[[], object]) -> float:
-    """Seconds of processor time: all of these use one processor, and another job's share of it is not theirs."""
+    """Seconds of processor time: all of these use one processor, and another job's share of it is not
+    theirs."""
     start = time.process_time()
     call()
     return time.process_time() - start
@@ -169,7 +206,8 @@ def main(facets: tuple[int, ...] = FACETS) -> None:
     for count in facets:
         rate = rates(count)
         rows.append((
-            f"{count}", f"{rate['tree']:.2f} s", f"{rate['straight'] / 1e3:.1f} k", f"{rate['real'] / 1e3:.1f} k",
+            f"{count}", f"{rate['tree']:.2f} s", f"{rate['straight'] / 1e3:.1f} k",
+            f"{rate['real'] / 1e3:.1f} k",
             f"{rate['peer'] / 1e3:.2f} k", f"{rate['real'] / rate['peer']:.0f}",
         ))  # fmt: skip
     heads = ("facets", "tree", "straight", "real ways", "k-d tree, poses only", "times")

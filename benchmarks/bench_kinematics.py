@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Forward and inverse kinematics of every shipped machine, points per second, beside stacked matrices in the same run.
+"""Forward and inverse kinematics of every shipped machine, points per second, beside stacked matrices in the
+same run.
 
 The peer is what is usually written first: one 3x3 matrix a point (scipy's Rotation), applied to rows.
 """
@@ -17,7 +18,15 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from benchmarks.timing import median_seconds, print_table
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
-from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, inverse, inverse_axis, linear_words
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    Setup,
+    chain,
+    forward,
+    inverse,
+    inverse_axis,
+    linear_words,
+)
 
 POINTS = 500_000
 
@@ -34,7 +43,9 @@ def stacked_forward(kinematics: Chain, q: Floats) -> tuple[Floats, Floats]:
 def rows() -> list[list[str]]:
     """One row a machine: million points per second."""
     rng = np.random.default_rng(1)
-    q = np.asfortranarray(np.column_stack([rng.uniform(-300, 300, (POINTS, 3)), rng.uniform(-np.pi, np.pi, (POINTS, 2))]))
+    q = np.asfortranarray(
+        np.column_stack([rng.uniform(-300, 300, (POINTS, 3)), rng.uniform(-np.pi, np.pi, (POINTS, 2))])
+    )
     table = []
     for name in shipped_machines():
         kinematics = chain(load_machine(name), Setup(tool_length=100.0))
@@ -47,14 +58,27 @@ def rows() -> list[list[str]]:
             lambda kinematics=kinematics, tip=tip: linear_words(kinematics, tip, q[:, 3:]),
         )
         speeds = [POINTS / median_seconds(call) / 1e6 for call in calls]
-        peer = POINTS / 10 / median_seconds(lambda kinematics=kinematics: stacked_forward(kinematics, q[: POINTS // 10])) / 1e6
+        peer = (
+            POINTS
+            / 10
+            / median_seconds(lambda kinematics=kinematics: stacked_forward(kinematics, q[: POINTS // 10]))
+            / 1e6
+        )
         table.append([name, *(f"{speed:.1f}" for speed in speeds), f"{peer:.2f}", f"{speeds[0] / peer:.1f}"])
     return table
 
 
 def main() -> None:
     """Print the table."""
-    heads = ["machine", "forward", "inverse, both", "angles, both", "linear words", "stacked forward", "ratio"]
+    heads = [
+        "machine",
+        "forward",
+        "inverse, both",
+        "angles, both",
+        "linear words",
+        "stacked forward",
+        "ratio",
+    ]
     print_table(f"Kinematics, million points/s ({POINTS} points)", heads, rows())
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finding room for a view's labels: twelve crowded labels and a legend, as a share of the 5 ms that a frame has for all labels.
+"""Finding room for a view's labels: twelve crowded labels and a legend, as a share of the 5 ms that a frame
+has for all labels.
 
 Run: ``python benchmarks/bench_labels.py``. The target is less than the whole of it.
 """
@@ -22,7 +23,11 @@ def main() -> float:
     taken = np.array([[12.0, 150.0, 320.0, 560.0]])
     size, before = np.broadcast_to((150.0, 23.0), anchor.shape), np.full(len(anchor), -1)
     best = min(run_seconds(lambda: layout.label_places(anchor, size, VIEW, taken, before), repeat=20))
-    print_table("twelve labels of one view", ("ms", "share of a frame"), [(f"{1e3 * best:.2f}", f"{best / FRAME:.2f}")])
+    print_table(
+        "twelve labels of one view",
+        ("ms", "share of a frame"),
+        [(f"{1e3 * best:.2f}", f"{best / FRAME:.2f}")],
+    )
     print(f"  target below 1: {'reached' if best < FRAME else 'MISSED'}")
     return best / FRAME
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Division of blocks over tolerance against bisection, both in one run and in turns.
 
-The peer is what posts do, written plainly in numpy, all blocks of a level at once: the tip half way along the chord, the tool
-axis half way along its great arc, the branch next to the words' own middle, every half proven by ``measure``, and halved again
-until all hold. Blocks of half a turn about the pole itself, where that comes to no end, are left out of the comparison.
+The peer is what posts do, written plainly in numpy, all blocks of a level at once: the tip half way along the
+chord, the tool axis half way along its great arc, the branch next to the words' own middle, every half proven
+by ``measure``, and halved again until all hold. Blocks of half a turn about the pole itself, where that comes
+to no end, are left out of the comparison.
 
-Two kinds of programs of blocks that are all over tolerance: cuts of a milling program whose rotary axes turn by some degrees a
-block, and random blocks, among them turns of half a turn about levers of many hundred millimetres, and ways by the pole.
+Two kinds of programs of blocks that are all over tolerance: cuts of a milling program whose rotary axes turn
+by some degrees a block, and random blocks, among them turns of half a turn about levers of many hundred
+millimetres, and ways by the pole.
 """
 
 from __future__ import annotations
@@ -50,10 +52,13 @@ DEPTH = 12
 
 
 def milling_cuts(kinematics: Chain, count: int, seed: int = 3) -> Floats:
-    """Words (count, 5), mm and deg, of a path of chords of about 4 mm, turning by 2 to 10 deg about each axis in a block."""
+    """Words (count, 5), mm and deg, of a path of chords of about 4 mm, turning by 2 to 10 deg about each axis
+    in a block."""
     rng = np.random.default_rng(seed)
     sign = np.where(np.arange(count) // 12 % 2, 1.0, -1.0)[:, None]
-    angles = np.radians((20.0, 40.0) + np.cumsum(rng.uniform(2.0, 10.0, (count, 2)) * sign * (1.0, 0.3), axis=0) * (1.0, 0.5))
+    angles = np.radians(
+        (20.0, 40.0) + np.cumsum(rng.uniform(2.0, 10.0, (count, 2)) * sign * (1.0, 0.3), axis=0) * (1.0, 0.5)
+    )
     way = 0.05 * np.arange(count)
     heading = np.stack([np.cos(way), np.sin(way), 0.3 * np.sin(3.0 * way)], axis=1)
     tips = np.cumsum(rng.uniform(2.0, 6.0, (count, 1)) * heading, axis=0) + (60.0, 0.0, 80.0)
@@ -61,11 +66,17 @@ def milling_cuts(kinematics: Chain, count: int, seed: int = 3) -> Floats:
 
 
 def bisected(kinematics: Chain, start: Floats, end: Floats) -> Ints:
-    """How many pieces (b,) bisection makes of blocks from words ``start`` to ``end`` (b, 5); 0 where it comes to no end."""
+    """How many pieces (b,) bisection makes of blocks from words ``start`` to ``end`` (b, 5); 0 where it comes
+    to no end."""
     q = np.stack([words_to_q(start), words_to_q(end)])
     (tip, axis), way = forward(kinematics, q.reshape(-1, 5)), q[:, :, 3:]
     tip, axis = tip.reshape(2, -1, 3), axis.reshape(2, -1, 3)
-    count, block, low, width = np.zeros(len(start), np.int64), np.arange(len(start)), np.zeros(len(start)), 1.0
+    count, block, low, width = (
+        np.zeros(len(start), np.int64),
+        np.arange(len(start)),
+        np.zeros(len(start)),
+        1.0,
+    )
     for _ in range(DEPTH):
         ends = np.stack([_half_way(kinematics, tip, axis, way, block, low + u) for u in (0.0, width)])
         for u, own, k in ((0.0, start, 0), (1.0, end, 1)):
@@ -85,7 +96,10 @@ def _half_way(kinematics: Chain, tip: Floats, axis: Floats, way: Floats, block: 
     share = u[:, None]
     middle = (1.0 - share) * way[0, block] + share * way[1, block]
     angle = np.arccos(np.clip((axis[0, block] * axis[1, block]).sum(1), -1.0, 1.0))[:, None]
-    a, b = (np.where(angle > 1e-9, np.sin(s * angle) / np.maximum(np.sin(angle), 1e-12), s) for s in (1.0 - share, share))
+    a, b = (
+        np.where(angle > 1e-9, np.sin(s * angle) / np.maximum(np.sin(angle), 1e-12), s)
+        for s in (1.0 - share, share)
+    )
     arc = a * axis[0, block] + b * axis[1, block]
     both = inverse_axis(kinematics, arc / np.linalg.norm(arc, axis=1)[:, None])[0]
     both += 2.0 * np.pi * np.rint((middle - both) / (2.0 * np.pi))
@@ -96,7 +110,8 @@ def _half_way(kinematics: Chain, tip: Floats, axis: Floats, way: Floats, block: 
 
 
 def _holds(kinematics: Chain, ends: Floats, tip: Floats) -> Bools:
-    """Which pieces between words ``ends`` (2, n, 5) are proven to stay within tolerance of the segments ``tip`` (2, n, 3)."""
+    """Which pieces between words ``ends`` (2, n, 5) are proven to stay within tolerance of the segments
+    ``tip`` (2, n, 3)."""
     bound = measure(kinematics, interleaved(*ends)).bound[1::2]
     chord = tip[1] - tip[0]
     off = []
@@ -113,12 +128,17 @@ def compare(name: str, kinematics: Chain, words: Floats, feeds: Ints) -> tuple[l
     wanted = np.zeros(len(words), bool)
     wanted[rows] = True
     _, row, _ = linearize_words(kinematics, words, (DECIMALS, DECIMALS), TOLERANCE, wanted)
-    count, halves = np.bincount(row, minlength=len(words))[rows], bisected(kinematics, words[rows - 1], words[rows])
+    count, halves = (
+        np.bincount(row, minlength=len(words))[rows],
+        bisected(kinematics, words[rows - 1], words[rows]),
+    )
     calls = (
         lambda: linearize_words(kinematics, words, (DECIMALS, DECIMALS), TOLERANCE, wanted),
         lambda: bisected(kinematics, words[rows - 1], words[rows]),
     )
-    ours, peers = np.min([[_seconds(call) for call in calls] for _ in range(ROUNDS)], axis=0)  # both are warm; least disturbed
+    ours, peers = np.min(
+        [[_seconds(call) for call in calls] for _ in range(ROUNDS)], axis=0
+    )  # both are warm; least disturbed
     many, rate, other = halves > 4, count.sum() / ours, halves.sum() / peers
     ratio = statistics.median((count[many] / halves[many]).tolist())
     more = f"{int((count > halves)[halves > 0].sum())} of {int((halves > 0).sum())}"
@@ -142,9 +162,13 @@ def main() -> float:
     kinematics = chain(machine, Setup(machine.origin))
     words = milling_cuts(kinematics, BLOCKS + 1)
     table, rates = zip(
-        compare("milling, trunnion", kinematics, words, np.arange(1, len(words))), *map(_random, KINDS), strict=True
+        compare("milling, trunnion", kinematics, words, np.arange(1, len(words))),
+        *map(_random, KINDS),
+        strict=True,
     )
-    print_table(f"Blocks divided for {TOLERANCE:g} mm, words of {DECIMALS} decimals, and bisection", HEADS, table)
+    print_table(
+        f"Blocks divided for {TOLERANCE:g} mm, words of {DECIMALS} decimals, and bisection", HEADS, table
+    )
     return float(rates[0])
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The proven check of tool and spindle against ten bodies of a machine, beside dense samples of the joints' way with python-fcl
-(where that is installed), else with numpy: blocks a second of both, in one run and in turns.
+"""The proven check of tool and spindle against ten bodies of a machine, beside dense samples of the joints'
+way with python-fcl (where that is installed), else with numpy: blocks a second of both, in one run and in
+turns.
 
 The samples tell of single moments, and of nothing between them; the check proves the whole way of each block.
 """
@@ -38,7 +39,13 @@ BLOCKS, SAMPLED = 40_000, 40
 """Blocks of the check; those of the samples, whose time grows with their number."""
 SAMPLES, ROUNDS = 200, 3
 ASKED = 20_000.0
-TOOL = Body((round_piece(0.0, 3.0, 3.0), frustum_piece(3.0, 3.0, 40.0, 3.0), frustum_piece(40.0, 15.0, LENGTH, 15.0, 2)))
+TOOL = Body(
+    (
+        round_piece(0.0, 3.0, 3.0),
+        frustum_piece(3.0, 3.0, 40.0, 3.0),
+        frustum_piece(40.0, 15.0, LENGTH, 15.0, 2),
+    )
+)
 
 
 def bodies() -> tuple[MachineBody, ...]:
@@ -65,7 +72,8 @@ def bodies() -> tuple[MachineBody, ...]:
 
 
 def words_of(kinematics: Chain, count: int) -> Floats:
-    """Words (count, 5), mm and degrees, of passes to and fro over a hill about the table's middle, both rotary axes turning."""
+    """Words (count, 5), mm and degrees, of passes to and fro over a hill about the table's middle, both
+    rotary axes turning."""
     along = np.linspace(-45.0, 45.0, 200)
     lines = -(-count // len(along))
     x = np.tile(np.concatenate([along, along[::-1]]), -(-lines // 2))[:count]
@@ -81,13 +89,17 @@ def program_of(kinematics: Chain, words: Floats) -> Program:
     count = len(words)
     zero = np.zeros(count)
     return Program(
-        kinematics.letters, words, zero + 1000.0, np.zeros(count, bool), np.zeros(count, np.int8), zero + 0.1, np.arange(count),
+        kinematics.letters, words, zero + 1000.0, np.zeros(count, bool), np.zeros(count, np.int8), zero + 0.1,
+        np.arange(count),
         1 + np.arange(count),
     )  # fmt: skip
 
 
-def sampled_poses(machine: Machine, setup: Setup, kinematics: Chain, words: Floats, body: MachineBody) -> tuple[Floats, Floats]:
-    """Tips (n, 3) mm and axes (n, 3) at SAMPLES moments of each block, as the axis that carries a body sees them."""
+def sampled_poses(
+    machine: Machine, setup: Setup, kinematics: Chain, words: Floats, body: MachineBody
+) -> tuple[Floats, Floats]:
+    """Tips (n, 3) mm and axes (n, 3) at SAMPLES moments of each block, as the axis that carries a body sees
+    them."""
     from freecad_fiveaxis.core.gouge.machine_check import _locked_letters
 
     locked = lock_words(machine, setup, kinematics, words, _locked_letters(machine, body))
@@ -116,7 +128,8 @@ def fcl_check(meshes: list[Any], poses: list[tuple[Floats, Floats]], stack: Body
 
 
 def numpy_check(meshes: list[Any], poses: list[tuple[Floats, Floats]], stack: Body) -> int:
-    """How many samples have a corner of a body in the stack's cylinders: less than fcl looks at, in columns."""
+    """How many samples have a corner of a body in the stack's cylinders: less than fcl looks at, in
+    columns."""
     hits = 0
     for mesh, (tips, axes) in zip(meshes, poses, strict=True):
         off = mesh.vertex[None] - tips[:, None]
@@ -159,7 +172,9 @@ def main() -> None:
     others = [body for body in machine.bodies if body.carrier != SPINDLE]
     meshes = [make_mesh(body, np.zeros(3)) for body in others]
     few = words[np.linspace(0, BLOCKS - 1, SAMPLED).astype(int)]
-    few = np.stack([few, few + np.diff(words, axis=0)[np.linspace(0, BLOCKS - 1, SAMPLED).astype(int)]], axis=1)
+    few = np.stack(
+        [few, few + np.diff(words, axis=0)[np.linspace(0, BLOCKS - 1, SAMPLED).astype(int)]], axis=1
+    )
 
     def samples() -> None:
         peer = numpy_check if fcl is None else fcl_check
@@ -181,14 +196,21 @@ def main() -> None:
     name = "numpy, corners alone" if fcl is None else "python-fcl"
     rates = [
         (what, *(count / np.median(seconds, axis=0)))
-        for what, count, seconds in (("proven check", BLOCKS, ours), (f"{SAMPLES} samples, {name}", SAMPLED, theirs))
+        for what, count, seconds in (
+            ("proven check", BLOCKS, ours),
+            (f"{SAMPLES} samples, {name}", SAMPLED, theirs),
+        )
     ]
     print_table(
-        f"{len(others)} bodies and the spindle, {BLOCKS} blocks; findings {sorted({one.code for one in found}) or 'none'}",
+        f"{len(others)} bodies and the spindle, {BLOCKS} blocks; findings "
+        f"{sorted({one.code for one in found}) or 'none'}",
         ("", "blocks/s", "blocks/s of processor"),
         [(what, f"{wall:,.0f}", f"{processor:,.0f}") for what, wall, processor in rates],
     )
-    print(f"\nratio {rates[0][1] / rates[1][1]:,.0f}; asked for: {ASKED:,.0f} blocks/s, found {rates[0][1]:,.0f}")
+    print(
+        f"\nratio {rates[0][1] / rates[1][1]:,.0f}; asked for: {ASKED:,.0f} blocks/s, found "
+        f"{rates[0][1]:,.0f}"
+    )
 
 
 if __name__ == "__main__":

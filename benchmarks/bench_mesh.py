@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From an STL file to facet adjacency: this project, trimesh (load, then face_adjacency) and meshlib (load) in one run.
+"""From an STL file to facet adjacency: this project, trimesh (load, then face_adjacency) and meshlib (load)
+in one run.
 
-Ours includes unit normals, the check of the orientation and the co-edge columns. It sorts in a second thread; meshlib uses all
-cores. Peers are optional:
+Ours includes unit normals, the check of the orientation and the co-edge columns. It sorts in a second thread;
+meshlib uses all cores. Peers are optional:
 ``pip install trimesh meshlib``.
 """
 
@@ -47,7 +48,8 @@ def peers() -> dict[str, Callable[[str], object]]:
 
 
 def alternating(calls: Sequence[Callable[[], object]]) -> list[float]:
-    """The median seconds of each call: all run in turn, so that a busy spell of the machine meets each of them.
+    """The median seconds of each call: all run in turn, so that a busy spell of the machine meets each of
+    them.
 
     The first rounds do not count: until then the process still takes memory that later runs find at hand.
     """
@@ -76,7 +78,8 @@ def compare(folder: Path) -> None:
 def grow(folder: Path) -> None:
     """Cost a facet as parts grow; about the same on every line where the cost is linear.
 
-    The fastest run counts: memory that the process takes for the first time costs up to as much again, on some machines.
+    The fastest run counts: memory that the process takes for the first time costs up to as much again, on
+    some machines.
     """
     rows = []
     for facets in GROWING:

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole command line, with start, proof and file, on a smooth wavy surface where the ball fits everywhere, against ``%``
-formatting of as many rows: processor seconds of both, for other work on the machine makes wall clocks run.
+"""The whole command line, with start, proof and file, on a smooth wavy surface where the ball fits
+everywhere, against ``%`` formatting of as many rows: processor seconds of both, for other work on the machine
+makes wall clocks run.
 
-``python bench_million.py [SIDE]``; SIDE vertices along each side, without an argument 708, which makes 1M facets.
+``python bench_million.py [SIDE]``; SIDE vertices along each side, without an argument 708, which makes 1M
+facets.
 """
 
 from __future__ import annotations
@@ -25,7 +27,8 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 SIZE = 200.0
 PASSES = 500
 MILL = (
-    "mill", "wavy.stl", "--machine", "trunnion_ac", "--controller", "linuxcnc", "--cutter", "ball:6", "--spindle", "off",
+    "mill", "wavy.stl", "--machine", "trunnion_ac", "--controller", "linuxcnc", "--cutter", "ball:6",
+    "--spindle", "off",
     "--quiet", "-o", "wavy.ngc",
 )  # fmt: skip
 PLANES = ("--passes", "planes", "--stepover", str(SIZE / PASSES))
@@ -86,7 +89,12 @@ def main(side: int) -> None:
             cost = run(options, folder)
             lines = (Path(folder) / "wavy.ngc").read_bytes().count(b"\n")
             text = percent_seconds(lines)
-            seconds = (f"{cost.processor:.1f}", f"{cost.wall:.1f}", f"{text:.2f}", f"{cost.processor / text:.1f}")
+            seconds = (
+                f"{cost.processor:.1f}",
+                f"{cost.wall:.1f}",
+                f"{text:.2f}",
+                f"{cost.processor / text:.1f}",
+            )
             table.append((name, f"{facets / 1e6:.2f}", lines, *seconds, f"{cost.memory:.2f}"))
     heads = ("case", "M facets", "lines", "processor s", "wall s", "% rows, processor s", "ratio", "GB")
     print_table("The whole command line", heads, table)

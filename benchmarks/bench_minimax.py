@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""minimax on a path of many passes, in rows a second and in measurements of the whole path (deviation.measure) in the same run.
+"""minimax on a path of many passes, in rows a second and in measurements of the whole path
+(deviation.measure) in the same run.
 
 The passes go over a wave cut into short steps, on an A-B table; every row may turn.
 """
@@ -50,7 +51,10 @@ def main() -> float:
     words = q_to_words(np.column_stack([linear_words(kinematics, path.centre, angles), angles]))
     search = min(run_seconds(lambda: minimax_axes(path, axis, kinematics, 0.0, TILT, 1000.0), repeat=1))
     measured = min(run_seconds(lambda: measure(kinematics, words), repeat=5))
-    rows = [(name, f"{count / time:,.0f}") for name, time in (("minimax", search), ("deviation.measure", measured))]
+    rows = [
+        (name, f"{count / time:,.0f}")
+        for name, time in (("minimax", search), ("deviation.measure", measured))
+    ]
     print_table(f"{PASSES} passes, {count} rows", ("", "rows/s"), rows)
     return search / measured
 

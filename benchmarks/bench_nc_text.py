@@ -54,13 +54,20 @@ def main(rows: int = 500_000) -> float:
     print(f"{rows} blocks of five words, {len(texts['table']) / 1e6:.1f} MB, all byte for byte the same")
     for name, seconds in best.items():
         ratio = seconds / best["table"]
-        print(f"  {name:12} {seconds:7.3f} s {rows / seconds / 1e6:6.2f} M blocks/s   {ratio:5.1f} times the table's time")
+        print(
+            f"  {name:12} {seconds:7.3f} s {rows / seconds / 1e6:6.2f} M blocks/s   {ratio:5.1f} times the "
+            "table's time"
+        )
     ratio = best["% per row"] / best["table"]
     print(f"  target {TARGET:.0f} times: {'reached' if ratio >= TARGET else 'MISSED'}")
     return ratio
 
 
-WAYS: dict[str, Callable[[Floats], bytes]] = {"table": by_table, "% per row": by_percent, "% per list": by_percent_of_lists}
+WAYS: dict[str, Callable[[Floats], bytes]] = {
+    "table": by_table,
+    "% per row": by_percent,
+    "% per list": by_percent_of_lists,
+}
 
 if __name__ == "__main__":
     main(*(int(argument) for argument in sys.argv[1:]))

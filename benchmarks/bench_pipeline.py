@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole pipeline, STL to NC file on disk, against ``%`` formatting of the same rows alone, and how cost grows with facets.
+"""The whole pipeline, STL to NC file on disk, against ``%`` formatting of the same rows alone, and how cost
+grows with facets.
 
-``python bench_pipeline.py [FACETS PASSES ...]``; without arguments 1M facets x 500 passes, then the growth table.
+``python bench_pipeline.py [FACETS PASSES ...]``; without arguments 1M facets x 500 passes, then the growth
+table.
 """
 
 from __future__ import annotations
@@ -37,7 +39,8 @@ def percent_rate(words: np.ndarray) -> float:
 
 
 def settings_for(folder: Path, facets: int, passes: int) -> tuple[Settings, float]:
-    """The job over a bumpy part of that many facets, its STL written, uncorrected; and the facets in millions."""
+    """The job over a bumpy part of that many facets, its STL written, uncorrected; and the facets in
+    millions."""
     mesh = bumpy(facets)
     write_stl(mesh, folder / "part.stl")
     extent = float(np.ptp(mesh.vertex[:, 1]))
@@ -49,7 +52,8 @@ def settings_for(folder: Path, facets: int, passes: int) -> tuple[Settings, floa
 
 
 class Timed(NamedTuple):
-    """``blocks``; the seconds from STL to NC on disk and those of the proof, and the rows a second of ``%``: medians."""
+    """``blocks``; the seconds from STL to NC on disk and those of the proof, and the rows a second of ``%``:
+    medians."""
 
     blocks: int
     draft: float
@@ -60,8 +64,9 @@ class Timed(NamedTuple):
 def timed(settings: Settings, rounds: int) -> Timed:
     """The pipeline and its peer in turns, for a busy machine's speed changes from second to second.
 
-    After a run that is not counted: a fresh process gets its memory page by page, which costs more than the work itself on
-    some virtual machines. What is freed stays with the process, as on the command line. The NC file is a new one each time.
+    After a run that is not counted: a fresh process gets its memory page by page, which costs more than the
+    work itself on some virtual machines. What is freed stays with the process, as on the command line. The NC
+    file is a new one each time.
     """
     keep_freed_memory()
     job.make(settings)
@@ -91,12 +96,27 @@ def main(sizes: list[tuple[int, int]]) -> None:
             rows.append(
                 (f"{millions:.2f}", passes, blocks, f"{made:.2f}", f"{blocks / made / 1e6:.2f}",
                  f"{blocks / (made + proven) / 1e6:.2f}",
-                 f"{percent / 1e6:.2f}", f"{blocks / made / percent:.2f}", f"{made / blocks * 1e6:.2f}", f"{peak:.2f}")
+                 f"{percent / 1e6:.2f}", f"{blocks / made / percent:.2f}", f"{made / blocks * 1e6:.2f}",
+                 f"{peak:.2f}")
             )  # fmt: skip
-    heads = ("M facets", "passes", "blocks", "s to NC", "M blocks/s", "with proof", "% rows M/s", "ratio", "us/block", "GB")
+    heads = (
+        "M facets",
+        "passes",
+        "blocks",
+        "s to NC",
+        "M blocks/s",
+        "with proof",
+        "% rows M/s",
+        "ratio",
+        "us/block",
+        "GB",
+    )
     print_table("STL to NC on disk", heads, rows)
 
 
 if __name__ == "__main__":
     given = [int(float(word)) for word in sys.argv[1:]]
-    main(list(zip(given[::2], given[1::2], strict=True)) or [(1_000_000, 500), *((facets, 100) for facets in GROWTH)])
+    main(
+        list(zip(given[::2], given[1::2], strict=True))
+        or [(1_000_000, 500), *((facets, 100) for facets in GROWTH)]
+    )

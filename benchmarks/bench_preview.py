@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The passes alone beside the whole path that they become, of the same part and settings in one process.
 
-*Preview*: :func:`freecad_fiveaxis.core.pipeline.preview.preview_passes`; *path*: the program, not yet proven, tool axes along the
-normals and without a cure of gouges, so that the ratio is a lower bound. The part is a bumpy block of SIDE mm; with the stepover
-its passes are only cut, with the scallop their distances are measured first.
+*Preview*: :func:`freecad_fiveaxis.core.pipeline.preview.preview_passes`; *path*: the program, not yet proven,
+tool axes along the normals and without a cure of gouges, so that the ratio is a lower bound. The part is a
+bumpy block of SIDE mm; with the stepover its passes are only cut, with the scallop their distances are
+measured first.
 """
 
 from __future__ import annotations
@@ -21,7 +22,13 @@ from freecad_fiveaxis.core.pipeline.preview import preview_passes
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 FACETS = 20_000
-GIVEN = {"machine": "trunnion_ac", "cutter": "ball:10", "tool_axis": "facet_mean", "gouge": "off", "linearize": "off"}
+GIVEN = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:10",
+    "tool_axis": "facet_mean",
+    "gouge": "off",
+    "linearize": "off",
+}
 SPACINGS = ({"stepover": 1.3}, {"scallop": 0.1})
 
 
@@ -36,7 +43,8 @@ def compare() -> None:
             whole = median_seconds(lambda settings=settings: job.make(settings, mesh=mesh), 1)
             said = " ".join(f"{name} {value}" for name, value in spacing.items())
             rows.append(
-                [passes, said, found.passes, f"{found.length / 1000:.1f}", f"{1e3 * taken:.0f}", f"{1e3 * whole:.0f}",
+                [passes, said, found.passes, f"{found.length / 1000:.1f}", f"{1e3 * taken:.0f}",
+                    f"{1e3 * whole:.0f}",
                  f"{whole / taken:.1f}"]
             )  # fmt: skip
     heads = ("passes", "spacing", "number", "m", "preview, ms", "path, ms", "times")

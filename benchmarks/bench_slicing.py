@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parallel planes through a mesh into ordered polylines: this project, VTK and meshlib in one run.
 
-Ours gives every segment its entry and exit with normal, facet, co-edge, polyline and pass; VTK's contour filter and
-stripper give points and polylines, once as they come and once with the scalar tree that a user may switch on; meshlib gives
-the polylines plane by plane. Building the peers' own meshes and trees is not counted. Peers are optional:
-``pip install vtk meshlib``.
+Ours gives every segment its entry and exit with normal, facet, co-edge, polyline and pass; VTK's contour
+filter and stripper give points and polylines, once as they come and once with the scalar tree that a user may
+switch on; meshlib gives the polylines plane by plane. Building the peers' own meshes and trees is not
+counted. Peers are optional: ``pip install vtk meshlib``.
 """
 
 from __future__ import annotations
@@ -66,10 +66,14 @@ def meshlib_slicer(mesh: Mesh, offsets: Floats) -> Callable[[], int]:
     """meshlib's plane sections; returns the number of polylines."""
     from meshlib import mrmeshnumpy, mrmeshpy
 
-    other = mrmeshnumpy.meshFromFacesVerts(np.ascontiguousarray(mesh.face, dtype=np.int32), np.ascontiguousarray(mesh.vertex))
+    other = mrmeshnumpy.meshFromFacesVerts(
+        np.ascontiguousarray(mesh.face, dtype=np.int32), np.ascontiguousarray(mesh.vertex)
+    )
     other.getAABBTree()
     part, across = mrmeshpy.MeshPart(other), mrmeshpy.Vector3f(-np.sin(ANGLE), np.cos(ANGLE), 0.0)
-    return lambda: sum(len(mrmeshpy.extractPlaneSections(part, mrmeshpy.Plane3f(across, float(o)))) for o in offsets)
+    return lambda: sum(
+        len(mrmeshpy.extractPlaneSections(part, mrmeshpy.Plane3f(across, float(o)))) for o in offsets
+    )
 
 
 def compare(facets: int, number: int) -> None:
@@ -92,7 +96,9 @@ def compare(facets: int, number: int) -> None:
         taken = median_seconds(run, 3)
         rows.append([name, f"{run()}", f"{1e3 * taken:.1f}", f"{taken / own:.1f}"])
     print_table(
-        f"{facets:,} facets x {number} planes, {len(path.face) // 2:,} segments", ("by", "polylines", "ms", "times ours"), rows
+        f"{facets:,} facets x {number} planes, {len(path.face) // 2:,} segments",
+        ("by", "polylines", "ms", "times ours"),
+        rows,
     )
 
 
@@ -103,7 +109,15 @@ def grow() -> None:
         mesh, offsets = bumpy(facets), planes(round(0.5 * np.sqrt(facets)))
         segments = len(slice_mesh(mesh, offsets, ANGLE).face) // 2
         taken = median_seconds(lambda mesh=mesh, offsets=offsets: slice_mesh(mesh, offsets, ANGLE), 3)
-        rows.append([f"{facets:,}", len(offsets), f"{segments:,}", f"{1e3 * taken:.1f}", f"{1e9 * taken / segments:.0f}"])
+        rows.append(
+            [
+                f"{facets:,}",
+                len(offsets),
+                f"{segments:,}",
+                f"{1e3 * taken:.1f}",
+                f"{1e9 * taken / segments:.0f}",
+            ]
+        )
     print_table("slicing, this project", ("facets", "planes", "segments", "ms", "ns a segment"), rows)
 
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How soon a long ``mill`` ends after Ctrl+C, at several places of its work, as a share of the one second that it may take.
+"""How soon a long ``mill`` ends after Ctrl+C, at several places of its work, as a share of the one second
+that it may take.
 
-Run: ``python benchmarks/bench_stop.py [seconds ...]``: after how many each is stopped. The target is less than the whole of it.
+Run: ``python benchmarks/bench_stop.py [seconds ...]``: after how many each is stopped. The target is less
+than the whole of it.
 """
 
 from __future__ import annotations
@@ -29,7 +31,16 @@ def hear_ctrl_c() -> None:
 
 def seconds_to_stop(part: Path, after: float) -> float:
     """From SIGINT, sent ``after`` seconds of work, to the end of the process."""
-    words = [sys.executable, "-m", "freecad_fiveaxis", "mill", str(part), *WORDS, "-o", str(part.with_suffix(".ngc"))]
+    words = [
+        sys.executable,
+        "-m",
+        "freecad_fiveaxis",
+        "mill",
+        str(part),
+        *WORDS,
+        "-o",
+        str(part.with_suffix(".ngc")),
+    ]
     with subprocess.Popen(words, stderr=subprocess.DEVNULL, cwd=ROOT, preexec_fn=hear_ctrl_c) as mill:
         time.sleep(after)
         sent = time.perf_counter()

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a setup map and a reach map gain by a second process, as ratios in the same run; the processes have begun before.
+"""What a setup map and a reach map gain by a second process, as ratios in the same run; the processes have
+begun before.
 
-Run: ``python benchmarks/bench_studies.py [facets]``. Without workers one process makes all trials, with threads where columns are
-long, so that a second process gains less than twice.
+Run: ``python benchmarks/bench_studies.py [facets]``. Without workers one process makes all trials, with
+threads where columns are long, so that a second process gains less than twice.
 """
 
 from __future__ import annotations
@@ -24,7 +25,13 @@ from freecad_fiveaxis.core.studies import study
 
 GIVEN = {"machine": "trunnion_ac", "cutter": "ball:6"}
 STUDIES = {
-    "setup": {"passes": "planes", "tool_axis": "facet_mean", "stepover": 1.0, "region": (40, 40, 20), "grid": (7, 7, 3)},
+    "setup": {
+        "passes": "planes",
+        "tool_axis": "facet_mean",
+        "stepover": 1.0,
+        "region": (40, 40, 20),
+        "grid": (7, 7, 3),
+    },
     "reach": {"holder": ((40.0, 30.0),), "tool_length": 120.0},
 }
 

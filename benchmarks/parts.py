@@ -23,7 +23,9 @@ def bumpy_faces(facets: int) -> tuple[Floats, Ints]:
     a, b, c, d = row[:-1, :-1].ravel(), row[:-1, 1:].ravel(), row[1:, 1:].ravel(), row[1:, :-1].ravel()
     cells = np.column_stack([a, b, c, a, c, d]).reshape(-1, 3)
 
-    rim = np.concatenate([row[0, :-1], row[:-1, -1], row[-1, :0:-1], row[:0:-1, 0]])  # counter-clockwise from above
+    rim = np.concatenate(
+        [row[0, :-1], row[:-1, -1], row[-1, :0:-1], row[:0:-1, 0]]
+    )  # counter-clockwise from above
     foot = len(top) + np.arange(len(rim))
     rim_next, foot_next, centre = np.roll(rim, -1), np.roll(foot, -1), np.full(len(rim), len(top) + len(rim))
     walls = np.column_stack([rim, foot, foot_next, rim, foot_next, rim_next]).reshape(-1, 3)
@@ -35,5 +37,6 @@ def bumpy_faces(facets: int) -> tuple[Floats, Ints]:
 
 
 def bumpy(facets: int) -> Mesh:
-    """A closed block of 200 x 200 mm with a domed and bumpy top of about ``facets`` facets (the walls add a few)."""
+    """A closed block of 200 x 200 mm with a domed and bumpy top of about ``facets`` facets (the walls add a
+    few)."""
     return from_faces(*bumpy_faces(facets))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``make bench``: every benchmark of this folder, one after the other; each prints its ratios to peers in the same run."""
+"""``make bench``: every benchmark of this folder, one after the other; each prints its ratios to peers in the
+same run."""
 
 import runpy
 import sys

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the benchmarks take time: the median of a few runs of a callable, in one process, and a plain table of the results."""
+"""How the benchmarks take time: the median of a few runs of a callable, in one process, and a plain table of
+the results."""
 
 from __future__ import annotations
 

@@ -5,13 +5,14 @@
     FIVEAXIS_PARTS=parts FIVEAXIS_OUT=nc FIVEAXIS_MACHINE=trunnion_ac freecadcmd examples/batch.py
 
 PARTS     a folder with FCStd and STEP files, or one such file.
-OUT       the folder for the results, made if need be: for every part NAME.html, NAME.json and the program, NAME.ngc (or as the
-          files of its controller end).
-settings  as in job files (``fiveaxis mill --help`` lists them, with _ for -), besides linear_deflection, angular_deflection (of
-          the tessellation), work_zero=X,Y,Z (in the document) and overwrite=yes. In the environment they begin with FIVEAXIS_.
-          What stands after ``--`` wins.
-part      of a STEP file: all that is in it. Of an FCStd file: its five-axis toolpaths with their own settings; without those the
-          models of its CAM Jobs with the Job's tool; without those its solids (the visible ones, where any is visible).
+OUT       the folder for the results, made if need be: for every part NAME.html, NAME.json and the program,
+          NAME.ngc (or as the files of its controller end).
+settings  as in job files (``fiveaxis mill --help`` lists them, with _ for -), besides linear_deflection,
+          angular_deflection (of the tessellation), work_zero=X,Y,Z (in the document) and overwrite=yes. In
+          the environment they begin with FIVEAXIS_. What stands after ``--`` wins.
+part      of a STEP file: all that is in it. Of an FCStd file: its five-axis toolpaths with their own
+          settings; without those the models of its CAM Jobs with the Job's tool; without those its solids
+          (the visible ones, where any is visible).
 
 A part that fails is told in one line and stops no other. No file is replaced unless overwrite=yes.
 Exit code: 0 all well; 1 some parts failed or have findings of severity error; 2 nothing could be done.
@@ -90,7 +91,8 @@ def main(words, environment, say):
 
 
 def read_order(words, environment, say):
-    """The order from the environment and the words after ``--``. Raises SettingsError that names what is wrong."""
+    """The order from the environment and the words after ``--``. Raises SettingsError that names what is
+    wrong."""
     from freecad_fiveaxis.core.base.errors import SettingsError
     from freecad_fiveaxis.core.pipeline.settings import build_settings, option_fields
 
@@ -100,11 +102,17 @@ def read_order(words, environment, say):
         if name not in known:
             raise SettingsError(f"{name} is no setting; known: {', '.join(sorted(known))}", name)
     if not given.get("parts") or not given.get("out"):
-        raise SettingsError("name the folder of the parts and the one for the results: ... -- PARTS OUT machine=NAME")
+        raise SettingsError(
+            "name the folder of the parts and the one for the results: ... -- PARTS OUT machine=NAME"
+        )
     if not given.get("machine"):
-        raise SettingsError("no machine given; add machine=NAME, a shipped machine's name or a path to a .fcm", "")
+        raise SettingsError(
+            "no machine given; add machine=NAME, a shipped machine's name or a path to a .fcm", ""
+        )
     options = {name: value for name, value in given.items() if name not in OWN}
-    build_settings("mill", "part.stl", {name: value for name, value in options.items() if name not in TESSELLATION})
+    build_settings(
+        "mill", "part.stl", {name: value for name, value in options.items() if name not in TESSELLATION}
+    )
     if "work_zero" in options:
         options["work_zero"] = read_point(options["work_zero"])
     overwrite = given.get("overwrite", "no").lower() in YES
@@ -113,7 +121,11 @@ def read_order(words, environment, say):
 
 def from_environment(environment, known, say):
     """The settings in the environment; a name that is none is told, because it may be a slip of the pen."""
-    found = {name[len(PREFIX) :].lower(): value for name, value in environment.items() if name.startswith(PREFIX) and value}
+    found = {
+        name[len(PREFIX) :].lower(): value
+        for name, value in environment.items()
+        if name.startswith(PREFIX) and value
+    }
     for name in sorted(set(found) - known):
         say(f"batch: {PREFIX}{name.upper()} is no setting and is not used")
     return {name: value for name, value in found.items() if name in known}
@@ -127,7 +139,9 @@ def from_words(words):
     if len(folders) > 2:
         raise SettingsError(f"{folders[2]!r} is one word too many; write settings as name=value", folders[2])
     pairs = [word.split("=", 1) for word in words if "=" in word]
-    return dict(zip(OWN, folders, strict=False)) | {name.strip("-").replace("-", "_"): value for name, value in pairs}
+    return dict(zip(OWN, folders, strict=False)) | {
+        name.strip("-").replace("-", "_"): value for name, value in pairs
+    }
 
 
 def read_point(text):
@@ -152,7 +166,8 @@ def named(files):
     """Each file with the name of its results: its stem, and its ending where two files have the same stem."""
     stems = Counter(file.stem.casefold() for file in files)
     return [
-        (file, file.stem if stems[file.stem.casefold()] == 1 else file.stem + "_" + file.suffix[1:].lower()) for file in files
+        (file, file.stem if stems[file.stem.casefold()] == 1 else file.stem + "_" + file.suffix[1:].lower())
+        for file in files
     ]
 
 
@@ -191,18 +206,25 @@ def opened(file):
 
 
 def parts_of(doc, stem, order):
-    """What of a document is to be done: (name of the results, base or toolpath, settings). Raises SelectionError for nothing."""
+    """What of a document is to be done: (name of the results, base or toolpath, settings). Raises
+    SelectionError for nothing."""
     from freecad_fiveaxis.app.selection import SelectionError
 
-    found = toolpaths_in(doc) or job_models_in(doc, order) or [(solid, order.options) for solid in solids_in(doc)]
+    found = (
+        toolpaths_in(doc) or job_models_in(doc, order) or [(solid, order.options) for solid in solids_in(doc)]
+    )
     if not found:
         raise SelectionError("there is no toolpath, no CAM Job and no solid in it; add a solid", doc.Label)
     labels = Counter(obj.Label for obj, _ in found)
-    return [(stem if len(found) == 1 else f"{stem}-{file_name(obj, labels)}", obj, settings) for obj, settings in found]
+    return [
+        (stem if len(found) == 1 else f"{stem}-{file_name(obj, labels)}", obj, settings)
+        for obj, settings in found
+    ]
 
 
 def file_name(obj, labels):
-    """A name for files: the label, and where it is not the only one of its kind or no name for a file, the object's name."""
+    """A name for files: the label, and where it is not the only one of its kind or no name for a file, the
+    object's name."""
     plain = all(letter.isalnum() or letter in " ._-" for letter in obj.Label)
     return obj.Label if plain and labels[obj.Label] == 1 else obj.Name
 
@@ -230,7 +252,9 @@ def job_models_in(doc, order):
 
 def solids_in(doc):
     """The solids that nothing else is made from; of these the visible ones, where any is visible."""
-    solids = [obj for obj in doc.Objects if has_solid(obj) and not any(has_solid(user) for user in obj.InList)]
+    solids = [
+        obj for obj in doc.Objects if has_solid(obj) and not any(has_solid(user) for user in obj.InList)
+    ]
     return [obj for obj in solids if obj.Visibility] or solids
 
 
@@ -254,7 +278,8 @@ def do_part(name, base, settings, order, say):
 
 
 def mill(name, base, settings, order):
-    """Compute the toolpath, write NC and reports; returns the figures. All that can be checked is checked first."""
+    """Compute the toolpath, write NC and reports; returns the figures. All that can be checked is checked
+    first."""
     from freecad_fiveaxis import app
     from freecad_fiveaxis.app.controllers import suffix_of, suffix_of_path
     from freecad_fiveaxis.app.nc_output import check_replaceable
@@ -263,8 +288,12 @@ def mill(name, base, settings, order):
     from freecad_fiveaxis.core.report import as_html, as_json
 
     doc, target = base.Document, {kind: order.out / f"{name}.{kind}" for kind in ("html", "json")}
-    target["nc"] = order.out / (name + (suffix_of_path(base) if settings is None else suffix_of(*map(settings.get, CHOICE))))
-    overwrite = order.overwrite and not order.written.intersection(target.values())  # two parts of one name: both are wanted
+    target["nc"] = order.out / (
+        name + (suffix_of_path(base) if settings is None else suffix_of(*map(settings.get, CHOICE)))
+    )
+    overwrite = order.overwrite and not order.written.intersection(
+        target.values()
+    )  # two parts of one name: both are wanted
     for path in target.values():
         check_replaceable(doc, path, overwrite)
     toolpath = base if settings is None else app.create_toolpath(doc, base, **settings)
@@ -301,7 +330,9 @@ def one_line(error):
     from freecad_fiveaxis.core.base.errors import FiveAxisError
 
     said = error.args[0] if error.args else ""
-    said = said.get("sErrMsg", said) if isinstance(said, dict) else error  # FreeCAD's own errors carry a dictionary
+    said = (
+        said.get("sErrMsg", said) if isinstance(said, dict) else error
+    )  # FreeCAD's own errors carry a dictionary
     text = " ".join(str(said).split()) or "no message"
     return text if isinstance(error, FiveAxisError) else f"{type(error).__name__}: {text}"
 
@@ -315,7 +346,10 @@ def table(rows):
         part, *numbers, result = line
         yield "  ".join([part.ljust(widths[0]), *map(str.rjust, numbers, widths[1:-1]), result])
     failed_, spoiled = failures(rows), sum(row.spoiled for row in rows)
-    yield f"{len(rows)} parts: {len(rows) - spoiled} well, {spoiled - failed_} with errors in the findings, {failed_} failed"
+    yield (
+        f"{len(rows)} parts: {len(rows) - spoiled} well, {spoiled - failed_} with errors in the "
+        f"findings, {failed_} failed"
+    )
 
 
 def failures(rows):
@@ -328,10 +362,22 @@ def cells(row):
     if row.error:
         return (row.name, *("-",) * 7, "failed")
     one = row.summary
-    surface = one["max_segment_deviation"] if one["max_surface_deviation"] is None else one["max_surface_deviation"]
-    numbers = (str(one["blocks"]), f"{one['time_s'] / 60:.1f}", f"{surface:.4f}", f"{one['max_segment_deviation']:.4f}")
+    surface = (
+        one["max_segment_deviation"] if one["max_surface_deviation"] is None else one["max_surface_deviation"]
+    )
+    numbers = (
+        str(one["blocks"]),
+        f"{one['time_s'] / 60:.1f}",
+        f"{surface:.4f}",
+        f"{one['max_segment_deviation']:.4f}",
+    )
     counts = (str(one["over_tolerance"]), str(one["singular_blocks"]), str(one["findings"]["error"]))
-    return (row.name, *numbers, *counts, "proven" if one["proven"] else "look at it" if row.spoiled else "not proven")
+    return (
+        row.name,
+        *numbers,
+        *counts,
+        "proven" if one["proven"] else "look at it" if row.spoiled else "not proven",
+    )
 
 
 @contextmanager
@@ -349,14 +395,17 @@ def quiet():
 
 
 def run():
-    """The whole script. FreeCAD would exit with 0 after an error and run the file twice, so this ends the process itself."""
+    """The whole script. FreeCAD would exit with 0 after an error and run the file twice, so this ends the
+    process itself."""
     code = 2
     words = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     with quiet() as say:
         try:
             sys.path.append(str(Path(__file__).resolve().parents[1]))  # where the add-on is not installed
             code = main(words, os.environ, say)
-        except BaseException:  # FreeCAD's abort is no Exception, and whatever comes out of here would make FreeCAD exit with 0
+        except (
+            BaseException
+        ):  # FreeCAD's abort is no Exception, and whatever comes out of here would make FreeCAD exit with 0
             import traceback
 
             say(traceback.format_exc())

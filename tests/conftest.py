@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every ring's closing lines name the tests that took most of the processor: what a test waits for costs nobody anything.
+"""Every ring's closing lines name the tests that took most of the processor: what a test waits for costs
+nobody anything.
 
-FIVEAXIS_SLOWEST: how many (10). FIVEAXIS_UNTIL: no test begins after that time, s of the clock (``make changed``).
+FIVEAXIS_SLOWEST: how many (10). FIVEAXIS_UNTIL: no test begins after that time, s of the clock (``make
+changed``).
 """
 
 import hashlib
@@ -24,7 +26,8 @@ def processor_seconds():
 
 
 def _keeping(made, of):
-    """The function ``draft``, whose result is kept under ``of(its arguments)`` and given to whoever asks for the same."""
+    """The function ``draft``, whose result is kept under ``of(its arguments)`` and given to whoever asks for
+    the same."""
 
     def act(*given):
         name = made.__module__, made.__name__, of(*given)
@@ -36,25 +39,44 @@ def _keeping(made, of):
 
 
 def _content(task):
-    """All that a task of results.py holds, whether its fingerprint knows of it or not; what is large by its checksum."""
+    """All that a task of results.py holds, whether its fingerprint knows of it or not; what is large by its
+    checksum."""
     data, matrix = (task.data, ()) if isinstance(task.data, bytes) else (task.data.kernel, task.data.matrix)
     solids = [one.stl for one in (*((task.part,) if task.part else ()), *task.fixtures)]
-    return repr(task.settings), task.runs, task.avoided, matrix, *(hashlib.sha256(one).digest() for one in (data, *solids))
+    return (
+        repr(task.settings),
+        task.runs,
+        task.avoided,
+        matrix,
+        *(hashlib.sha256(one).digest() for one in (data, *solids)),
+    )
 
 
 @pytest.fixture
 def kept(monkeypatch):
-    """For tests inside FreeCAD that are not about the computing: results, maps of setups and of what is reached, and of rest
-    material are those of an earlier test of this process, where all that they are made of is the same, the part's name too. Mark what is
-    to be computed ``anew``."""
+    """For tests inside FreeCAD that are not about the computing: results, maps of setups and of what is
+    reached, and of rest material are those of an earlier test of this process, where all that they are made
+    of is the same, the part's name too. Mark what is to be computed ``anew``."""
     from freecad_fiveaxis.app import reach, rest, results, setups
     from freecad_fiveaxis.core.studies import reach_map
 
     for module, name, of in (
-        (results, "_computed", lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, *_content(task))),
+        (
+            results,
+            "_computed",
+            lambda proxy, task, fingerprint, progress: (type(proxy), fingerprint, *_content(task)),
+        ),
         (setups, "_tried", lambda task, fingerprint, progress, executor: (fingerprint, *_content(task))),
-        (reach, "_found", lambda task, fingerprint, progress, executor: (fingerprint, reach_map.PLACES, *_content(task))),
-        (rest, "_found", lambda figures, known, progress: (known.fingerprint, known.result.draft.settings.source)),
+        (
+            reach,
+            "_found",
+            lambda task, fingerprint, progress, executor: (fingerprint, reach_map.PLACES, *_content(task)),
+        ),
+        (
+            rest,
+            "_found",
+            lambda figures, known, progress: (known.fingerprint, known.result.draft.settings.source),
+        ),
     ):
         monkeypatch.setattr(module, name, _keeping(getattr(module, name), of))
 
@@ -66,7 +88,12 @@ def anew():
     return KEPT.clear
 
 
-WRITTEN = {"large": "large", "rs274": "rs274", "slow": "slow|thorough|some_in_core", "thorough": "slow|thorough|some_in_core"}
+WRITTEN = {
+    "large": "large",
+    "rs274": "rs274",
+    "slow": "slow|thorough|some_in_core",
+    "thorough": "slow|thorough|some_in_core",
+}
 """Marks of rings, and by which words the Makefile finds the files that bear them."""
 
 
@@ -76,7 +103,9 @@ def pytest_collection_modifyitems(items):
     for mark, words in WRITTEN.items():
         for file in {item.path for item in items if item.get_closest_marker(mark)}:
             if not re.search(words, file.read_text(encoding="utf-8")):
-                raise pytest.UsageError(f"{file}: tests are marked {mark}, but {words} stands nowhere in the file")
+                raise pytest.UsageError(
+                    f"{file}: tests are marked {mark}, but {words} stands nowhere in the file"
+                )
 
 
 @pytest.hookimpl(tryfirst=True)

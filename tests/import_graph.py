@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which Python files use which: read from their import statements, so that nothing has to be run for it. Those in texts count too:
-many tests give code to another process.
+"""Which Python files use which: read from their import statements, so that nothing has to be run for it.
+Those in texts count too: many tests give code to another process.
 
-graph      by file the files that it uses. A name taken from a package (``from ..tool import Cutter``) leads to the module that
-           defines it, not to all that the package's ``__init__`` brings together.
+graph      by file the files that it uses. A name taken from a package (``from ..tool import Cutter``) leads
+           to the module that defines it, not to all that the package's ``__init__`` brings together.
 distance   in how many steps of import a file is used: 1 where it is imported itself.
 """
 
@@ -16,7 +16,9 @@ from functools import cache
 from pathlib import Path
 
 Graph = Mapping[Path, frozenset[Path]]
-STATEMENT = re.compile(r"^[^\n#]*?\b(from [\w.]+ import (?:\([^)]*\)|[^\n#;'\"(]+)|import [\w., ]+)", re.MULTILINE)
+STATEMENT = re.compile(
+    r"^[^\n#]*?\b(from [\w.]+ import (?:\([^)]*\)|[^\n#;'\"(]+)|import [\w., ]+)", re.MULTILINE
+)
 
 
 @cache
@@ -31,11 +33,15 @@ def import_statements(path: Path) -> tuple[ast.Import | ast.ImportFrom, ...]:
 
 def as_file(place: Path) -> Path | None:
     """The file of a module or package of that path without suffix."""
-    return next((file for file in (place.with_suffix(".py"), place / "__init__.py") if place.name and file.is_file()), None)
+    return next(
+        (file for file in (place.with_suffix(".py"), place / "__init__.py") if place.name and file.is_file()),
+        None,
+    )
 
 
 def imports_of(path: Path, roots: Iterable[Path] = ()) -> Iterator[Path]:
-    """The files that a file imports anywhere in it. ``roots``: folders in which absolute names are looked for, in that order."""
+    """The files that a file imports anywhere in it. ``roots``: folders in which absolute names are looked
+    for, in that order."""
     for node in import_statements(path):
         if isinstance(node, ast.ImportFrom):
             places = _places(path, node, roots)
@@ -80,15 +86,18 @@ def _brought_together(package: Path) -> dict[str, tuple[Path, ...]]:
 
 
 def build_graph(files: Iterable[Path], roots: Iterable[Path]) -> Graph:
-    """What each of the files uses. What an ``__init__`` brings together is used by who takes it from there."""
+    """What each of the files uses. What an ``__init__`` brings together is used by who takes it from
+    there."""
     files, roots = list(files), list(roots)
     return {
-        path: frozenset() if path.name == "__init__.py" else frozenset(set(imports_of(path, roots)) - {path}) for path in files
+        path: frozenset() if path.name == "__init__.py" else frozenset(set(imports_of(path, roots)) - {path})
+        for path in files
     }
 
 
 def distances(graph: Graph, changed: Iterable[Path]) -> dict[Path, int]:
-    """In how many steps each file uses any of the changed ones; 0 for these, nothing for those that do not."""
+    """In how many steps each file uses any of the changed ones; 0 for these, nothing for those that do
+    not."""
     users = dict[Path, list[Path]]()
     for user, used in graph.items():
         for file in used:

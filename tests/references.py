@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cross references in docstrings, and whether what they name is there; read from the source, nothing is imported.
+"""Cross references in docstrings, and whether what they name is there; read from the source, nothing is
+imported.
 
-:role:`target`   the roles of ROLES. ``name`` is looked for in the class, the module and beside the module; ``.name`` also anywhere in
-                 the package, as the end of an address, as Sphinx does; ``~`` only shortens what is shown.
+:role:`target`   the roles of ROLES. ``name`` is looked for in the class, the module and beside the module;
+                 ``.name`` also anywhere in the package, as the end of an address, as Sphinx does; ``~`` only
+                 shortens what is shown.
 ``a.b``          where ``a`` is a class or module in sight, and no parameter: its ``b``.
 """
 
@@ -24,7 +26,8 @@ FUNCTIONS = ast.FunctionDef | ast.AsyncFunctionDef
 
 @dataclass
 class Scope:
-    """A module or a class. ``names``: what stands in it: a Scope, the address of what is imported (str), None for a value."""
+    """A module or a class. ``names``: what stands in it: a Scope, the address of what is imported (str), None
+    for a value."""
 
     address: str
     names: "dict[str, Scope | str | None]" = field(default_factory=dict)
@@ -36,7 +39,8 @@ Thing = Scope | str | None
 
 @dataclass(frozen=True)
 class Docstring:
-    """A docstring, or the text below a constant or field. ``around``: the scopes that it stands in, the module first."""
+    """A docstring, or the text below a constant or field. ``around``: the scopes that it stands in, the
+    module first."""
 
     text: str
     where: str
@@ -57,17 +61,25 @@ class Package:
             self.modules[address] = _scope(address, tree, home)
             self._collect(tree, (self.modules[address],), str(path.relative_to(folder.parent)), frozenset())
 
-    def _collect(self, node: ast.AST, around: tuple[Scope, ...], path: str, parameters: frozenset[str]) -> None:
+    def _collect(
+        self, node: ast.AST, around: tuple[Scope, ...], path: str, parameters: frozenset[str]
+    ) -> None:
         """Keep every docstring in a module, class or function."""
         parameters |= _parameters(node)
         before: ast.AST | None = None
         for inner in getattr(node, "body", []):
-            text = inner.value.value if isinstance(inner, ast.Expr) and isinstance(inner.value, ast.Constant) else None
+            text = (
+                inner.value.value
+                if isinstance(inner, ast.Expr) and isinstance(inner.value, ast.Constant)
+                else None
+            )
             if isinstance(text, str) and (before is None or isinstance(before, ast.Assign | ast.AnnAssign)):
                 self.docstrings.append(Docstring(text, f"{path}:{inner.lineno}", around, parameters))
             if isinstance(inner, ast.ClassDef):
                 scope = around[-1].names.get(inner.name)
-                self._collect(inner, (*around, scope) if isinstance(scope, Scope) else around, path, parameters)
+                self._collect(
+                    inner, (*around, scope) if isinstance(scope, Scope) else around, path, parameters
+                )
             elif isinstance(inner, FUNCTIONS):
                 self._collect(inner, around, path, parameters)
             before = inner
@@ -83,18 +95,22 @@ class Package:
                     yield f"{docstring.where}: {found[0]}"
 
     def is_meant(self, docstring: Docstring, dotted: str) -> bool:
-        """Whether what stands before the first dot is a class or module of the package, and the whole no file."""
+        """Whether what stands before the first dot is a class or module of the package, and the whole no
+        file."""
         first, *_, last = dotted.split(".")
         if first in docstring.parameters or last.lower() in FILES:
             return False
         return any(
-            isinstance(self._walk(thing, []), Scope) for thing in self._in_sight(docstring, first) or self._anywhere(first)
+            isinstance(self._walk(thing, []), Scope)
+            for thing in self._in_sight(docstring, first) or self._anywhere(first)
         )
 
     def has(self, docstring: Docstring, target: str) -> bool:
         """Whether a target is there, seen from a docstring."""
         first, *rest = target.lstrip(".").split(".")
-        things = self._in_sight(docstring, first) + (self._anywhere(first) if rest or target[0] == "." else [])
+        things = self._in_sight(docstring, first) + (
+            self._anywhere(first) if rest or target[0] == "." else []
+        )
         if first == self.name:
             things.append(self.modules[first])
         elif rest and not things:
@@ -124,7 +140,8 @@ class Package:
         return True
 
     def _walk(self, thing: Thing, parts: list[str]) -> Scope | None:
-        """What stands at the end of a way from a thing; None for a value, and for what is not of the package. Raises LookupError."""
+        """What stands at the end of a way from a thing; None for a value, and for what is not of the package.
+        Raises LookupError."""
         if isinstance(thing, str):
             thing = self._at(thing) if thing.partition(".")[0] == self.name else None
         return self._walk(self._member(thing, parts[0]), parts[1:]) if parts and thing else thing
@@ -150,7 +167,8 @@ class Package:
 
 
 def _scope(address: str, node: ast.Module | ast.ClassDef, home: str) -> Scope:
-    """What is defined, imported or assigned in a module or class. ``home``: the package that relative imports begin at."""
+    """What is defined, imported or assigned in a module or class. ``home``: the package that relative imports
+    begin at."""
     scope = Scope(address, bases=[ast.unparse(base).partition("[")[0] for base in getattr(node, "bases", [])])
     for inner in _statements(node):
         if isinstance(inner, ast.ClassDef):
@@ -164,7 +182,9 @@ def _scope(address: str, node: ast.Module | ast.ClassDef, home: str) -> Scope:
             whence = ".".join([*above, *filter(None, [inner.module])])
             scope.names.update({name.asname or name.name: f"{whence}.{name.name}" for name in inner.names})
         elif isinstance(inner, ast.Import):
-            scope.names.update({name.asname or name.name.partition(".")[0]: name.name for name in inner.names})
+            scope.names.update(
+                {name.asname or name.name.partition(".")[0]: name.name for name in inner.names}
+            )
         else:
             scope.names.update(dict.fromkeys(_stored(inner) - scope.names.keys()))
     return scope
@@ -182,18 +202,26 @@ def _statements(node: ast.AST) -> Iterator[ast.stmt]:
 def _parameters(node: ast.AST) -> frozenset[str]:
     """The names of a function's parameters and variables, or of a class's fields."""
     if isinstance(node, FUNCTIONS):
-        return frozenset(found.arg for found in ast.walk(node.args) if isinstance(found, ast.arg)) | _stored(node)
+        return frozenset(found.arg for found in ast.walk(node.args) if isinstance(found, ast.arg)) | _stored(
+            node
+        )
     fields = node.body if isinstance(node, ast.ClassDef) else []
     return frozenset().union(*(_stored(inner) for inner in fields if isinstance(inner, ast.AnnAssign)))
 
 
 def _stored(node: ast.AST) -> frozenset[str]:
     """The names that are assigned anywhere in a statement."""
-    return frozenset(found.id for found in ast.walk(node) if isinstance(found, ast.Name) and isinstance(found.ctx, ast.Store))
+    return frozenset(
+        found.id
+        for found in ast.walk(node)
+        if isinstance(found, ast.Name) and isinstance(found.ctx, ast.Store)
+    )
 
 
 def _kept(node: ast.AST) -> frozenset[str]:
     """The attributes that are assigned anywhere in a function."""
     return frozenset(
-        found.attr for found in ast.walk(node) if isinstance(found, ast.Attribute) and isinstance(found.ctx, ast.Store)
+        found.attr
+        for found in ast.walk(node)
+        if isinstance(found, ast.Attribute) and isinstance(found.ctx, ast.Store)
     )

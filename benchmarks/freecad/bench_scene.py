@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``make bench-window``: what a frame of FreeCAD's 3D view takes, as ratios to peers in the same view; run inside FreeCAD.
+"""``make bench-window``: what a frame of FreeCAD's 3D view takes, as ratios to peers in the same view; run
+inside FreeCAD.
 
 path    the whole picture of a path, to the bare lines of its strokes
 map     a map of rest material, to its bare facets
 labels  eight labels and two legends, one of them seen, over a ball, to the ball alone
 
-A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no graphics card.
+A frame is the processor's time of the whole process for it: Mesa draws on the processor where there is no
+graphics card.
 """
 
 import statistics
@@ -20,7 +22,11 @@ import pytest
 from PySide import QtCore
 
 HERE = Path(__file__).parent
-sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "tests" / "gui"), str(HERE.parents[1] / "tests" / "core")]
+sys.path[:0] = [
+    str(HERE.parent),
+    str(HERE.parents[1] / "tests" / "gui"),
+    str(HERE.parents[1] / "tests" / "core"),
+]
 
 from large_scenes import Frames, long_path, picture_of_long, surface  # noqa: E402
 from report_examples import dome  # noqa: E402
@@ -46,7 +52,8 @@ def view():
 
 
 def seconds(view, *drawn):
-    """Of each of REPEAT rounds: the processor's time for a frame with these nodes, s. The first round fills the caches."""
+    """Of each of REPEAT rounds: the processor's time for a frame with these nodes, s. The first round fills
+    the caches."""
     frames, found = Frames(), []
     group = nodes.separate(frames.node, *drawn)
     view.getSceneGraph().addChild(group)
@@ -70,8 +77,12 @@ def row(view, name, ours, peer):
 
 
 def bare(points, corners):
-    """Lines of two, or facets of three points, without colours, labels or marks: what drawing them takes at the least."""
-    place, shape = nodes.coin.SoCoordinate3(), nodes.coin.SoLineSet() if corners == 2 else nodes.coin.SoFaceSet()
+    """Lines of two, or facets of three points, without colours, labels or marks: what drawing them takes at
+    the least."""
+    place, shape = (
+        nodes.coin.SoCoordinate3(),
+        nodes.coin.SoLineSet() if corners == 2 else nodes.coin.SoFaceSet(),
+    )
     place.point.setValues(0, len(points), points.astype(np.float32))
     shape.numVertices.setValues(0, len(points) // corners, np.full(len(points) // corners, corners, np.int32))
     return place, shape
@@ -105,7 +116,12 @@ def test_labels(view, capsys, monkeypatch):
     sets, legends = [on_screen.Labels(), on_screen.Labels()], [on_screen.LegendBox(), on_screen.LegendBox()]
     for at, one in enumerate(sets):
         places = rng.uniform(-3.0, 3.0, (4, 3))
-        one.show([on_screen.Label(place, f"{0.1278 * i:.4f} mm, NC line {1000 * at + i}") for i, place in enumerate(places)])
+        one.show(
+            [
+                on_screen.Label(place, f"{0.1278 * i:.4f} mm, NC line {1000 * at + i}")
+                for i, place in enumerate(places)
+            ]
+        )
     for title, one in zip(("First", "Second"), legends, strict=True):
         one.show(words.legend_of(title, dome(), LOOK, ""))
     ball, spent, place = nodes.coin.SoSphere(), [], on_screen._Overlay.place
@@ -117,8 +133,16 @@ def test_labels(view, capsys, monkeypatch):
         spent.append(time.thread_time() - began)
 
     monkeypatch.setattr(on_screen._Overlay, "place", timed)
-    found = row(view, "8 labels, 2 legends", (ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1]))), (ball,))
+    found = row(
+        view,
+        "8 labels, 2 legends",
+        (ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1]))),
+        (ball,),
+    )
     with capsys.disabled():
         print_table("Labels and legends over a ball, to the ball alone", HEADS, [found])
         share = 4e3 * statistics.median(spent)
-        print(f"of that, finding their places: {share:.2f} ms a frame, {share / float(found[2]):.2f} of a frame of the ball")
+        print(
+            f"of that, finding their places: {share:.2f} ms a frame, {share / float(found[2]):.2f} of a "
+            "frame of the ball"
+        )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the picture of docs/cutters.md: ``.venv/bin/python docs/studies/cutters.py``, from the project's folder."""
+"""Makes the picture of docs/cutters.md: ``.venv/bin/python docs/studies/cutters.py``, from the project's
+folder."""
 
 from __future__ import annotations
 
@@ -16,7 +17,8 @@ from freecad_fiveaxis.core.orientation.strategies import leaned
 from freecad_fiveaxis.core.tool import Cutter, cutter_name, parse_cutter
 
 PICTURE = Path(__file__).resolve().parents[1] / "images" / "cutters.png"
-SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16", "lollipop:10:5:16",
+SHAPES = ("ball:10:16", "flat:10:16", "bull:10:2:16", "taperball:6:8deg:16", "taperbull:8:1.5:8deg:16",
+    "lollipop:10:5:16",
           "barrel:8:30:1.5:16")  # fmt: skip
 BODY, PART, MARK = "#c9d4e3", "#e9dfcf", "#c8442a"
 X, Z = np.array([[1.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
@@ -28,7 +30,9 @@ def outline(cutter: Cutter) -> np.ndarray:
     angle = np.linspace(-np.pi / 2, last, 90)
     half = np.stack([ring + corner * np.cos(angle), height + corner * np.sin(angle)], axis=1)
     if cutter.barrel is not None:
-        half = np.concatenate([half[angle < cutter.barrel.begins - np.pi / 2], cutter.profile().flanks[:, 1::-1]])
+        half = np.concatenate(
+            [half[angle < cutter.barrel.begins - np.pi / 2], cutter.profile().flanks[:, 1::-1]]
+        )
     half = np.concatenate([half, [(cutter.top_radius, cutter.length)]])
     return np.concatenate([half, half[::-1] * (-1.0, 1.0)])
 
@@ -41,13 +45,16 @@ def shape(axes: Any, text: str) -> None:
     axes.plot([-cutter.ring, cutter.ring], [cutter.corner] * 2, "o", color=MARK, ms=4)
     axes.plot([0], [cutter.corner], "x", color=MARK)
     axes.plot([0], [0], "k.", ms=6)
-    axes.set_title(text.rpartition(":")[0] + "\n" + cutter_name(cutter).replace(", flank", ",\nflank"), fontsize=8)
+    axes.set_title(
+        text.rpartition(":")[0] + "\n" + cutter_name(cutter).replace(", flank", ",\nflank"), fontsize=8
+    )
     axes.set(xlim=(-9, 9), ylim=(-3, 19), aspect="equal")
     axes.axis("off")
 
 
 def stand(axes: Any, text: str, lead: float, title: str) -> None:
-    """A cutter that leans forward over its facet; the feed goes to the right. Where the cutter leans below it the facet ends."""
+    """A cutter that leans forward over its facet; the feed goes to the right. Where the cutter leans below it
+    the facet ends."""
     cutter = parse_cutter(text)
     axis = leaned(Z, X, np.radians(lead), 0.0)
     tip = cutter.tip_from_contact(0.0 * Z, Z, axis, X)[0]
@@ -76,7 +83,12 @@ def main() -> None:
     stand(axes[1, 2], "flat:10:16", 15.0, "flat, lead 15 deg")
     stand(axes[1, 3], "flat:10:16", -15.0, "flat, lead -15 deg: touches behind")
     stand(axes[1, 4], "taperball:6:8deg:16", 30.0, "taper ball, lead 30 deg")
-    stand(axes[1, 5], "lollipop:10:5:16", 105.0, "lollipop, below the surface: the ball\ntouches, the neck clears the edge")
+    stand(
+        axes[1, 5],
+        "lollipop:10:5:16",
+        105.0,
+        "lollipop, below the surface: the ball\ntouches, the neck clears the edge",
+    )
     stand(
         axes[1, 6],
         "barrel:8:30:1.5:16",

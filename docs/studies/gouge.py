@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the picture of docs/gouge.md and prints its numbers: ``.venv/bin/python docs/studies/gouge.py``, from the project's
-folder."""
+"""Makes the picture of docs/gouge.md and prints its numbers: ``.venv/bin/python docs/studies/gouge.py``, from
+the project's folder."""
 
 from __future__ import annotations
 
@@ -31,7 +31,14 @@ from freecad_fiveaxis.core.report.rest_material_map import (
 HERE = Path(__file__).resolve().parents[1]
 PICTURE = HERE / "images" / "gouge-left.png"
 PARTS = HERE.parent / "resources" / "examples" / "make_parts.py"
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:20", "passes": "planes", "stepover": 3, "linearize": "on", "rest": "on"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:20",
+    "passes": "planes",
+    "stepover": 3,
+    "linearize": "on",
+    "rest": "on",
+}
 FINE = 12.0
 """Pixels a mm."""
 LIGHT = np.array([-0.35, 0.45, 0.82])
@@ -52,7 +59,9 @@ def seen(axes: Any, figures: Figures, scale: HeightScale, title: str) -> None:
     wide, tall = np.ceil((high - low) * FINE).astype(int).tolist()
     owner = owners(corner, view, low, FINE, wide, tall)
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    lit = 0.75 + 0.25 * np.clip(normal @ LIGHT / np.linalg.norm(normal, axis=1) / np.linalg.norm(LIGHT), 0.0, 1.0)
+    lit = 0.75 + 0.25 * np.clip(
+        normal @ LIGHT / np.linalg.norm(normal, axis=1) / np.linalg.norm(LIGHT), 0.0, 1.0
+    )
     colour = np.append(height_colours(figures.rest.height, scale) * lit[:, None], [(1.0, 1.0, 1.0)], axis=0)
     axes.imshow(colour[owner], extent=(low[0], high[0], low[1], high[1]), interpolation="antialiased")
     axes.set_title(title, fontsize=9)
@@ -74,20 +83,33 @@ def main() -> None:
     """Mill it with and without the cure, and draw what each leaves."""
     before, after = milled("report"), milled("lift")
     assert before.rest is not None and after.rest is not None
-    scales = [height_scale(one.rest, one.tolerance, one.allowed) for one in (before, after) if one.rest is not None]
-    scale = scales[0]._replace(deepest=max(one.deepest for one in scales), highest=max(one.highest for one in scales))
+    scales = [
+        height_scale(one.rest, one.tolerance, one.allowed) for one in (before, after) if one.rest is not None
+    ]
+    scale = scales[0]._replace(
+        deepest=max(one.deepest for one in scales), highest=max(one.highest for one in scales)
+    )
     figure = plt.figure(figsize=(10.5, 4.3), layout="constrained")
     panels = figure.subplot_mosaic([["before", "after"], ["legend", "legend"]], height_ratios=(14, 1))
     for name, one in (("before", before), ("after", after)):
         told = summary(one)
         overcut = f"overcut up to {told['max_overcut']:.3f} mm" if told["overcut_blocks"] else "no overcut"
         rest = f"at most {told['max_left']:.3f} mm left"
-        seen(panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {rest}")
+        seen(
+            panels[name], one, scale, f"{'As it is' if one is before else '--gouge lift'}: {overcut}, {rest}"
+        )
         print(
             name,
             {
                 key: told[key]
-                for key in ("max_overcut", "overcut_blocks", "max_left", "left_area", "too_deep_area", "max_too_deep")
+                for key in (
+                    "max_overcut",
+                    "overcut_blocks",
+                    "max_left",
+                    "left_area",
+                    "too_deep_area",
+                    "max_too_deep",
+                )
             },
         )
     legend(panels["legend"], scale)

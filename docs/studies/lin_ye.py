@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the tables and pictures of docs/lin-ye.md: ``.venv/bin/python docs/studies/lin_ye.py``, from the project's folder.
+"""Makes the tables and pictures of docs/lin-ye.md: ``.venv/bin/python docs/studies/lin_ye.py``, from the
+project's folder.
 
-A table stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` and is written anew; the prose is left alone.
+A table stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` and is written anew; the prose is left
+alone.
 """
 
 from __future__ import annotations
@@ -36,12 +38,16 @@ def profiles_table() -> Table:
     lines = heading("profiles", "rotary axis", "facet_mean, mm", "step_weighted, mm", "ratio", "better on")
     head = profiles.head()
     for family in profiles.FAMILIES:
-        made = {profiles.depth_name(depth): profiles.largest_below(family, depth) for depth in profiles.DEPTHS}
+        made = {
+            profiles.depth_name(depth): profiles.largest_below(family, depth) for depth in profiles.DEPTHS
+        }
         made["in the head"] = profiles.largest(family, lambda points: head)
         for name, worst in made.items():
             (conventional, weighted), ratio = np.median(worst, axis=0), worst[:, 1] / worst[:, 0]
             better = f"{np.count_nonzero(ratio < 1.0)} of {len(ratio)}"
-            lines.append(row(family, name, f"{conventional:.3f}", f"{weighted:.3f}", f"{np.median(ratio):.2f}", better))
+            lines.append(
+                row(family, name, f"{conventional:.3f}", f"{weighted:.3f}", f"{np.median(ratio):.2f}", better)
+            )
     return lines
 
 
@@ -56,7 +62,9 @@ def finer_table() -> Table:
 
 def part_table(part: str, table: str) -> Table:
     """Both methods on one part and machine, by depth."""
-    lines = heading("rotary axes", "largest, mm", "ratio", "median, mm", "pass 2, mm", "ratio by passes", "passes better")
+    lines = heading(
+        "rotary axes", "largest, mm", "ratio", "median, mm", "pass 2, mm", "ratio by passes", "passes better"
+    )
     for depth in profiles.DEPTHS:
         one, two = (parts.mill(part, table, method, depth) for method in profiles.METHODS)
         ratio = two.per_pass / one.per_pass
@@ -73,7 +81,8 @@ def pass_table() -> Table:
     """Largest deviation of each pass, mm: facet_mean / step_weighted."""
     lines = heading("pass", *(profiles.depth_name(depth) for depth in profiles.DEPTHS))
     made = [
-        [parts.mill(parts.PART, "table_ab", method, depth).per_pass for method in profiles.METHODS] for depth in profiles.DEPTHS
+        [parts.mill(parts.PART, "table_ab", method, depth).per_pass for method in profiles.METHODS]
+        for depth in profiles.DEPTHS
     ]
     for number in range(len(made[0][0])):
         lines.append(row(str(number + 1), *(f"{one[number]:.3f} / {two[number]:.3f}" for one, two in made)))
@@ -81,14 +90,23 @@ def pass_table() -> Table:
 
 
 def worst_table() -> Table:
-    """The worst block of either method on the A-B table: pass, length of the step on the part, and its deviation by both."""
+    """The worst block of either method on the A-B table: pass, length of the step on the part, and its
+    deviation by both."""
     lines = heading("rotary axes", "worst of", "pass", "step, mm", "facet_mean, mm", "step_weighted, mm")
     for depth in profiles.DEPTHS:
         both = [parts.mill(parts.PART, "table_ab", method, depth) for method in profiles.METHODS]
         for method, made in zip(profiles.METHODS, both, strict=True):
             worst = int(made.deviation.argmax())
             same = (f"{parts.deviation_at(other, made.start[worst], made.end[worst]):.3f}" for other in both)
-            lines.append(row(profiles.depth_name(depth), method, str(made.pass_[worst]), f"{made.length[worst]:.2f}", *same))
+            lines.append(
+                row(
+                    profiles.depth_name(depth),
+                    method,
+                    str(made.pass_[worst]),
+                    f"{made.length[worst]:.2f}",
+                    *same,
+                )
+            )
     return lines
 
 

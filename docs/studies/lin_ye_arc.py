@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lin & Ye's half circle (III.A, Figs. 10 to 12): an arc that one rotary axis cuts with the tool normal to it.
+"""Lin & Ye's half circle (III.A, Figs. 10 to 12): an arc that one rotary axis cuts with the tool normal to
+it.
 
-The arc lies in the YZ plane about the work zero M. On the trunnion machine the A axis runs R0 below M, and C stands still.
+The arc lies in the YZ plane about the work zero M. On the trunnion machine the A axis runs R0 below M, and C
+stands still.
 psi       place on the arc, rad: 0 along +Y, pi/2 at the top.
-beta      psi - pi/2 at the middle of a step: the angle between the arc's normal there and the line from the A axis to M.
-shift     the way, mm, by which the whole tool is off at some u. The tool turns evenly, as the arc's normal does, so its
-          direction is right, and every point of it is shifted by the same way.
+beta      psi - pi/2 at the middle of a step: the angle between the arc's normal there and the line from the A
+          axis to M.
+shift     the way, mm, by which the whole tool is off at some u. The tool turns evenly, as the arc's normal
+          does, so its direction is right, and every point of it is shifted by the same way.
 """
 
 from __future__ import annotations
@@ -38,14 +41,16 @@ def trunnion(centre_distance: float) -> Chain:
 
 
 def arc_words(kinematics: Chain, radius: float, psi: Floats) -> Floats:
-    """Words (n, 5), mm and degrees: the driven point on the arc of ``radius`` mm at ``psi`` (n,), the tool normal to it."""
+    """Words (n, 5), mm and degrees: the driven point on the arc of ``radius`` mm at ``psi`` (n,), the tool
+    normal to it."""
     point = radius * np.stack([0.0 * psi, np.cos(psi), np.sin(psi)], axis=1)
     angles = np.stack([0.0 * psi, psi - np.pi / 2], axis=1)
     return q_to_words(np.column_stack([linear_words(kinematics, point, angles), angles]))
 
 
 def off_the_arc(kinematics: Chain, radius: float, psi: Floats) -> Floats:
-    """Distance (n - 1, SAMPLES) mm of the real ball centre from the arc, along each step; negative: overcut."""
+    """Distance (n - 1, SAMPLES) mm of the real ball centre from the arc, along each step; negative:
+    overcut."""
     words, u = arc_words(kinematics, radius, psi), np.linspace(0.0, 1.0, SAMPLES)
     place = tip_at(kinematics, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, SAMPLES)))
     return np.asarray(np.linalg.norm(place, axis=2) - radius)
@@ -54,8 +59,8 @@ def off_the_arc(kinematics: Chain, radius: float, psi: Floats) -> Floats:
 def shift_measured(centre_distance: float, step: float, beta: float = 0.0) -> float:
     """The largest shift of one step, mm, by ``deviation.measure``.
 
-    The driven point is the arc's centre, as on a tool that is longer by the arc's radius. It is commanded to stay where it
-    is, so its deviation from that point is the shift.
+    The driven point is the arc's centre, as on a tool that is longer by the arc's radius. It is commanded to
+    stay where it is, so its deviation from that point is the shift.
     """
     psi = np.pi / 2 + beta + 0.5 * np.array([-step, step])
     kinematics = trunnion(centre_distance)
@@ -83,10 +88,18 @@ def half_circle(step: float) -> Floats:
 def steps_table() -> list[str]:
     """R0 by step angle (the paper's Fig. 12): measured, and eq. (6)."""
     steps = (2.5, 5.0, 10.0, 15.0, 20.0)
-    lines = ["| R0, mm | " + " | ".join(f"{step:g} deg" for step in steps) + " |", "|---|" + "---|" * len(steps)]
+    lines = [
+        "| R0, mm | " + " | ".join(f"{step:g} deg" for step in steps) + " |",
+        "|---|" + "---|" * len(steps),
+    ]
     for distance in (0.0, 50.0, 100.0, 150.0, PAPER_R0, 250.0, 300.0):
-        cells = [(shift_measured(distance, np.radians(s)), float(lin_ye_deviation(distance, np.radians(s)))) for s in steps]
-        lines.append(f"| {distance:g} | " + " | ".join(f"{got:.4f} / {formula:.4f}" for got, formula in cells) + " |")
+        cells = [
+            (shift_measured(distance, np.radians(s)), float(lin_ye_deviation(distance, np.radians(s))))
+            for s in steps
+        ]
+        lines.append(
+            f"| {distance:g} | " + " | ".join(f"{got:.4f} / {formula:.4f}" for got, formula in cells) + " |"
+        )
     return lines
 
 
@@ -95,5 +108,8 @@ def beta_table() -> list[str]:
     lines = ["| beta, deg | simulated, mm | eq. (6), mm |", "|---|---|---|"]
     for beta in (0, 15, 30, 45, 60, 75, 90):
         formula = float(lin_ye_deviation(PAPER_R0, np.radians(20), np.radians(beta)))
-        lines.append(f"| {beta} | {deviation_simulated(PAPER_R0, np.radians(20), np.radians(beta)):.3f} | {formula:.3f} |")
+        lines.append(
+            f"| {beta} | {deviation_simulated(PAPER_R0, np.radians(20), np.radians(beta)):.3f} | "
+            f"{formula:.3f} |"
+        )
     return lines

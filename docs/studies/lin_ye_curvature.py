@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lin & Ye's radius of curvature (eq. 8) beside the curvature by which passes are spaced, on meshes whose curvature is known."""
+"""Lin & Ye's radius of curvature (eq. 8) beside the curvature by which passes are spaced, on meshes whose
+curvature is known."""
 
 from __future__ import annotations
 
@@ -45,7 +46,9 @@ def barrel() -> tuple[Mesh, Exact]:
 
 def ring() -> tuple[Mesh, Exact]:
     """The upper half of a torus about z: convex outside, a saddle inside."""
-    around, over = np.meshgrid(np.linspace(0.0, 2.0 * np.pi, 181), np.linspace(0.1, np.pi - 0.1, 41), indexing="ij")
+    around, over = np.meshgrid(
+        np.linspace(0.0, 2.0 * np.pi, 181), np.linspace(0.1, np.pi - 0.1, 41), indexing="ij"
+    )
     out = RADIUS + TUBE * np.cos(over)
     mesh = grid(out * np.cos(around), out * np.sin(around), TUBE * np.sin(over))
 
@@ -63,8 +66,8 @@ SURFACES = {"sphere, facets at random": ball, "cylinder, strips": barrel, "torus
 
 
 def curvatures(made: tuple[Mesh, Exact]) -> tuple[Floats, Floats, Floats, Floats]:
-    """Along the segments (s,) of passes over the surface: by eq. (8), by the mean over neighbours, exact, 1/mm; and their length,
-    mm."""
+    """Along the segments (s,) of passes over the surface: by eq. (8), by the mean over neighbours, exact,
+    1/mm; and their length, mm."""
     mesh, exact = made
     across = np.array((-np.sin(ANGLE), np.cos(ANGLE), 0.0))
     offset = mesh.vertex @ across
@@ -84,15 +87,19 @@ def _share(value: float) -> str:
 
 
 def table(row: Callable[..., str], heading: Callable[..., list[str]]) -> list[str]:
-    """The mean of each over the length of the passes, as a share of the exact one's; and their errors step by step, as a share
-    of the surface's largest curvature; for all steps and for those that are no slivers."""
+    """The mean of each over the length of the passes, as a share of the exact one's; and their errors step by
+    step, as a share of the surface's largest curvature; for all steps and for those that are no slivers."""
     lines = heading(
-        "surface", "steps", "eq. (8): mean", "median error", "95 of 100 below", "worst", "neighbourhood: mean", "median error",
+        "surface", "steps", "eq. (8): mean", "median error", "95 of 100 below", "worst",
+        "neighbourhood: mean", "median error",
         "95 of 100 below", "worst",
     )  # fmt: skip
     for name, surface in SURFACES.items():
         by_arc, by_mean, exact, length = curvatures(surface())
-        for which, chosen in (("all", length > 0.0), ("longer than half the median", length > 0.5 * np.median(length))):
+        for which, chosen in (
+            ("all", length > 0.0),
+            ("longer than half the median", length > 0.5 * np.median(length)),
+        ):
             cells = []
             for found in (by_arc, by_mean):
                 off = np.abs(found - exact)[chosen] / np.abs(exact).max()

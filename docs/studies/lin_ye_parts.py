@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Both strategies on whole parts, through the whole pipeline: the paper's Figs. 18 to 21.
 
-Judged are the blocks that cut a facet or close a gap; rapids, retracts and approaches are left out. The words drive the
-ball's centre, because that is what leaves the mark.
+Judged are the blocks that cut a facet or close a gap; rapids, retracts and approaches are left out. The words
+drive the ball's centre, because that is what leaves the mark.
 
 depth     of the A axis' line below the part's lowest point, mm; None: through the part, at half its height.
-tables    ``trunnion_ac`` is shipped: A carries C, and its pole is the upright tool. ``table_ab`` is the same trunnion with
-          a B axis in the place of C: its pole is the tool along Y, which no part here comes near.
+tables    ``trunnion_ac`` is shipped: A carries C, and its pole is the upright tool. ``table_ab`` is the same
+          trunnion with a B axis in the place of C: its pole is the tool along Y, which no part here comes
+          near.
 """
 
 from __future__ import annotations
@@ -38,13 +39,14 @@ STEPOVER = 5.0
 STEEPEST = 60.0
 """deg: steeper facets are left out. Over the rim to a wall the tool would turn by 90 deg within one facet."""
 LEAST = 1e-3
-"""mm: blocks that deviate less are left out of medians. They are the many that hardly turn, and gaps, where nothing turns."""
+"""mm: blocks that deviate less are left out of medians. They are the many that hardly turn, and gaps, where
+nothing turns."""
 
 
 @dataclass(frozen=True, eq=False)
 class Cuts:
-    """One row a cutting block: ``deviation`` mm; ``pass_`` counted from 1; ``start``, ``end`` (n, 3) mm, the contact at
-    its ends; ``along`` (n,) mm, the way cut since the pass began."""
+    """One row a cutting block: ``deviation`` mm; ``pass_`` counted from 1; ``start``, ``end`` (n, 3) mm, the
+    contact at its ends; ``along`` (n,) mm, the way cut since the pass began."""
 
     deviation: Floats
     pass_: Ints
@@ -55,7 +57,9 @@ class Cuts:
     @property
     def per_pass(self) -> Floats:
         """Largest deviation of each pass, mm."""
-        return np.array([self.deviation[self.pass_ == number].max() for number in range(1, self.pass_.max() + 1)])
+        return np.array(
+            [self.deviation[self.pass_ == number].max() for number in range(1, self.pass_.max() + 1)]
+        )
 
     @property
     def length(self) -> Floats:
@@ -91,7 +95,8 @@ def table_ab() -> Machine:
 
 
 def origin(part: str, depth: float | None) -> tuple[float, float, float]:
-    """The work zero in the machine frame: the part's middle over the crossing of the rotary lines, ``depth`` above A."""
+    """The work zero in the machine frame: the part's middle over the crossing of the rotary lines, ``depth``
+    above A."""
     vertex = read_stl(str(workshop() / f"{part}.stl")).vertex
     low, high = vertex.min(axis=0), vertex.max(axis=0)
     x, y, z = MACHINE.rotary[1].point
@@ -101,10 +106,12 @@ def origin(part: str, depth: float | None) -> tuple[float, float, float]:
 
 @functools.cache
 def mill(part: str, table: str, strategy: str, depth: float | None, **others: float) -> Cuts:
-    """The cutting blocks of one job: ball 10, planes 5 mm apart along X, all passes one way; ``others``: more options."""
+    """The cutting blocks of one job: ball 10, planes 5 mm apart along X, all passes one way; ``others``: more
+    options."""
     options = {
         "machine": str(workshop() / f"{table}.fcm"), "origin": list(origin(part, depth)), "cutter": "ball:10",
-        "passes": "planes", "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy, "control_point": "centre",
+        "passes": "planes", "stepover": STEPOVER, "order": "one_way", "tool_axis": strategy,
+        "control_point": "centre",
         "linearize": "off", "gouge": "off", "max_axis_angle": STEEPEST, **others,
     }  # fmt: skip
     result = job.run(build_settings("mill", str(workshop() / f"{part}.stl"), options))
@@ -114,7 +121,9 @@ def mill(part: str, table: str, strategy: str, depth: float | None, **others: fl
     pass_ = np.unique(path.pass_[row], return_inverse=True)[1]
     total = np.cumsum(np.linalg.norm(path.tip[row] - path.tip[row_before], axis=1))
     begun = np.concatenate([[0.0], total])[np.searchsorted(pass_, pass_)]
-    return Cuts(result.deviation.segment[cut], pass_ + 1, path.contact[row_before], path.contact[row], total - begun)
+    return Cuts(
+        result.deviation.segment[cut], pass_ + 1, path.contact[row_before], path.contact[row], total - begun
+    )
 
 
 def deviation_at(cuts: Cuts, start: Floats, end: Floats) -> float:

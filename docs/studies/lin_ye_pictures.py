@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pictures of docs/lin-ye.md. Numbers come from the other modules of this folder; here they are only drawn."""
+"""The pictures of docs/lin-ye.md. Numbers come from the other modules of this folder; here they are only
+drawn."""
 
 from __future__ import annotations
 
@@ -46,7 +47,9 @@ def half_circle() -> Any:
     psi = arc.half_circle(np.radians(20))
     kinematics, radius = arc.trunnion(arc.PAPER_R0), arc.ARC + arc.BALL
     words, u = arc.arc_words(kinematics, radius, psi), np.linspace(0.0, 1.0, arc.SAMPLES)
-    real = tip_at(kinematics, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, arc.SAMPLES))).reshape(-1, 3)
+    real = tip_at(kinematics, words[:-1], words[1:], np.broadcast_to(u, (len(psi) - 1, arc.SAMPLES))).reshape(
+        -1, 3
+    )
     figure, (left, right) = plt.subplots(1, 2, figsize=(WIDE, 3.3), layout="constrained")
     fine = np.linspace(0.0, np.pi, 500)
     left.plot(radius * np.cos(fine), radius * np.sin(fine), color=GREEN, label="arc that is wanted")
@@ -59,7 +62,8 @@ def half_circle() -> Any:
     right.plot(np.degrees(angle), off, color=BLUE)
     worst = int(np.argmin(off))
     right.annotate(
-        f"{-off[worst]:.2f} mm overcut at {np.degrees(angle[worst]):.0f} deg", (np.degrees(angle[worst]), off[worst]),
+        f"{-off[worst]:.2f} mm overcut at {np.degrees(angle[worst]):.0f} deg",
+        (np.degrees(angle[worst]), off[worst]),
         (0, -14), textcoords="offset points", ha="center",
     )  # fmt: skip
     right.axhline(0.0, color=GREEN)
@@ -89,7 +93,9 @@ def steps() -> Any:
         label="the paper's 2.7 mm",
     )
     axes.set(
-        xlabel="R0, from the rotary axis to the arc's centre, mm", ylabel="deviation, mm", title="Lines: eq. (6). Dots: measured"
+        xlabel="R0, from the rotary axis to the arc's centre, mm",
+        ylabel="deviation, mm",
+        title="Lines: eq. (6). Dots: measured",
     )
     axes.legend()
     return figure
@@ -117,9 +123,13 @@ def second_pass() -> Any:
         most = 0.0
         for method in profiles.METHODS:
             cuts = parts.mill(parts.PART, "table_ab", method, below)
-            way, deviation = (np.concatenate([[0.0], column[cuts.pass_ == 2]]) for column in (cuts.along, cuts.deviation))
+            way, deviation = (
+                np.concatenate([[0.0], column[cuts.pass_ == 2]]) for column in (cuts.along, cuts.deviation)
+            )
             label = f"{method}, largest {deviation.max():.3f} mm"
-            panel.plot(way, deviation, color=COLOUR[method], drawstyle="steps-pre", linewidth=1.0, label=label)
+            panel.plot(
+                way, deviation, color=COLOUR[method], drawstyle="steps-pre", linewidth=1.0, label=label
+            )
             most = max(most, deviation.max())
         panel.set(title=f"axes {profiles.depth_name(below)}", ylim=(0.0, ROOM * most))
         panel.legend(loc="upper center")
@@ -140,7 +150,12 @@ def whole_part() -> Any:
             lines = _blocks(cuts, LogNorm(parts.LEAST, most))
             panel.add_collection(lines)
             panel.autoscale()
-            panel.set(aspect="equal", title=f"{method},\naxes {profiles.depth_name(below)}", xlabel="X, mm", ylabel="Y, mm")
+            panel.set(
+                aspect="equal",
+                title=f"{method},\naxes {profiles.depth_name(below)}",
+                xlabel="X, mm",
+                ylabel="Y, mm",
+            )
             panel.grid(False)
             row[2].plot(
                 np.arange(len(cuts.per_pass)) + 1, cuts.per_pass, ".-", color=COLOUR[method],
@@ -148,7 +163,8 @@ def whole_part() -> Any:
             )  # fmt: skip
         figure.colorbar(lines, ax=list(row[:2]), label="deviation, mm", shrink=0.9, location="left")
         row[2].set(
-            xlabel="pass", ylabel="largest deviation, mm", title=f"both, by passes,\naxes {profiles.depth_name(below)}",
+            xlabel="pass", ylabel="largest deviation, mm",
+            title=f"both, by passes,\naxes {profiles.depth_name(below)}",
             ylim=(0.0, ROOM * most),
         )  # fmt: skip
         row[2].xaxis.set_major_locator(MaxNLocator(integer=True))
@@ -161,7 +177,15 @@ def whole_part() -> Any:
 def _blocks(cuts: parts.Cuts, scale: LogNorm) -> LineCollection:
     """Each block as a line seen from above, coloured by its deviation."""
     ends = np.stack([cuts.start[:, :2], cuts.end[:, :2]], axis=1)
-    return LineCollection(ends, array=np.maximum(cuts.deviation, parts.LEAST), cmap="viridis_r", norm=scale, linewidths=3.0)
+    return LineCollection(
+        ends, array=np.maximum(cuts.deviation, parts.LEAST), cmap="viridis_r", norm=scale, linewidths=3.0
+    )
 
 
-PICTURES = {"half-circle": half_circle, "steps": steps, "height": height, "pass-2": second_pass, "part": whole_part}
+PICTURES = {
+    "half-circle": half_circle,
+    "steps": steps,
+    "height": height,
+    "pass-2": second_pass,
+    "part": whole_part,
+}

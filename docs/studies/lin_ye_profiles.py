@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Both strategies on random profiles that one rotary axis cuts: where eqs. (9) and (10) of Lin & Ye help, and why.
+"""Both strategies on random profiles that one rotary axis cuts: where eqs. (9) and (10) of Lin & Ye help, and
+why.
 
 profile   a polyline in the YZ plane, cut by a ball; its steps have lengths that differ up to eight times.
 hill, hollow, wavy   the families, LENGTH long: bent one way up, one way down, or both in turn.
 arc       a part of a circle of radius ARC; for it alone the radius of curvature is one number.
-rig       what turns the tool: the A axis of a table at some depth, or a head. The other rotary axis stands still.
+rig       what turns the tool: the A axis of a table at some depth, or a head. The other rotary axis stands
+          still.
 depth     of the A axis below the profile's lowest point, mm; None: through the part, at half its height.
 ratio     largest deviation of step_weighted, divided by that of facet_mean, on the same profile.
 """
@@ -41,7 +43,8 @@ SHORT = 1e-9
 
 @dataclass(frozen=True)
 class Rig:
-    """``first`` rad: the rotary word that stands still; the other one leans the tool by ``sense`` x its word towards +Y."""
+    """``first`` rad: the rotary word that stands still; the other one leans the tool by ``sense`` x its word
+    towards +Y."""
 
     kinematics: Chain
     first: float
@@ -49,7 +52,8 @@ class Rig:
 
 
 def table(axis_z: float) -> Rig:
-    """The trunnion with its A axis at height ``axis_z`` mm and C at rest. A positive A leans the tool towards -Y."""
+    """The trunnion with its A axis at height ``axis_z`` mm and C at rest. A positive A leans the tool towards
+    -Y."""
     return Rig(trunnion(-axis_z), 0.0, -1.0)
 
 
@@ -116,7 +120,9 @@ def offset_path(points: Floats) -> OffsetPath:
     place = np.stack([points[:-1], points[1:]], axis=1).reshape(-1, 2)
     facet = np.repeat(np.arange(len(step)), 2)
     coedge, nothing = facet + np.tile([0, 1], len(step)), np.zeros(len(facet), np.int64)
-    contact = ContactPath(_in_space(place), _in_space(across.repeat(2, axis=0)), facet, coedge, facet, nothing, nothing)
+    contact = ContactPath(
+        _in_space(place), _in_space(across.repeat(2, axis=0)), facet, coedge, facet, nothing, nothing
+    )
     strip = np.array([[(1.0, *points[0]), (1.0, *points[-1]), (-1.0, *points[0])]])
     return close_gaps(contact, from_triangles(strip), BALL, COEDGE_TOLERANCE)
 
@@ -139,15 +145,16 @@ def deviations(path: OffsetPath, strategy: str, rig: Rig) -> Floats:
     lean = leans(path, strategy)
     angles = np.column_stack([np.full(len(lean), rig.first), rig.sense * lean])
     return measure(
-        rig.kinematics, q_to_words(np.column_stack([linear_words(rig.kinematics, path.centre, angles), angles]))
+        rig.kinematics,
+        q_to_words(np.column_stack([linear_words(rig.kinematics, path.centre, angles), angles])),
     ).segment
 
 
 def estimated(path: OffsetPath, strategy: str, axis_z: float) -> Floats:
     """The estimate of the document for a table, (n,) mm: ``|h alpha^2 / 8 - s alpha / 4|``.
 
-    alpha rad: turn of the block towards +Y, negative in a hollow; s: length of its chord; h: from the A axis up to the
-    chord, at right angles to it.
+    alpha rad: turn of the block towards +Y, negative in a hollow; s: length of its chord; h: from the A axis
+    up to the chord, at right angles to it.
     """
     alpha, chord = np.diff(leans(path, strategy)), np.diff(path.centre, axis=0)[:, 1:]
     y, z = (path.centre[1:, 1:] - 0.5 * chord - (0.0, axis_z)).T
@@ -158,7 +165,9 @@ def estimated(path: OffsetPath, strategy: str, axis_z: float) -> Floats:
 
 def largest(family: str, rig: Callable[[Floats], Rig], cuts: int = 1) -> Floats:
     """Largest deviation (PROFILES, 2) mm of both methods, each profile on its own rig."""
-    return np.array([_worst(points, rig(points)) for points in (profile(family, seed, cuts) for seed in range(PROFILES))])
+    return np.array(
+        [_worst(points, rig(points)) for points in (profile(family, seed, cuts) for seed in range(PROFILES))]
+    )
 
 
 def largest_below(family: str, depth: float | None, cuts: int = 1) -> Floats:
@@ -167,7 +176,8 @@ def largest_below(family: str, depth: float | None, cuts: int = 1) -> Floats:
 
 
 def largest_on_arcs(height: float) -> Floats:
-    """Largest deviation (PROFILES, 2) mm on arcs whose top is ``height`` radii above the A axis, for the ball's centre."""
+    """Largest deviation (PROFILES, 2) mm on arcs whose top is ``height`` radii above the A axis, for the
+    ball's centre."""
     rig = table((1.0 - height) * (ARC + BALL))
     return np.array([_worst(arc_profile(seed), rig) for seed in range(PROFILES)])
 

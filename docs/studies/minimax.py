@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the tables and picture of docs/minimax.md: ``.venv/bin/python docs/studies/minimax.py``, from the project's folder."""
+"""Makes the tables and picture of docs/minimax.md: ``.venv/bin/python docs/studies/minimax.py``, from the
+project's folder."""
 
 from __future__ import annotations
 
@@ -41,22 +42,34 @@ def parts_table() -> Table:
         made = [cases.part(part, table, depth, **others) for depth in profiles.DEPTHS]
         digits = 5 if part == "half_cylinder" else 3
         lines.append(row(name, *(
-            f"{one.deviation.max():.{digits}f} / {two.deviation.max():.{digits}f} (**{cases.ratio((one, two)):.1f}**)"
+            f"{one.deviation.max():.{digits}f} / {two.deviation.max():.{digits}f} "
+            f"(**{cases.ratio((one, two)):.1f}**)"
             for one, two in made
         )))  # fmt: skip
     return lines
 
 
 def optimum_table() -> Table:
-    """Profiles on one rotary axis: the gain, and the result in units of the optimum; medians and ranges over the seeds."""
-    lines = heading("profile", "rotary axis", "facet_mean, mm", "minimax, mm", "times smaller", "over the lattice's optimum")
+    """Profiles on one rotary axis: the gain, and the result in units of the optimum; medians and ranges over
+    the seeds."""
+    lines = heading(
+        "profile",
+        "rotary axis",
+        "facet_mean, mm",
+        "minimax, mm",
+        "times smaller",
+        "over the lattice's optimum",
+    )
     for family in cases.FAMILIES:
         for depth in profiles.DEPTHS:
             made = [cases.profile(family, seed, depth) for seed in cases.SEEDS]
-            mean, found = (np.array([case.largest(getattr(case, name)) for case in made]) for name in ("mean", "found"))
+            mean, found = (
+                np.array([case.largest(getattr(case, name)) for case in made]) for name in ("mean", "found")
+            )
             best = np.array([cases.optimum(case, cases.TILT, LATTICE) for case in made])
             lines.append(row(
-                family, profiles.depth_name(depth), f"{np.median(mean):.3f}", f"{np.median(found):.4f}", _spread(mean / found, 1),
+                family, profiles.depth_name(depth), f"{np.median(mean):.3f}", f"{np.median(found):.4f}",
+                _spread(mean / found, 1),
                 _spread(found / best, 2),
             ))  # fmt: skip
     return lines

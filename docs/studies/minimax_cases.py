@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What docs/minimax.md is made from: facet_mean and minimax on whole parts, and on profiles that one rotary axis cuts.
+"""What docs/minimax.md is made from: facet_mean and minimax on whole parts, and on profiles that one rotary
+axis cuts.
 
 part      the whole pipeline through, by ``lin_ye_parts.mill``: the deviation of the posted program's blocks.
 profile   of ``lin_ye_profiles``, on an A-B table whose B axis has no travel: one rotary axis.
-optimum   of a profile: the smallest largest deviation of all leans on a lattice, by an exact dynamic programme. It shares
-          nothing with the core but the path: all moves lie in a plane, where a turn is a product of complex numbers.
+optimum   of a profile: the smallest largest deviation of all leans on a lattice, by an exact dynamic
+          programme. It shares nothing with the core but the path: all moves lie in a plane, where a turn is a
+          product of complex numbers.
 """
 
 from __future__ import annotations
@@ -34,7 +36,9 @@ SHARES = (0.25, 0.5, 0.75)
 """Where on a block the dynamic programme looks."""
 
 
-def part(name: str, table: str, depth: float | None, tilt: float = TILT, **others: float) -> tuple[parts.Cuts, parts.Cuts]:
+def part(
+    name: str, table: str, depth: float | None, tilt: float = TILT, **others: float
+) -> tuple[parts.Cuts, parts.Cuts]:
     """The cutting blocks by facet_mean and by minimax."""
     return parts.mill(name, table, "facet_mean", depth, **others), parts.mill(
         name, table, "minimax", depth, max_tilt=tilt, **others
@@ -46,7 +50,7 @@ def ratio(both: tuple[parts.Cuts, parts.Cuts]) -> float:
     return float(both[0].deviation.max() / both[1].deviation.max())
 
 
-# ------------------------------------------------------------------------------------------------ one rotary axis
+# -------------------------------------------------------------------------------------------- one rotary axis
 
 
 @functools.cache
@@ -67,7 +71,8 @@ def one_axis(axis_z: float) -> Chain:
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """One pass over a profile: ``path``, the height of the A axis, and the leans (n,) rad towards +Y of both methods."""
+    """One pass over a profile: ``path``, the height of the A axis, and the leans (n,) rad towards +Y of both
+    methods."""
 
     path: OffsetPath
     axis_z: float
@@ -96,7 +101,8 @@ def _lean(axis: Floats) -> Floats:
 
 
 def optimum(case: Profile, tilt: float, step: float) -> float:
-    """The smallest largest deviation, mm, of all leans that are ``step`` deg apart, each within ``tilt`` deg of its range."""
+    """The smallest largest deviation, mm, of all leans that are ``step`` deg apart, each within ``tilt`` deg
+    of its range."""
     y, z = case.path.centre[:, 1], case.path.centre[:, 2] - case.axis_z
     place, lattice = z + 1j * y, np.radians(step) * np.arange(-round(110.0 / step), round(110.0 / step) + 1)
     ends = np.sort(np.stack([_lean(case.path.before), _lean(case.path.after)]), axis=0)
@@ -113,8 +119,9 @@ def optimum(case: Profile, tilt: float, step: float) -> float:
 def _bows(start: complex, one: Floats, end: complex, two: Floats) -> Floats:
     """Distances (m, m') mm from the chord of one block, from each lean of ``one`` to each of ``two``.
 
-    Leaning the tool turns the work the other way: a work point p stands at ``p exp(-i lean)``, where the linear axes take the
-    ball straight and evenly; back in the work that is ``exp(i lean(u)) ((1 - u) p0 exp(-i lean0) + u p1 exp(-i lean1))``.
+    Leaning the tool turns the work the other way: a work point p stands at ``p exp(-i lean)``, where the
+    linear axes take the ball straight and evenly; back in the work that is ``exp(i lean(u)) ((1 - u) p0
+    exp(-i lean0) + u p1 exp(-i lean1))``.
     """
     first, last = start * np.exp(-1j * one)[:, None], end * np.exp(-1j * two)[None]
     chord = end - start

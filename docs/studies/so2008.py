@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the table of the forms of So et al.'s eq. (8) in docs/deviation.md: ``python docs/studies/so2008.py``.
+"""Makes the table of the forms of So et al.'s eq. (8) in docs/deviation.md: ``python
+docs/studies/so2008.py``.
 
 Run from the project's folder, with that on PYTHONPATH.
 """
@@ -33,11 +34,13 @@ def kinematics_of(name: str) -> Chain:
 
 
 def near_pole(kinematics: Chain, level: bool, count: int = BLOCKS) -> tuple[Floats, Floats]:
-    """Start and end words of blocks with chords of 1 mm, across U where ``level``, else in any direction; V within 1 deg of the
-    pole and turning by up to 0.2 deg, U by 10 to 30 deg."""
+    """Start and end words of blocks with chords of 1 mm, across U where ``level``, else in any direction; V
+    within 1 deg of the pole and turning by up to 0.2 deg, U by 10 to 30 deg."""
     rng = np.random.default_rng(SEED)
     first = np.stack([rng.uniform(-180, 180, count), rng.uniform(-1.0, 1.0, count)], axis=1)
-    last = first + np.stack([rng.uniform(10, 30, count) * rng.choice((-1, 1), count), rng.uniform(-0.2, 0.2, count)], axis=1)
+    last = first + np.stack(
+        [rng.uniform(10, 30, count) * rng.choice((-1, 1), count), rng.uniform(-0.2, 0.2, count)], axis=1
+    )
     tips, step = rng.uniform(-80, 80, (count, 3)), rng.normal(size=(count, 3))
     if level:
         step -= (step @ kinematics.direction[3])[:, None] * kinematics.direction[3]
@@ -55,7 +58,8 @@ def line_distance(kinematics: Chain, start: Floats, end: Floats, u: Floats) -> F
 
 
 def solved(kinematics: Chain, start: Floats, end: Floats) -> Floats:
-    """u (n,) that solves eq. (8) itself, without a polynomial: where the model's path, seen along U, is farthest; by samples."""
+    """u (n,) that solves eq. (8) itself, without a polynomial: where the model's path, seen along U, is
+    farthest; by samples."""
     u, found = np.linspace(0.0, 1.0, SAMPLES), np.empty(len(start))
     for first in range(0, len(start), 200):
         part = slice(first, first + 200)
@@ -71,7 +75,9 @@ def shortfalls(kinematics: Chain, level: bool) -> dict[str, Floats]:
     """By how much of the exact line deviation each form falls short (n,)."""
     start, end = near_pole(kinematics, level)
     words = np.stack([start, end], axis=1).reshape(-1, 5)
-    exact, one, two = (measure(kinematics, words, method).line[1::2] for method in ("exact", "so2008", "so2008-printed"))
+    exact, one, two = (
+        measure(kinematics, words, method).line[1::2] for method in ("exact", "so2008", "so2008-printed")
+    )
     lines = {
         "`so2008`": one,
         "`so2008-printed`": two,
@@ -82,20 +88,30 @@ def shortfalls(kinematics: Chain, level: bool) -> dict[str, Floats]:
 
 
 def table() -> list[str]:
-    names = [f"{which}, {chord}" for chord in ("level", "any") for which in ("median, %", "95th percentile, %", "worst, %")]
+    names = [
+        f"{which}, {chord}"
+        for chord in ("level", "any")
+        for which in ("median, %", "95th percentile, %", "worst, %")
+    ]
     lines = heading("chain", "form", *names)
     for kind, machine in CHAINS.items():
         level, steep = (shortfalls(kinematics_of(machine), flat) for flat in (True, False))
         for form in level:
-            values = np.concatenate([np.percentile(np.maximum(one[form], 0.0), PERCENTILES) for one in (level, steep)])
-            lines.append(row(kind, form, *(f"{100.0 * value:.2g}" if value > 5e-7 else "0" for value in values)))
+            values = np.concatenate(
+                [np.percentile(np.maximum(one[form], 0.0), PERCENTILES) for one in (level, steep)]
+            )
+            lines.append(
+                row(kind, form, *(f"{100.0 * value:.2g}" if value > 5e-7 else "0" for value in values))
+            )
     return lines
 
 
 def main() -> None:
     page = DOCS / "deviation.md"
     text = page.read_text(encoding="utf-8")
-    page.write_text(PLACE.sub(lambda found: found[1] + "\n".join([*table(), found[4]]), text), encoding="utf-8")
+    page.write_text(
+        PLACE.sub(lambda found: found[1] + "\n".join([*table(), found[4]]), text), encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the tables of docs/setup.md and docs/compare.md and the picture of the former: ``python docs/studies/trials.py``.
+"""Makes the tables of docs/setup.md and docs/compare.md and the picture of the former: ``python
+docs/studies/trials.py``.
 
-A table stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` and is written anew; the prose is left alone.
+A table stands between ``<!-- table: NAME -->`` and ``<!-- end -->`` and is written anew; the prose is left
+alone.
 """
 
 from __future__ import annotations
@@ -42,12 +44,26 @@ def mesh(name: str) -> Mesh:
 @cache
 def setup(part: str, machine: str, turns: int = 1, grid: str = "3,1,1") -> SetupTrial:
     """100 mm off the machine's own work zero along X, with room to go back there."""
-    given = {"machine": machine, "passes": "planes", "stepover": STEPOVER, "tool_length": LENGTH, "origin": (100.0, 0.0, 0.0)}
+    given = {
+        "machine": machine,
+        "passes": "planes",
+        "stepover": STEPOVER,
+        "tool_length": LENGTH,
+        "origin": (100.0, 0.0, 0.0),
+    }
     return try_setups(build_settings("setup", part, given | {"grid": grid, "turns": turns}), mesh=mesh(part))
 
 
 def setups() -> list[str]:
-    lines = heading("part", "machine", "100 mm off in X", "own work zero", "recommended", "proven least", "recommended X, Y, Z")
+    lines = heading(
+        "part",
+        "machine",
+        "100 mm off in X",
+        "own work zero",
+        "recommended",
+        "proven least",
+        "recommended X, Y, Z",
+    )
     for part in ("dome", "saddle", "blade", "freeform_233"):
         for machine in ("trunnion_ac", "head_b_table_c"):
             chart = setup(part, machine).chart
@@ -64,17 +80,39 @@ def turns() -> list[str]:
     chart = setup("blade", "trunnion_ac", 4, "1,1,1").chart
     for at in np.flatnonzero(chart.kind == 2):
         turn, travel = np.degrees([chart.turn[at], chart.rotary_travel[at]])
-        lines.append(row(f"{turn:g}", f"{chart.max_deviation[at]:.3f}", f"{travel:.0f}", duration(float(chart.time[at]))))
+        lines.append(
+            row(
+                f"{turn:g}",
+                f"{chart.max_deviation[at]:.3f}",
+                f"{travel:.0f}",
+                duration(float(chart.time[at])),
+            )
+        )
     return lines
 
 
 def machines() -> list[str]:
     lines = heading("machine", "tip guided", "deviation, mm", "blocks", "time", "peak X Y Z, mm/min")
     names = "trunnion_ac,trunnion_bc,mikron_ucp710,nutating_table_b45,head_b_table_c,fork_head_bc"
-    given = {"machines": names, "passes": "planes", "stepover": STEPOVER, "tool_length": LENGTH, "cures": "none"}
+    given = {
+        "machines": names,
+        "passes": "planes",
+        "stepover": STEPOVER,
+        "tool_length": LENGTH,
+        "cures": "none",
+    }
     for one in try_machines(build_settings("compare", "dome", given), mesh=mesh("dome")).rows:
         guided, peak = "yes" if one.tool_centre else "no", max(one.peak_rate[:3])
-        lines.append(row(one.machine, guided, f"{one.deviation:.3f}", str(one.blocks), duration(one.time), f"{peak:.0f}"))
+        lines.append(
+            row(
+                one.machine,
+                guided,
+                f"{one.deviation:.3f}",
+                str(one.blocks),
+                duration(one.time),
+                f"{peak:.0f}",
+            )
+        )
     return lines
 
 
@@ -87,7 +125,13 @@ TABLES = {"setups": setups, "turns": turns, "machines": machines}
 
 def picture() -> None:
     """The dome's map along X and Y, at the stepover whose passes go by the pole."""
-    given = {"machine": "trunnion_ac", "passes": "planes", "stepover": 2.0, "origin": (100.0, 0.0, -30.0), "grid": "9,9,1"}
+    given = {
+        "machine": "trunnion_ac",
+        "passes": "planes",
+        "stepover": 2.0,
+        "origin": (100.0, 0.0, -30.0),
+        "grid": "9,9,1",
+    }
     for told, figure in pictures(try_setups(build_settings("setup", "dome", given), mesh=mesh("dome")).chart):
         figure.savefig(DOCS / "images" / f"setup-{told[0]}.png", dpi=DPI, metadata={"Software": None})
 

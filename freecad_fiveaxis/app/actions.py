@@ -10,11 +10,30 @@ from typing import Any
 
 from freecad_fiveaxis.core.base.errors import FileError, SettingsError
 from freecad_fiveaxis.core.base.files import check_writable, write_whole
-from freecad_fiveaxis.core.base.quantity import ANGLES, LENGTHS, parse, parse_length, parse_stack, parse_triple, stack_text
+from freecad_fiveaxis.core.base.quantity import (
+    ANGLES,
+    LENGTHS,
+    parse,
+    parse_length,
+    parse_stack,
+    parse_triple,
+    stack_text,
+)
 from freecad_fiveaxis.core.base.sentences import Number, say
 from freecad_fiveaxis.core.pipeline.settings import AUDIT, MILL, build_settings
 
-from . import auditing, compared, convert, guides, job_setup, markers, previewing, selection, tessellation, toolpath
+from . import (
+    auditing,
+    compared,
+    convert,
+    guides,
+    job_setup,
+    markers,
+    previewing,
+    selection,
+    tessellation,
+    toolpath,
+)
 from .arguments import names
 from .convert import stl_bytes
 from .long_work import take_back
@@ -60,7 +79,11 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
     chosen, faces, avoid = _base(base, settings)
     if chosen.Document.Name != doc.Name:
         raise selection.SelectionError(
-            say("{label} is in another document: select something in {document}.", label=chosen.Label, document=doc.Label),
+            say(
+                "{label} is in another document: select something in {document}.",
+                label=chosen.Label,
+                document=doc.Label,
+            ),
             chosen.Label,
         )
     with _all_or_nothing(doc) as added:
@@ -70,7 +93,11 @@ def create_toolpath(doc: Any, base: Any, settings: Mapping[str, Any]) -> Any:
             added.append(mesh)
         elif unused := {"linear_deflection", "angular_deflection"} & set(settings):
             raise SettingsError(
-                say("{label} is a mesh already: leave out {unused}", label=chosen.Label, unused=", ".join(sorted(unused))),
+                say(
+                    "{label} is a mesh already: leave out {unused}",
+                    label=chosen.Label,
+                    unused=", ".join(sorted(unused)),
+                ),
                 chosen.Label,
             )
         path = toolpath.make(doc, mesh, options, extra)
@@ -93,7 +120,10 @@ def preview_passes(base: Any, settings: Mapping[str, Any]) -> Any:
     apart = (*_OF_MESH, *_EXTRA, "setup", "fixtures", "picked")
     options = {name: value for name, value in given.items() if name not in apart and value is not None}
     options["machine"] = options.get("machine") or DEFAULT_MACHINE
-    zero, links = _extra(given, _EXTRA).get("WorkZero", zero), guides.links_of(base) if given is not settings else {}
+    zero, links = (
+        _extra(given, _EXTRA).get("WorkZero", zero),
+        guides.links_of(base) if given is not settings else {},
+    )
     return previewing.lay(doc, part, options | guides.options_of(given.get("picked", links), zero), zero)
 
 
@@ -122,7 +152,9 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
     fixtures = auditing.check_fixtures(doc, fixtures, part)
     build_settings(AUDIT, os.fspath(nc_path), auditing.audit_options(options, part, fixtures))
     with _all_or_nothing(doc) as added:
-        audit_object = auditing.make(doc, os.path.abspath(nc_path), options, _extra(settings, drawn), fixtures)
+        audit_object = auditing.make(
+            doc, os.path.abspath(nc_path), options, _extra(settings, drawn), fixtures
+        )
         added.append(audit_object)
         _compute(audit_object)
     return audit_object
@@ -131,11 +163,13 @@ def audit(doc: Any, nc_path: Any, machine: str, settings: Mapping[str, Any]) -> 
 _OF_MESH = {"linear_deflection", "angular_deflection", "faces", "avoid"}
 _EXTRA = {"work_zero"}
 _OLD_HOLDER = {"holder_diameter": 40.0, "holder_length": 60.0}
-"""mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if one was given."""
+"""mm; one cylinder, as macros gave the holder before there were stacks, with what the other of them was if
+one was given."""
 
 
 def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
-    """The settings with those of the Setup, and that. Where none is given and nothing that it says, the document's only one."""
+    """The settings with those of the Setup, and that. Where none is given and nothing that it says, the
+    document's only one."""
     rest = {name: value for name, value in settings.items() if name != "setup"}
     shared = {name for name in (*job_setup.OPTIONS, "work_zero") if rest.get(name) is not None}
     setup = settings.get("setup") if "setup" in settings or shared else job_setup.only_setup(doc)
@@ -143,11 +177,14 @@ def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], 
 
 
 def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings with a holder of one cylinder as a stack. Raises SettingsError where the holder is given twice."""
+    """The settings with a holder of one cylinder as a stack. Raises SettingsError where the holder is given
+    twice."""
     rest = {name: value for name, value in settings.items() if name not in _OLD_HOLDER}
     given = {name: settings[name] for name in _OLD_HOLDER if settings.get(name) is not None}
     if given and rest.get("holder") is not None:
-        raise SettingsError(say("holder and {given} say the same; give holder", given=", ".join(given)), rest["holder"])
+        raise SettingsError(
+            say("holder and {given} say the same; give holder", given=", ".join(given)), rest["holder"]
+        )
     row = tuple(parse_length(given.get(name, size), name) for name, size in _OLD_HOLDER.items())
     return {**rest, "holder": stack_text((row,))} if given else rest  # type: ignore[arg-type]
 
@@ -170,7 +207,9 @@ def _stack(given: Any, name: str) -> str:
 
 def _place(given: Any, name: str) -> tuple[float, float, float]:
     if not isinstance(given, str) and not hasattr(given, "__len__"):
-        raise SettingsError(say("{name} {given} needs three numbers, as 0,0,50", name=name, given=repr(given)), given)
+        raise SettingsError(
+            say("{name} {given} needs three numbers, as 0,0,50", name=name, given=repr(given)), given
+        )
     return parse_triple(given if isinstance(given, str) else tuple(given), LENGTHS, name)
 
 
@@ -184,14 +223,21 @@ def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
     for name, value in read.items():
         if value <= 0.0:
             raise SettingsError(
-                say("{name} deflection {value} is out of range; it must be above 0", name=name, value=Number(value)), value
+                say(
+                    "{name} deflection {value} is out of range; it must be above 0",
+                    name=name,
+                    value=Number(value),
+                ),
+                value,
             )
     return read
 
 
 def _base(given: Any, settings: Mapping[str, Any]) -> tuple[Any, tuple[str, ...], tuple[str, ...]]:
     """The base, its faces and those to avoid, recomputed where it waits for that. Raises SelectionError."""
-    base, named = (given[0], given[1]) if isinstance(given, (tuple, list)) and len(given) == 2 else (given, ())
+    base, named = (
+        (given[0], given[1]) if isinstance(given, (tuple, list)) and len(given) == 2 else (given, ())
+    )
     if base is None or not hasattr(base, "Document"):
         raise selection.SelectionError(say("Nothing is selected: {what}.", what=selection.WHAT), None)
     if base.State != ["Up-to-date"] or base.MustExecute:
@@ -217,12 +263,15 @@ def _check_new(path: Any, overwrite: bool) -> None:
     """Raises FileError where the file cannot be written, or has content that nobody allowed to replace."""
     check_writable(path)
     if not overwrite and os.path.exists(path) and os.path.getsize(path):
-        raise FileError(say("{path} is there already: name another file, or ask for it to be replaced", path=path), path)
+        raise FileError(
+            say("{path} is there already: name another file, or ask for it to be replaced", path=path), path
+        )
 
 
 @contextmanager
 def _all_or_nothing(doc: Any) -> Iterator[list[Any]]:
-    """What is put into the list is taken out of the document again where an error, or the user, ends the work."""
+    """What is put into the list is taken out of the document again where an error, or the user, ends the
+    work."""
     added: list[Any] = []
     try:
         yield added

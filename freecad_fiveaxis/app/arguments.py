@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What macros give, looked at before any work: a value of another type is refused by an error that says what is meant.
+"""What macros give, looked at before any work: a value of another type is refused by an error that says what
+is meant.
 
 Every function gives back what it was given, and raises SelectionError, or FileError for the name of a file.
 """
@@ -61,7 +62,9 @@ def base(given: Any) -> Any:
 
 def files(given: Any) -> Any:
     """Contents of further files by their names, or None."""
-    if given is not None and not (isinstance(given, Mapping) and all(isinstance(data, bytes) for data in given.values())):
+    if given is not None and not (
+        isinstance(given, Mapping) and all(isinstance(data, bytes) for data in given.values())
+    ):
         raise _refused(given, say("file names with their contents as bytes"))
     for name in given or ():
         file_name(name)
@@ -79,7 +82,9 @@ def _with(given: Any, name: str, wanted: str) -> Any:
 
 
 def _refused(given: Any, wanted: str) -> SelectionError:
-    return SelectionError(say("{value} is not what is meant: give {wanted}", value=_shown(given), wanted=wanted), given)
+    return SelectionError(
+        say("{value} is not what is meant: give {wanted}", value=_shown(given), wanted=wanted), given
+    )
 
 
 def _shown(given: Any) -> str:

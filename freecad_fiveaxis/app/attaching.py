@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is selected in whatever document as the surface of a machine's body: solids, meshes, parts and links.
 
-path    how FreeCAD tells a selected object: an object and the names that lead into it, as ``Link.Box.``. Along it every placement
-        counts, of links too.
+path    how FreeCAD tells a selected object: an object and the names that lead into it, as ``Link.Box.``.
+        Along it every placement counts, of links too.
 zero    the point of the document at which the machine's zero lies, mm.
 part    of a part or group all that is visible counts: its solids, and the meshes in it.
 """
@@ -64,14 +64,17 @@ class Surface(NamedTuple):
 
 
 def paths(chosen: Iterable[tuple[Any, Sequence[str]]]) -> list[Chosen]:
-    """The objects meant by selected ``(object, names of its elements)``, each once; a body stands for its features."""
+    """The objects meant by selected ``(object, names of its elements)``, each once; a body stands for its
+    features."""
     found = [_path(obj, name) for obj, names in chosen for name in (tuple(names) or ("",))]
     return list({(one.top.Document.Name, one.top.Name, one.path): one for one in found}.values())
 
 
 def _path(obj: Any, name: str) -> Chosen:
     found = Chosen(obj)
-    for part in takewhile(lambda part: not part.startswith(";"), name.split(".")[:-1]):  # what begins so names an element
+    for part in takewhile(
+        lambda part: not part.startswith(";"), name.split(".")[:-1]
+    ):  # what begins so names an element
         if found.leaf.getLinkedObject().isDerivedFrom("PartDesign::Body"):
             break
         found = Chosen(obj, f"{found.path}{part}.")
@@ -79,10 +82,12 @@ def _path(obj: Any, name: str) -> Chosen:
 
 
 def surfaces(chosen: Sequence[Chosen], zero: Sequence[float], linear: float = LINEAR) -> list[Surface]:
-    """The surfaces of what was chosen; facets lie about ``linear`` mm beside the solids at most. Raises FiveAxisError that says
-    which is none; then none is given."""
+    """The surfaces of what was chosen; facets lie about ``linear`` mm beside the solids at most. Raises
+    FiveAxisError that says which is none; then none is given."""
     if not linear > 0.0:
-        raise SettingsError(say("a deviation of {linear} is not above 0; give one as 0.1 mm", linear=Length(linear)), linear)
+        raise SettingsError(
+            say("a deviation of {linear} is not above 0; give one as 0.1 mm", linear=Length(linear)), linear
+        )
     with listening() as progress:
         return [_surface(one, zero, linear, progress) for one in chosen]
 
@@ -95,10 +100,13 @@ def _surface(one: Chosen, zero: Sequence[float], linear: float, progress: Progre
         corners.append(_solid_corners(label, shape, holder, linear, progress))
     if not sum(map(len, corners)):
         kind = one.leaf.getLinkedObject().TypeId
-        text = say("{label} ({kind}) holds neither a solid nor a mesh: select a solid, a mesh, or a part or link of some.",
+        text = say("{label} ({kind}) holds neither a solid nor a mesh: select a solid, a mesh, or a part or "
+            "link of some.",
                    label=label, kind=kind)  # fmt: skip
         raise selection.SelectionError(text, label)
-    return Surface(label, from_triangles(np.concatenate(corners).astype(float) - np.asarray(zero, dtype=float)))
+    return Surface(
+        label, from_triangles(np.concatenate(corners).astype(float) - np.asarray(zero, dtype=float))
+    )
 
 
 def _meshes(one: Chosen) -> Iterator[Chosen]:
@@ -133,9 +141,11 @@ def _corners(stl: bytes) -> Floats:
 
 
 def _holder(top: Any) -> Any:
-    """The placement in the document of what holds the object at the beginning of a path; none holds it where FreeCAD tells the
-    whole path, as it does of what is selected in its tree and views."""
+    """The placement in the document of what holds the object at the beginning of a path; none holds it where
+    FreeCAD tells the whole path, as it does of what is selected in its tree and views."""
     if hasattr(top, "getGlobalPlacement"):
         return selection.holder_of(top)
-    group = top.getParentGeoFeatureGroup()  # of a link; not its parents, which name the links to its group too
+    group = (
+        top.getParentGeoFeatureGroup()
+    )  # of a link; not its parents, which name the links to its group too
     return FreeCAD.Placement() if group is None else group.getGlobalPlacement()

@@ -19,7 +19,16 @@ from freecad_fiveaxis.core.pipeline.settings import AUDIT, build_settings, is_pa
 
 from . import compared, convert, results
 from .plain_errors import hide_trace
-from .properties import HIDDEN, OUTPUT, QT_TRANSLATE_NOOP, RESULTS, WORK_ZERO, Property, drawn_tool, setting_properties
+from .properties import (
+    HIDDEN,
+    OUTPUT,
+    QT_TRANSLATE_NOOP,
+    RESULTS,
+    WORK_ZERO,
+    Property,
+    drawn_tool,
+    setting_properties,
+)
 from .schema import Proxy, is_restored
 from .selection import SelectionError
 
@@ -29,14 +38,22 @@ PART = Property(
 )  # fmt: skip
 FIXTURES = Property(
     "Fixtures", "App::PropertyLinkListGlobal", "Safety",
-    QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: the tool is checked against them"),
+    QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: the tool is "
+        "checked against them"),
 )  # fmt: skip
 PART_LABEL = Property(
     "PartLabel", "App::PropertyString", "Comparison",
-    QT_TRANSLATE_NOOP("App::Property", "The name of the part that was chosen last: one that is deleted is missed"), "",
+    QT_TRANSLATE_NOOP("App::Property", "The name of the part that was chosen last: one that is deleted is "
+        "missed"), "",
     HIDDEN | OUTPUT,
 )  # fmt: skip
-NC_FILE = Property("NCFile", "App::PropertyFile", "Base", QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"), "")
+NC_FILE = Property(
+    "NCFile",
+    "App::PropertyFile",
+    "Base",
+    QT_TRANSLATE_NOOP("App::Property", "The NC file that is judged"),
+    "",
+)
 
 
 class Audit(Proxy):
@@ -49,19 +66,32 @@ class Audit(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The file, part and fixtures of the document, the settings of task ``audit``, shank, holder and work zero (where all is
-        drawn, and where part and fixtures stand for the program) and the results."""
-        return (NC_FILE, PART, PART_LABEL, FIXTURES, *setting_properties(AUDIT), *drawn_tool(AUDIT), WORK_ZERO, *RESULTS)
+        """The file, part and fixtures of the document, the settings of task ``audit``, shank, holder and work
+        zero (where all is drawn, and where part and fixtures stand for the program) and the results."""
+        return (
+            NC_FILE,
+            PART,
+            PART_LABEL,
+            FIXTURES,
+            *setting_properties(AUDIT),
+            *drawn_tool(AUDIT),
+            WORK_ZERO,
+            *RESULTS,
+        )
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
         if not obj.NCFile:
-            raise FileError(say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), "")
+            raise FileError(
+                say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), ""
+            )
         check_readable(obj.NCFile)
         if obj.Part is None and obj.PartLabel:
             raise part_is_gone(obj)
         fixtures, zero = check_fixtures(obj.Document, obj.Fixtures, obj.Part), tuple(obj.WorkZero)
-        settings = build_settings(AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part, fixtures))
+        settings = build_settings(
+            AUDIT, obj.NCFile, audit_options(convert.options_of(obj, AUDIT), obj.Part, fixtures)
+        )
         part = None if obj.Part is None else compared.Part(obj.Part, zero, self.seen)
         solids = compared.held_parts(fixtures, zero, self.held)
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part, fixtures=solids)
@@ -71,7 +101,8 @@ class Audit(Proxy):
         return job.make(task.settings, progress, fixtures=task.held(progress))
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the property: only
+        """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the
+        property: only
         :func:`compare_with` takes it out for good."""
         super().onChanged(obj, name)
         if self.whole and name == PART.name and obj.Part is not None and not is_restored(obj):
@@ -91,28 +122,35 @@ def compare_with(obj: Any, part: Any) -> None:
 
 
 def part_is_gone(obj: Any) -> SelectionError:
-    """What to say of an Audit whose part was deleted: without it much of what was looked at would silently pass."""
+    """What to say of an Audit whose part was deleted: without it much of what was looked at would silently
+    pass."""
     text = say(
-        "{part}, which {label} is compared with, was deleted: undo that, choose another part in its property Part, or none "
+        "{part}, which {label} is compared with, was deleted: undo that, choose another part in its property "
+        "Part, or none "
         "in its panel.", part=obj.PartLabel, label=obj.Label,
     )  # fmt: skip
     return SelectionError(text, obj.Label)
 
 
 def check_fixtures(doc: Any, fixtures: Sequence[Any], part: Any) -> list[Any]:
-    """Give the fixtures of an Audit. Raises SelectionError for what is no solid and no mesh, and for the part itself."""
+    """Give the fixtures of an Audit. Raises SelectionError for what is no solid and no mesh, and for the part
+    itself."""
     for one in fixtures:
         compared.checked(doc, one)
         if one is part:
-            text = say("{label} is the part to compare with: choose what holds it, or no fixture.", label=one.Label)
+            text = say(
+                "{label} is the part to compare with: choose what holds it, or no fixture.", label=one.Label
+            )
             raise SelectionError(text, one.Label)
     return list(fixtures)
 
 
-def audit_options(options: Mapping[str, Any], part: Any = None, fixtures: Sequence[Any] = ()) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but checked only against fixtures, the machine's bodies, and a
-    part where ``gouge`` is not off. A ``part`` of the document stands in place of a file to compare with; ``fixtures`` of it
-    go by their labels."""
+def audit_options(
+    options: Mapping[str, Any], part: Any = None, fixtures: Sequence[Any] = ()
+) -> dict[str, Any]:
+    """What the core is asked: shank and holder are always drawn, but checked only against fixtures, the
+    machine's bodies, and a part where ``gouge`` is not off. A ``part`` of the document stands in place of a
+    file to compare with; ``fixtures`` of it go by their labels."""
     options = dict(options) if part is None else {**options, "against": f"{part.Label}.stl"}
     options |= compared.fixture_names(fixtures)
     if not is_part(options.get("against") or ""):
@@ -132,7 +170,9 @@ def _has_bodies(machine: str) -> bool:
         return False
 
 
-def make(doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any], fixtures: Sequence[Any] = ()) -> Any:
+def make(
+    doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any], fixtures: Sequence[Any] = ()
+) -> Any:
     """An Audit object, not yet computed. Raises SettingsError, and then leaves no object behind."""
     obj = doc.addObject("App::FeaturePython", "Audit")
     try:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The bridge to FreeCAD's CAM workbench: a preview that CAM can show, and a CAM Job's model and tool as a toolpath's settings.
+"""The bridge to FreeCAD's CAM workbench: a preview that CAM can show, and a CAM Job's model and tool as a
+toolpath's settings.
 
-preview   a ``Path::FeaturePython`` with the tip's path over the part, in the document's coordinates: G0 and G1 with X Y Z and F.
-          It holds no A, B or C word: FreeCAD would turn the drawing by them, and rightly so for one kind of machine only. It
-          shows the way of the tool; it is not what the machine gets.
-feed      FreeCAD's CAM keeps it in mm/s. The preview's feed is the speed of the tip along the segment: its length over the
-          block's time, so that CAM's cycle time is ours.
-Job       the CAM workbench's object that holds model, stock and tools. ``Path.*`` was ``PathScripts.*`` until FreeCAD 0.20.
+preview   a ``Path::FeaturePython`` with the tip's path over the part, in the document's coordinates: G0 and
+          G1 with X Y Z and F. It holds no A, B or C word: FreeCAD would turn the drawing by them, and rightly
+          so for one kind of machine only. It shows the way of the tool; it is not what the machine gets.
+feed      FreeCAD's CAM keeps it in mm/s. The preview's feed is the speed of the tip along the segment: its
+          length over the block's time, so that CAM's cycle time is ours.
+Job       the CAM workbench's object that holds model, stock and tools. ``Path.*`` was ``PathScripts.*`` until
+          FreeCAD 0.20.
 """
 
 from __future__ import annotations
@@ -64,7 +66,8 @@ class Preview(Proxy):
 
 
 def preview(toolpath: Any) -> Any:
-    """The toolpath's preview for CAM, a ``Path::FeaturePython``, computed: one for each toolpath, renewed when there is one."""
+    """The toolpath's preview for CAM, a ``Path::FeaturePython``, computed: one for each toolpath, renewed
+    when there is one."""
     doc = toolpath.Document
     obj = next((one for one in doc.Objects if _is_preview(one) and one.Toolpath is toolpath), None)
     if obj is None:
@@ -77,7 +80,8 @@ def preview(toolpath: Any) -> Any:
 
 
 def _show(obj: Any, start: Sequence[float] = ()) -> None:
-    """Have FreeCAD draw the path in its own way: an object with a proxy of ours stays invisible until its view has one too.
+    """Have FreeCAD draw the path in its own way: an object with a proxy of ours stays invisible until its
+    view has one too.
 
     Without the ``start`` (3,) mm, document, FreeCAD draws a line to it from the document's origin.
     """
@@ -93,7 +97,8 @@ def _show(obj: Any, start: Sequence[float] = ()) -> None:
 def path_of(figures: Figures, zero: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Any:
     """The tip's path as a ``Path.Path``, shifted by the work zero (mm, document).
 
-    From commands, not from G-code text: that takes as long (0.2 s for 100k blocks), rounds, and reads 1e-05 as a word E.
+    From commands, not from G-code text: that takes as long (0.2 s for 100k blocks), rounds, and reads 1e-05
+    as a word E.
     """
     import Path
 
@@ -109,7 +114,8 @@ def path_of(figures: Figures, zero: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 def tip_feeds(figures: Figures) -> np.ndarray:
-    """Speed of the tip along the segment of every block (m,), mm/s; where only the tool turns, that of the block before."""
+    """Speed of the tip along the segment of every block (m,), mm/s; where only the tool turns, that of the
+    block before."""
     seconds, length = figures.program.seconds, np.zeros(len(figures.tip))
     length[1:] = np.linalg.norm(np.diff(figures.tip, axis=0), axis=1)
     moving = (figures.program.motion != Motion.RAPID) & (seconds > 0.0) & (length > FINEST)
@@ -125,9 +131,13 @@ def work_zero(obj: Any) -> tuple[float, float, float]:
 
 
 def job_of(obj: Any) -> Any | None:
-    """The CAM Job whose model contains the object (or a clone of it, or the body around it); None, or the first of several."""
+    """The CAM Job whose model contains the object (or a clone of it, or the body around it); None, or the
+    first of several."""
     wanted = {obj, obj.getParentGeoFeatureGroup()} - {None}
-    return next((job for job in jobs_of(obj.Document) if any(wanted & _stands_for(one) for one in job.Model.Group)), None)
+    return next(
+        (job for job in jobs_of(obj.Document) if any(wanted & _stands_for(one) for one in job.Model.Group)),
+        None,
+    )
 
 
 def jobs_of(doc: Any) -> list[Any]:
@@ -138,20 +148,26 @@ def jobs_of(doc: Any) -> list[Any]:
 def settings_from_job(job: Any, number: int | None = None) -> tuple[list[Any], dict[str, Any]]:
     """Model and settings for a toolpath, ``(objects, settings)``, from a CAM Job.
 
-    The model is the Job's own clone of the part, because the user may have turned or moved it in the Job. The tool is the one
-    of that number, else the first ball end, else the first
+    The model is the Job's own clone of the part, because the user may have turned or moved it in the Job. The
+    tool is the one of that number, else the first ball end, else the first
     that is of use here. Settings: cutter (a Cutter), tool, and where the Job gives
-    them feed and plunge_feed (mm/min) and spindle (1/min). Raises SelectionError for a Job without a model or without a tool
-    that is of use here; the message says what is the matter with each.
+    them feed and plunge_feed (mm/min) and spindle (1/min). Raises SelectionError for a Job without a model or
+    without a tool that is of use here; the message says what is the matter with each.
     """
     model = list(job.Model.Group)
     if not model:
         raise SelectionError(
-            say("{label} has no model; add one in the Job's editor, or select the part itself", label=job.Label), job.Label
+            say(
+                "{label} has no model; add one in the Job's editor, or select the part itself",
+                label=job.Label,
+            ),
+            job.Label,
         )
     tool = _tool(job, number)
     given = {"feed": tool.feed, "plunge_feed": tool.plunge_feed, "spindle": tool.spindle}
-    return model, {"cutter": tool.cutter, "tool": tool.number} | {name: value for name, value in given.items() if value > 0}
+    return model, {"cutter": tool.cutter, "tool": tool.number} | {
+        name: value for name, value in given.items() if value > 0
+    }
 
 
 def _tool(job: Any, number: int | None) -> JobTool:
@@ -162,9 +178,14 @@ def _tool(job: Any, number: int | None) -> JobTool:
     if not tools:
         named = say("no tool") if number is None else say("no tool {number}", number=number)
         raise SelectionError(
-            say("{label} has {named}; add one to it, or give the cutter by hand", label=job.Label, named=named), number
+            say(
+                "{label} has {named}; add one to it, or give the cutter by hand", label=job.Label, named=named
+            ),
+            number,
         )
-    raise SelectionError(say("{label}: {errors}", label=job.Label, errors=joined((tool.error for tool in tools), "; ")), number)
+    raise SelectionError(
+        say("{label}: {errors}", label=job.Label, errors=joined((tool.error for tool in tools), "; ")), number
+    )
 
 
 def _is_preview(obj: Any) -> bool:
@@ -172,8 +193,13 @@ def _is_preview(obj: Any) -> bool:
 
 
 def _is_job(obj: Any) -> bool:
-    """By what it has, not by its class: that has moved between modules, and the CAM workbench need not be loaded."""
-    return obj.isDerivedFrom("Path::Feature") and hasattr(getattr(obj, "Model", None), "Group") and hasattr(obj, "Tools")
+    """By what it has, not by its class: that has moved between modules, and the CAM workbench need not be
+    loaded."""
+    return (
+        obj.isDerivedFrom("Path::Feature")
+        and hasattr(getattr(obj, "Model", None), "Group")
+        and hasattr(obj, "Tools")
+    )
 
 
 def _stands_for(model: Any) -> set[Any]:

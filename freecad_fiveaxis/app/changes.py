@@ -26,8 +26,9 @@ _OF_MESH = {"linear_deflection": "LinearDeflection", "angular_deflection": "Angu
 def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
     """Give a Toolpath all of these settings, as ``create_toolpath`` takes them, and compute it; returns it.
 
-    An option that is not among them goes back to its default; ``work_zero``, ``fixtures``, ``avoid``, ``picked`` and the
-    deflections stay unless they are given. Raises FiveAxisError; the caller's transaction then takes back what was done.
+    An option that is not among them goes back to its default; ``work_zero``, ``fixtures``, ``avoid``,
+    ``picked`` and the deflections stay unless they are given. Raises FiveAxisError; the caller's transaction
+    then takes back what was done.
     """
     apart = (*_OF_MESH, "avoid", "work_zero", "setup", "fixtures", "picked")
     options = {name: value for name, value in settings.items() if name not in apart}
@@ -48,9 +49,11 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
-    """The same for an Audit: its NC file and its settings; ``part`` and ``fixtures`` stay unless they are given.
-    Raises FiveAxisError."""
-    options = {name: value for name, value in settings.items() if name not in ("work_zero", "part", "fixtures")}
+    """The same for an Audit: its NC file and its settings; ``part`` and ``fixtures`` stay unless they are
+    given. Raises FiveAxisError."""
+    options = {
+        name: value for name, value in settings.items() if name not in ("work_zero", "part", "fixtures")
+    }
     part = settings.get("part", obj.Part)
     fixtures = check_fixtures(obj.Document, settings.get("fixtures", obj.Fixtures), part)
     build_settings(AUDIT, nc_path, audit_options(options, part, fixtures))
@@ -95,9 +98,11 @@ def _put(obj: Any, task: str, options: Mapping[str, Any], work_zero: Any) -> Non
 
 
 def _put_mesh(mesh: Any, settings: Mapping[str, Any]) -> None:
-    """Other deflections and faces to avoid make another mesh, the same ones leave it; one that could not be made is tried
-    again, so that the user hears why."""
-    changed = _avoid(mesh, settings.get("avoid")) or (hasattr(mesh, "LinearDeflection") and "Invalid" in mesh.State)
+    """Other deflections and faces to avoid make another mesh, the same ones leave it; one that could not be
+    made is tried again, so that the user hears why."""
+    changed = _avoid(mesh, settings.get("avoid")) or (
+        hasattr(mesh, "LinearDeflection") and "Invalid" in mesh.State
+    )
     for option, name in _OF_MESH.items():
         if settings.get(option) is not None and getattr(mesh, name).Value != settings[option]:
             setattr(mesh, name, settings[option])
@@ -108,7 +113,8 @@ def _put_mesh(mesh: Any, settings: Mapping[str, Any]) -> None:
 
 
 def _avoid(mesh: Any, given: Any) -> bool:
-    """Leave these faces alone, where it is said which; whether that is a change. Raises SelectionError for a mesh without any."""
+    """Leave these faces alone, where it is said which; whether that is a change. Raises SelectionError for a
+    mesh without any."""
     if given is None:
         return False
     faces = names(given)
@@ -118,7 +124,8 @@ def _avoid(mesh: Any, given: Any) -> bool:
 
 
 def compute(obj: Any) -> Any:
-    """Compute, so that errors reach the caller; the recompute then finds the work done, for what hangs on the path too."""
+    """Compute, so that errors reach the caller; the recompute then finds the work done, for what hangs on the
+    path too."""
     result_of(obj)
     obj.Document.recompute([obj, *obj.InList])
     return obj

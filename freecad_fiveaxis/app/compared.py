@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part of the document that an audit compares with, or a fixture: a solid, body, compound or mesh, about the
-work zero.
+"""The part of the document that an audit compares with, or a fixture: a solid, body, compound or mesh, about
+the work zero.
 
-digest    tells a changed part from the old one without meshing it, for it is asked for at every look at the audit.
+digest    tells a changed part from the old one without meshing it, for it is asked for at every look at the
+          audit.
 stl       the part's surface, meshed as that of a tool path; made only where the audit is computed.
 """
 
@@ -27,7 +28,8 @@ DIGITS = 9
 
 
 class Seen:
-    """The shape that was looked at last, and its checksum: volumes take long, and the same shape has the same one."""
+    """The shape that was looked at last, and its checksum: volumes take long, and the same shape has the same
+    one."""
 
     shape: Any = None
     place: tuple[float, ...] = ()
@@ -42,8 +44,8 @@ class Seen:
 
 
 class Part(NamedTuple):
-    """The object ``base``, relative to ``zero`` (mm, document); ``seen``: what the audit remembers of it; ``stl``: its surface,
-    once it is meshed."""
+    """The object ``base``, relative to ``zero`` (mm, document); ``seen``: what the audit remembers of it;
+    ``stl``: its surface, once it is meshed."""
 
     base: Any
     zero: tuple[float, float, float]
@@ -73,14 +75,19 @@ class Part(NamedTuple):
 
 
 def checked(doc: Any, part: Any) -> Any:
-    """The part, or None where none is given. Raises SelectionError for what is neither solid nor mesh of the document."""
+    """The part, or None where none is given. Raises SelectionError for what is neither solid nor mesh of the
+    document."""
     if part is None:
         return None
     if getattr(part, "Document", None) is None or not hasattr(part, "Label"):
         raise selection.SelectionError(say("Nothing is selected: {what}.", what=selection.WHAT), part)
     if part.Document.Name != doc.Name:
         raise selection.SelectionError(
-            say("{label} is in another document: select something in {document}.", label=part.Label, document=doc.Label),
+            say(
+                "{label} is in another document: select something in {document}.",
+                label=part.Label,
+                document=doc.Label,
+            ),
             part.Label,
         )
     if not selection.is_mesh(part):
@@ -88,8 +95,11 @@ def checked(doc: Any, part: Any) -> Any:
     return part
 
 
-def held_parts(fixtures: Sequence[Any], zero: tuple[float, float, float], seen: dict[str, Seen]) -> tuple[Part, ...]:
-    """Give objects that hold a part relative to ``zero`` (mm, document); ``seen``: what is remembered of them, by their names."""
+def held_parts(
+    fixtures: Sequence[Any], zero: tuple[float, float, float], seen: dict[str, Seen]
+) -> tuple[Part, ...]:
+    """Give objects that hold a part relative to ``zero`` (mm, document); ``seen``: what is remembered of
+    them, by their names."""
     return tuple(Part(one, zero, seen.setdefault(one.Name, Seen())) for one in fixtures)
 
 
@@ -99,7 +109,8 @@ def fixture_names(fixtures: Sequence[Any]) -> dict[str, list[str]]:
 
 
 def parts_of(doc: Any) -> list[Any]:
-    """The solids and meshes of a document, in its order; of a body not the features, of a tool path not its tessellation."""
+    """The solids and meshes of a document, in its order; of a body not the features, of a tool path not its
+    tessellation."""
     inner = {one.Name for body in doc.findObjects("PartDesign::Body") for one in body.Group}
     return [obj for obj in doc.Objects if obj.Name not in inner and _is_part(obj)]
 

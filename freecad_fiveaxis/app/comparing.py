@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A toolpath's path on several machines: computed when somebody asks, and kept by whoever asked. The document holds none of it.
+"""A toolpath's path on several machines: computed when somebody asks, and kept by whoever asked. The document
+holds none of it.
 
-stand    on each machine the work zero is where that machine's file says; a place that the toolpath has on its own machine means
-         nothing on another one.
+stand    on each machine the work zero is where that machine's file says; a place that the toolpath has on its
+         own machine means nothing on another one.
 """
 
 from __future__ import annotations
@@ -30,12 +31,19 @@ def cures() -> tuple[str, ...]:
     return tuple(CURES)
 
 
-def settings_of(toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None) -> Settings:
-    """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises FiveAxisError."""
+def settings_of(
+    toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None
+) -> Settings:
+    """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises
+    FiveAxisError."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
         raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
     path: Settings = toolpath.Proxy.task(toolpath).settings
-    given = {"machines": list(machines), "cures": list(cures), "tool_length": tool_length or path.machine.tool_length}
+    given = {
+        "machines": list(machines),
+        "cures": list(cures),
+        "tool_length": tool_length or path.machine.tool_length,
+    }
     own = build_settings(COMPARE, path.source, given)
     machine = replace(path.machine, origin=None, controller=None, tool_length=own.machine.tool_length)
     cure = CureSettings(max_axis_change=path.cure.max_axis_change)
@@ -59,5 +67,6 @@ def compare(
 
 
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """The table as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
+    """The table as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file
+    that is there."""
     write_report(lambda: comparison, file, overwrite)

@@ -36,6 +36,7 @@ def suffix_of_path(obj: Any) -> str:
 
 
 def metric_of_path(obj: Any) -> str:
-    """The word of a Toolpath's NC file that says millimetres; the usual one where its controller is not known."""
+    """The word of a Toolpath's NC file that says millimetres; the usual one where its controller is not
+    known."""
     dialect = dialect_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
     return dialect.metric if dialect else Dialect.metric

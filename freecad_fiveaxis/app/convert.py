@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The one crossing between FreeCAD and the core: properties <-> Settings, meshes -> Mesh, figures -> properties.
+"""The one crossing between FreeCAD and the core: properties <-> Settings, meshes -> Mesh, figures ->
+properties.
 
 work frame   parallel to the document; its zero is the object's WorkZero.
-STL bytes    the mesh as 32-bit facets. The core's mesh is always read from them, so that a file with the same bytes gives
-             the same program on the command line.
+STL bytes    the mesh as 32-bit facets. The core's mesh is always read from them, so that a file with the same
+             bytes gives the same program on the command line.
 """
 
 from __future__ import annotations
@@ -32,7 +33,15 @@ from freecad_fiveaxis.core.tool.body import Body, body_of
 
 from . import wording
 from .facets import STL, Facets, kernel_of
-from .properties import MACHINES_OWN, RESULTS, cutter_values, default_value, property_name, property_value, shown_options
+from .properties import (
+    MACHINES_OWN,
+    RESULTS,
+    cutter_values,
+    default_value,
+    property_name,
+    property_value,
+    shown_options,
+)
 from .selection import empty, holder_of
 
 _HEADER = 84
@@ -62,8 +71,8 @@ def settings_of(obj: Any, task: str, source: str) -> Settings:
 
 
 def options_of(obj: Any, task: str) -> dict[str, Any]:
-    """The options of the task that differ from their defaults, as a job file would hold them (mm, deg, mm/min). Those whose
-    default hangs on others are always given: the property says what is cut."""
+    """The options of the task that differ from their defaults, as a job file would hold them (mm, deg,
+    mm/min). Those whose default hangs on others are always given: the property says what is cut."""
     options: dict[str, Any] = {}
     for _, leaf in shown_options(task):
         kind = leaf.metadata["kind"]
@@ -72,14 +81,18 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
         elif kind == "point":
             if not getattr(obj, property_name(leaf.name) + "FromMachine"):
                 options[leaf.name] = plain(getattr(obj, property_name(leaf.name)))
-        elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(default_value(leaf)) or leaf.name in CHOSEN:
-            options[leaf.name] = float(f"{value * 60.0:.11g}") if kind == "feed" else value  # of mm/s 12 digits are known
+        elif (value := plain(getattr(obj, property_name(leaf.name)))) != plain(
+            default_value(leaf)
+        ) or leaf.name in CHOSEN:
+            options[leaf.name] = (
+                float(f"{value * 60.0:.11g}") if kind == "feed" else value
+            )  # of mm/s 12 digits are known
     return options
 
 
 def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options that an object with these would ask for: a field that shows a property's default asks for nothing. Raises
-    SettingsError."""
+    """The options that an object with these would ask for: a field that shows a property's default asks for
+    nothing. Raises SettingsError."""
     given = with_current_names(options)
     for _, leaf in shown_options(task):
         name, kind = leaf.name, leaf.metadata["kind"]
@@ -91,21 +104,26 @@ def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
-    """The cutter; that of an audit at its default only beside a part: otherwise nobody has said that it is the one that cuts."""
+    """The cutter; that of an audit at its default only beside a part: otherwise nobody has said that it is
+    the one that cuts."""
     given = cutter_of(obj)
     unsaid = task == AUDIT and not obj.Against and obj.Part is None and parse_cutter(given) == leaf.default
     return {} if unsaid else {leaf.name: given}
 
 
 def cutter_of(obj: Any) -> str:
-    """The cutter of the object's properties as an option; whether there can be such a one is the core's to say."""
+    """The cutter of the object's properties as an option; whether there can be such a one is the core's to
+    say."""
     sizes = {name: plain(getattr(obj, "Cutter" + name.capitalize())) for name in SIZES}
     return sizes_text(obj.CutterKind, sizes)
 
 
 def tool_of(obj: Any) -> Tool:
-    """Cutter, shank and holder of a Toolpath or an Audit, as the gouge check looks at them. Raises SettingsError."""
-    shank, holder = (parse_stack(text, name) if (text := getattr(obj, name)) else () for name in ("Shank", "Holder"))
+    """Cutter, shank and holder of a Toolpath or an Audit, as the gouge check looks at them. Raises
+    SettingsError."""
+    shank, holder = (
+        parse_stack(text, name) if (text := getattr(obj, name)) else () for name in ("Shank", "Holder")
+    )
     cutter = parse_cutter(cutter_of(obj))
     return Tool(cutter, body_of(cutter, shank, holder))
 
@@ -113,8 +131,8 @@ def tool_of(obj: Any) -> Tool:
 def plain(value: Any) -> Any:
     """A property's value as numbers and text, in the property's own unit (mm, deg, mm/s).
 
-    FreeCAD's files keep 16 digits of a number, fewer than a float has: 12 are taken, so that a reopened document asks for the
-    same as before.
+    FreeCAD's files keep 16 digits of a number, fewer than a float has: 12 are taken, so that a reopened
+    document asks for the same as before.
     """
     if isinstance(value, (FreeCAD.Vector, tuple)):
         return tuple(plain(float(part)) for part in value)
@@ -128,7 +146,11 @@ def put_options(obj: Any, task: str, options: Mapping[str, Any]) -> None:
     for name in options:
         if name not in fields:
             raise SettingsError(
-                say("{name} is no setting of a document object; it is not one of {fields}", name=name, fields=", ".join(fields)),
+                say(
+                    "{name} is no setting of a document object; it is not one of {fields}",
+                    name=name,
+                    fields=", ".join(fields),
+                ),
                 name,
             )
     given = {name: value for name, value in options.items() if value is not None}
@@ -158,7 +180,10 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
         known = ", ".join(one for one in choices if one != MACHINES_OWN)
         raise SettingsError(
             say(
-                "unknown {option} {value}; choose one of {known}", option=option.replace("_", " "), value=repr(value), known=known
+                "unknown {option} {value}; choose one of {known}",
+                option=option.replace("_", " "),
+                value=repr(value),
+                known=known,
             ),
             value,
         )
@@ -169,7 +194,8 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
 
 
 def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
-    """The mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises SelectionError."""
+    """The mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises
+    SelectionError."""
     return facets_of(obj, work_zero).stl()
 
 
@@ -192,8 +218,8 @@ def moved_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
 def mesh_and_mask(
     stl: bytes, runs: Sequence[int], avoided: Sequence[int], allowance: float, progress: Progress = silent
 ) -> tuple[Mesh, Bools | None]:
-    """The core's mesh of a binary STL, with an ``allowance`` mm on its facets in the runs ``avoided``, and which of its facets
-    lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
+    """The core's mesh of a binary STL, with an ``allowance`` mm on its facets in the runs ``avoided``, and
+    which of its facets lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
     mesh = mesh_of(stl, progress)
     off = facet_mask(stl, mesh, avoided) if allowance > 0.0 else None
     with_room = mesh if off is None else replace(mesh, allowance=np.where(off, allowance, 0.0))
@@ -211,9 +237,11 @@ def mesh_of(stl: bytes, progress: Progress = silent) -> Mesh:
 
 
 def facet_mask(stl: bytes, mesh: Mesh, runs: Sequence[int]) -> Bools | None:
-    """Which facets of the core's mesh lie in the ``runs`` (start, stop, start, stop ...) of the STL's; None: no runs, so all.
+    """Which facets of the core's mesh lie in the ``runs`` (start, stop, start, stop ...) of the STL's; None:
+    no runs, so all.
 
-    The core leaves out facets without area. What is left keeps its order, so a facet is known again by its three corners.
+    The core leaves out facets without area. What is left keeps its order, so a facet is known again by its
+    three corners.
     """
     if not runs:
         return None
@@ -246,14 +274,18 @@ def put_result(obj: Any, figures: Figures, fingerprint: str) -> None:
     whole = verdict(figures, numbers)
     surface, proven_below = judged_largest(numbers)
     values = {
-        "Passes": numbers["passes"], "Blocks": numbers["blocks"], "SingularBlocks": numbers["singular_blocks"],
-        "GuidedBlocks": numbers["guided_blocks"], "Verdict": wording.localize(whole.text), "Light": whole.light.value,
+        "Passes": numbers["passes"], "Blocks": numbers["blocks"],
+        "SingularBlocks": numbers["singular_blocks"],
+        "GuidedBlocks": numbers["guided_blocks"], "Verdict": wording.localize(whole.text),
+        "Light": whole.light.value,
         "OverTolerance": numbers["over_tolerance"],
         "WorstLine": numbers["worst_line"] or 0, "Time": numbers["time_s"],
         "CutLength": numbers["cut_length"], "MaxSurfaceDeviation": surface, "MaxSurfaceBound": proven_below,
         "MaxSegmentDeviation": numbers["max_segment_deviation"],
-        "MaxLineDeviation": numbers["max_line_deviation"], "MaxBound": numbers["max_bound"], "Proven": numbers["proven"],
-        "Findings": [wording.localize(finding.text) for finding in figures.findings], "Fingerprint": fingerprint,
+        "MaxLineDeviation": numbers["max_line_deviation"], "MaxBound": numbers["max_bound"],
+        "Proven": numbers["proven"],
+        "Findings": [wording.localize(finding.text) for finding in figures.findings],
+        "Fingerprint": fingerprint,
     }  # fmt: skip
     for name, value in values.items():
         setattr(obj, name, UNKNOWN if isinstance(value, float) and not math.isfinite(value) else value)
@@ -268,7 +300,8 @@ def clear_result(obj: Any, why: str) -> None:
 
 
 def mark_users(obj: Any) -> None:
-    """What hangs on an object that failed is out of date: FreeCAD does not recompute it, and NC files would look up to date."""
+    """What hangs on an object that failed is out of date: FreeCAD does not recompute it, and NC files would
+    look up to date."""
     for user in obj.InList:
         if hasattr(user, "UpToDate"):
             user.UpToDate = False

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machines are edited as drafts and written as new files of the user's. No document is needed, none is changed."""
+"""Machines are edited as drafts and written as new files of the user's. No document is needed, none is
+changed."""
 
 from __future__ import annotations
 
@@ -10,7 +11,14 @@ from typing import Any
 from freecad_fiveaxis.core.base.codes import Severity
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.machine import Machine
-from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft, Problem, check_draft, read_draft, save_draft
+from freecad_fiveaxis.core.machine.editing import (
+    AttachedMeshes,
+    MachineDraft,
+    Problem,
+    check_draft,
+    read_draft,
+    save_draft,
+)
 
 from . import importing, machines
 
@@ -30,14 +38,16 @@ def check(draft: MachineDraft, names: Collection[str] = ()) -> tuple[Machine | N
     ``names``: of other machines."""
     machine, problems = check_draft(draft)
     if draft.name.strip() in names:
-        text = say("the lists have a machine called {name}; give this one a name of its own", name=draft.name.strip())
+        text = say(
+            "the lists have a machine called {name}; give this one a name of its own", name=draft.name.strip()
+        )
         problems = (*problems, Problem("machine", text, Severity.WARNING))
     return machine, tuple(sorted(problems, key=lambda one: -one.severity))
 
 
 def write(draft: MachineDraft, fcm_file: Any = None, attached: AttachedMeshes | None = None) -> str:
-    """Write the machine file and the meshes ``attached`` to it, never over another file; returns its name. None: in the user's
-    folder. Raises FiveAxisError."""
+    """Write the machine file and the meshes ``attached`` to it, never over another file; returns its name.
+    None: in the user's folder. Raises FiveAxisError."""
     target = os.fspath(fcm_file) if fcm_file else machines.free_file(draft.name)
     importing.check_target(target)
     machines.make_folder(target)

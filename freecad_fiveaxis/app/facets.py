@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A mesh object's facets without FreeCAD's help: taken in one quick call, made into an STL in any thread.
 
-kernel  what FreeCAD saves of a mesh in a document (its BMS format: a header, corners as 32-bit floats, then each facet's three
-        corners and three neighbours as 32-bit numbers).
+kernel  what FreeCAD saves of a mesh in a document (its BMS format: a header, corners as 32-bit floats, then
+        each facet's three corners and three neighbours as 32-bit numbers).
 
-FreeCAD's own ``Mesh.read`` of the kernel and ``Mesh.write`` of an STL take 0.35 s for 500 000 facets, all of it in the window's
-thread. The bytes made here are the same to the last bit.
+FreeCAD's own ``Mesh.read`` of the kernel and ``Mesh.write`` of an STL take 0.35 s for 500 000 facets, all of
+it in the window's thread. The bytes made here are the same to the last bit.
 """
 
 from __future__ import annotations
@@ -67,7 +67,9 @@ class Facets(NamedTuple):
         """Corners (v, 3), mm, not yet moved, and rows of them (f, 3)."""
         corners, facets = map(int, self._counts())
         corner = np.frombuffer(self.kernel, self._order() + "f4", count=3 * corners, offset=_START)
-        rows = np.frombuffer(self.kernel, self._order() + "u4", count=6 * facets, offset=_START + 12 * corners)
+        rows = np.frombuffer(
+            self.kernel, self._order() + "u4", count=6 * facets, offset=_START + 12 * corners
+        )
         return corner.reshape(-1, 3), rows.reshape(-1, 6)[:, :3]
 
 
@@ -75,11 +77,14 @@ def _moved(corner: Floats, matrix: tuple[float, ...]) -> Floats:
     """Corners where the matrix puts them: in FreeCAD's order of operations, and rounded as there."""
     x, y, z = corner.astype(float).T
     rows = np.reshape(matrix, (4, 4))[:3]
-    return np.stack([((row[0] * x + row[1] * y) + row[2] * z) + row[3] for row in rows], axis=1).astype(np.float32)
+    return np.stack([((row[0] * x + row[1] * y) + row[2] * z) + row[3] for row in rows], axis=1).astype(
+        np.float32
+    )
 
 
 def _normals(corner: Floats) -> Floats:
-    """Unit normals (f, 3) of facets (f, 3, 3), of length 0 where a facet has no area; in FreeCAD's order of 32-bit operations."""
+    """Unit normals (f, 3) of facets (f, 3, 3), of length 0 where a facet has no area; in FreeCAD's order of
+    32-bit operations."""
     (ax, ay, az), (bx, by, bz) = (corner[:, 1] - corner[:, 0]).T, (corner[:, 2] - corner[:, 0]).T
     normal = np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=1)
     length = np.sqrt(normal[:, 0] * normal[:, 0] + normal[:, 1] * normal[:, 1] + normal[:, 2] * normal[:, 2])

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Feeds in mm/min in the property editor, where FreeCAD's own property of a speed shows mm/s in most of its unit schemas.
+"""Feeds in mm/min in the property editor, where FreeCAD's own property of a speed shows mm/s in most of its
+unit schemas.
 
 speed        ``Feed``, ``PlungeFeed``: what counts, what files and scripts have; out of sight in the editor.
-per minute   ``FeedPerMinute``, ``PlungeFeedPerMinute``: the same in mm/min, as a plain number. A change of either changes the
-             other; where both are put back, by undo or from a file, nothing follows.
+per minute   ``FeedPerMinute``, ``PlungeFeedPerMinute``: the same in mm/min, as a plain number. A change of
+             either changes the other; where both are put back, by undo or from a file, nothing follows.
 """
 
 from __future__ import annotations
@@ -22,7 +23,8 @@ def speeds(obj: Any) -> Iterator[str]:
 
 
 def per_minute(obj: Any, name: str) -> float:
-    """mm/min of a speed, to the digits that its mm/s are known by: 1000, where a sixtieth of it is no finite number."""
+    """mm/min of a speed, to the digits that its mm/s are known by: 1000, where a sixtieth of it is no finite
+    number."""
     return float(f"{getattr(obj, name).Value * 60.0:.11g}")
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What guides the passes, picked from the document: where they begin and end, boundary, centre and axis.
 
-link      an object and the name of a vertex, edge or face of it. It is looked at anew whenever the path is computed, so that the
-          passes follow the solid. An option that is linked counts no more by itself.
-curve     what an edge becomes, with the edges that go on from it smoothly; of a face its borders. Its chords are within CHORD.
+link      an object and the name of a vertex, edge or face of it. It is looked at anew whenever the path is
+          computed, so that the passes follow the solid. An option that is linked counts no more by itself.
+curve     what an edge becomes, with the edges that go on from it smoothly; of a face its borders. Its chords
+          are within CHORD.
 """
 
 from __future__ import annotations
@@ -35,15 +36,18 @@ LINKS = {
     ),
     "pass_centre": Property(
         "PassCentrePicked", "App::PropertyLinkSubGlobal", "Passes",
-        QT_TRANSLATE_NOOP("App::Property", "The vertex, circle or sphere that is the centre of radial passes; empty: as typed"),
+        QT_TRANSLATE_NOOP("App::Property", "The vertex, circle or sphere that is the centre of radial "
+            "passes; empty: as typed"),
     ),
     "pass_axis": Property(
         "PassAxisPicked", "App::PropertyLinkSubGlobal", "Passes",
-        QT_TRANSLATE_NOOP("App::Property", "The edge or round face whose axis the radial passes have; empty: as typed"),
+        QT_TRANSLATE_NOOP("App::Property", "The edge or round face whose axis the radial passes have; empty: "
+            "as typed"),
     ),
     "boundary": Property(
         "BoundaryPicked", "App::PropertyLinkSubGlobal", "Passes",
-        QT_TRANSLATE_NOOP("App::Property", "The face, or the closed edges, at which the passes end; empty: as typed"),
+        QT_TRANSLATE_NOOP("App::Property", "The face, or the closed edges, at which the passes end; empty: "
+            "as typed"),
     ),
 }  # fmt: skip
 PLACES = 12
@@ -57,7 +61,11 @@ SMOOTH = 1.0
 def links_of(obj: Any) -> dict[str, Link]:
     """The options of a Toolpath that are picked, each with its link."""
     held = {option: getattr(obj, one.name, None) for option, one in LINKS.items()}
-    return {option: (link[0], link[1][0].lstrip(selection.GONE)) for option, link in held.items() if link and link[1]}
+    return {
+        option: (link[0], link[1][0].lstrip(selection.GONE))
+        for option, link in held.items()
+        if link and link[1]
+    }
 
 
 def put(obj: Any, links: Mapping[str, Link]) -> None:
@@ -69,7 +77,8 @@ def put(obj: Any, links: Mapping[str, Link]) -> None:
 
 
 def options_of(links: Mapping[str, Link], work_zero: Sequence[float]) -> dict[str, Any]:
-    """What the links say now, as options; places about the ``work_zero`` (mm, document). Raises SelectionError."""
+    """What the links say now, as options; places about the ``work_zero`` (mm, document). Raises
+    SelectionError."""
     found: dict[str, Any] = {}
     for option, (obj, name) in links.items():
         read = _READERS[option](obj, name)
@@ -98,7 +107,8 @@ def _shape(obj: Any) -> Any:
 
 
 def _element(obj: Any, name: str, option: str, shape: Any = None) -> Any:
-    """The vertex, edge or face of an object, in the document's coordinates. Raises SelectionError where it is gone."""
+    """The vertex, edge or face of an object, in the document's coordinates. Raises SelectionError where it is
+    gone."""
     shape = _shape(obj) if shape is None else shape
     if not shape.isNull():
         kind, number = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
@@ -113,14 +123,19 @@ def _element(obj: Any, name: str, option: str, shape: Any = None) -> Any:
 
 
 def _guide(obj: Any, name: str, option: str) -> list[list[Any]]:
-    """The point that a vertex is, or the points of an edge and of those that go on from it smoothly; mm, document."""
+    """The point that a vertex is, or the points of an edge and of those that go on from it smoothly; mm,
+    document."""
     shape = _shape(obj)
     element = _element(obj, name, option, shape)
     if element.ShapeType == "Vertex":
         return [[element.Point]]
     if element.ShapeType == "Edge" and not element.Degenerated:
         return [_points(_smooth_chain(shape, element))]
-    text = say("{name} of {label} is no vertex or edge: pick one, or name a CSV file of a curve.", name=name, label=obj.Label)
+    text = say(
+        "{name} of {label} is no vertex or edge: pick one, or name a CSV file of a curve.",
+        name=name,
+        label=obj.Label,
+    )
     raise selection.SelectionError(text, name)
 
 
@@ -131,10 +146,16 @@ def _boundary(obj: Any, name: str) -> list[list[Any]]:
     if element.ShapeType == "Face":
         return [_points(wire.OrderedEdges) for wire in element.Wires]
     if element.ShapeType == "Edge":
-        around = [_points(wire.OrderedEdges) for wire in shape.Wires if wire.isClosed() and _holds(wire, element)]
+        around = [
+            _points(wire.OrderedEdges) for wire in shape.Wires if wire.isClosed() and _holds(wire, element)
+        ]
         if around:
             return [max(around, key=_area_from_above)]
-    text = say("{name} of {label} bounds nothing: pick a face, or an edge of a closed wire.", name=name, label=obj.Label)
+    text = say(
+        "{name} of {label} bounds nothing: pick a face, or an edge of a closed wire.",
+        name=name,
+        label=obj.Label,
+    )
     raise selection.SelectionError(text, name)
 
 
@@ -147,7 +168,8 @@ def _area_from_above(curve: list[Any]) -> float:
 
 
 def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
-    """The edge, and the edges of the shape before and after it that go on without a corner, one at each end."""
+    """The edge, and the edges of the shape before and after it that go on without a corner, one at each
+    end."""
     chain = [edge]
     for at_end in (True, False):
         while (found := _next(shape, chain, at_end)) is not None:
@@ -157,34 +179,46 @@ def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
 
 
 def _next(shape: Any, chain: list[Any], at_end: bool) -> Any:
-    """The one edge that goes on from the end, or the beginning, of a chain; None where there is none, or a choice."""
+    """The one edge that goes on from the end, or the beginning, of a chain; None where there is none, or a
+    choice."""
     edge, before = (chain[-1], chain[-2:-1]) if at_end else (chain[0], chain[1:2])
-    ends = [one for one in edge.Vertexes if not any(one.isSame(other) for last in before for other in last.Vertexes)]
+    ends = [
+        one
+        for one in edge.Vertexes
+        if not any(one.isSame(other) for last in before for other in last.Vertexes)
+    ]
     if edge.isClosed() or not ends:
         return None
     end = ends[-1] if at_end else ends[0]
     others = [one for one in shape.ancestorsOfType(end, Part.Edge) if not one.Degenerated]
     others = [one for one in others if not any(one.isSame(own) for own in chain)]
-    smooth = [one for one in others if _way_from(one, end).getAngle(-_way_from(edge, end)) < math.radians(SMOOTH)]
+    smooth = [
+        one for one in others if _way_from(one, end).getAngle(-_way_from(edge, end)) < math.radians(SMOOTH)
+    ]
     return smooth[0] if len(smooth) == 1 else None
 
 
 def _way_from(edge: Any, vertex: Any) -> Any:
     """The direction in which an edge leaves a vertex of it."""
-    begins = edge.valueAt(edge.FirstParameter).distanceToPoint(vertex.Point) < edge.valueAt(edge.LastParameter).distanceToPoint(
-        vertex.Point
-    )
+    begins = edge.valueAt(edge.FirstParameter).distanceToPoint(vertex.Point) < edge.valueAt(
+        edge.LastParameter
+    ).distanceToPoint(vertex.Point)
     return edge.tangentAt(edge.FirstParameter) if begins else -edge.tangentAt(edge.LastParameter)
 
 
 def _points(edges: Sequence[Any]) -> list[Any]:
-    """Points along edges that follow one another, each but once; of closed ones the first again at the end."""
+    """Points along edges that follow one another, each but once; of closed ones the first again at the
+    end."""
     runs = [edge.discretize(Deflection=CHORD) for edge in edges]
     if len(runs) > 1 and _gap(runs[0][-1], runs[1]) > _gap(runs[0][0], runs[1]):
         runs[0].reverse()
     found: list[Any] = runs[0]
     for run in runs[1:]:
-        found += run[1:] if found[-1].distanceToPoint(run[0]) <= found[-1].distanceToPoint(run[-1]) else run[-2::-1]
+        found += (
+            run[1:]
+            if found[-1].distanceToPoint(run[0]) <= found[-1].distanceToPoint(run[-1])
+            else run[-2::-1]
+        )
     return found
 
 
@@ -200,7 +234,11 @@ def _centre(obj: Any, name: str) -> list[list[Any]]:
     if point is None and _kind(element) in ("Part::GeomCircle", "Part::GeomSphere"):
         point = _geometry(element).Center
     if point is None:
-        text = say("{name} of {label} has no centre: pick a vertex, a circle or a sphere.", name=name, label=obj.Label)
+        text = say(
+            "{name} of {label} has no centre: pick a vertex, a circle or a sphere.",
+            name=name,
+            label=obj.Label,
+        )
         raise selection.SelectionError(text, name)
     return [[point]]
 
@@ -216,7 +254,8 @@ def _axis(obj: Any, name: str) -> tuple[float, float, float]:
         along = _geometry(element).Axis
     if along is None:
         text = say(
-            "{name} of {label} has no axis: pick a straight or circular edge, or a cylindrical or conical face.", name=name,
+            "{name} of {label} has no axis: pick a straight or circular edge, or a cylindrical or conical "
+            "face.", name=name,
             label=obj.Label,
         )  # fmt: skip
         raise selection.SelectionError(text, name)
@@ -239,6 +278,7 @@ def _kind(element: Any) -> str:
 
 
 _READERS: dict[str, Callable[[Any, str], Any]] = {
-    "from_": partial(_guide, option="from_"), "to": partial(_guide, option="to"), "boundary": _boundary, "pass_centre": _centre,
+    "from_": partial(_guide, option="from_"), "to": partial(_guide, option="to"), "boundary": _boundary,
+    "pass_centre": _centre,
     "pass_axis": _axis,
 }  # fmt: skip

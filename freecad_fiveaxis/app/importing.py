@@ -16,31 +16,39 @@ from . import machines
 
 
 def read(source: Any) -> Imported:
-    """The machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open. Raises FiveAxisError."""
+    """The machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open. Raises
+    FiveAxisError."""
     check_readable(source)
     return import_machine(os.fspath(source))
 
 
 def check_target(fcm_file: Any) -> None:
-    """Before the work: a machine file of that name can be written, and none is there. Raises FiveAxisError."""
+    """Before the work: a machine file of that name can be written, and none is there. Raises
+    FiveAxisError."""
     if Path(os.fspath(fcm_file)).suffix.lower() != machines.SUFFIX:
         raise SettingsError(
             say(
-                "{fcm_file} does not end in {suffix}, as machine files do; name it so", fcm_file=fcm_file, suffix=machines.SUFFIX
+                "{fcm_file} does not end in {suffix}, as machine files do; name it so",
+                fcm_file=fcm_file,
+                suffix=machines.SUFFIX,
             ),
             fcm_file,
         )
     if os.path.lexists(fcm_file):
         raise FileError(
-            say("{fcm_file} exists already; choose another name, so that no machine is lost", fcm_file=fcm_file), fcm_file
+            say(
+                "{fcm_file} exists already; choose another name, so that no machine is lost",
+                fcm_file=fcm_file,
+            ),
+            fcm_file,
         )
     if not machines.is_new_folder(fcm_file):
         check_writable(fcm_file)
 
 
 def write(imported: Imported, fcm_file: Any = None) -> str:
-    """Write the machine file and the meshes of its bodies, never over another file; returns its name. None: in the user's
-    folder. Raises FiveAxisError."""
+    """Write the machine file and the meshes of its bodies, never over another file; returns its name. None:
+    in the user's folder. Raises FiveAxisError."""
     target = os.fspath(fcm_file) if fcm_file else machines.free_file(imported.machine.name)
     check_target(target)
     machines.make_folder(target)

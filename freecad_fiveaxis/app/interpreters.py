@@ -2,12 +2,13 @@
 """Which Python works beside FreeCAD. ``sys.executable`` is not one: there it is FreeCAD itself, or empty.
 
 around     where this FreeCAD lies, asked for in the window's thread; the rest may be done in any.
-candidate  a Python that by its place belongs to this FreeCAD: that of the system (Debian), of the bundle (macOS:
-           ``Contents/Resources/bin``), of the mounted image (AppImage: ``usr/bin``), of the folder (Windows: ``bin``, conda: the
-           prefix). What is elsewhere on PATH is somebody else's.
+candidate  a Python that by its place belongs to this FreeCAD: that of the system (Debian), of the bundle
+           (macOS: ``Contents/Resources/bin``), of the mounted image (AppImage: ``usr/bin``), of the folder
+           (Windows: ``bin``, conda: the prefix). What is elsewhere on PATH is somebody else's.
 proven     run once, it has said the versions that compute here (``worker.identity``).
 
-Where there is no such Python a FreeCAD without a window does; where there is none of that either, there is no worker.
+Where there is no such Python a FreeCAD without a window does; where there is none of that either, there is no
+worker.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ PYTHON = re.compile(r"python(\d+(\.\d+)?)?(\.exe)?", re.IGNORECASE)
 
 @dataclass(frozen=True)
 class Around:
-    """``home``: FreeCAD's own folder. ``without_window``: a FreeCAD without a window, or empty. ``version``: of this Python."""
+    """``home``: FreeCAD's own folder. ``without_window``: a FreeCAD without a window, or empty. ``version``:
+    of this Python."""
 
     home: str
     without_window: str = ""
@@ -54,7 +56,11 @@ def candidates(around: Around) -> list[Path]:
 
 def _names(around: Around) -> tuple[str, ...]:
     major, minor = around.version
-    return ("python.exe",) if around.system == "win32" else (f"python{major}.{minor}", f"python{major}", "python")
+    return (
+        ("python.exe",)
+        if around.system == "win32"
+        else (f"python{major}.{minor}", f"python{major}", "python")
+    )
 
 
 def _folders(around: Around, beside: list[Path]) -> list[Path]:
@@ -67,14 +73,20 @@ def _folders(around: Around, beside: list[Path]) -> list[Path]:
 
 
 def find_worker(around: Around, folder: str) -> Command | None:
-    """How a worker is started, or None. ``folder``: for what a FreeCAD without a window reads and writes; it stays as long as the
-    workers do. Takes a second or two the first time; not for the window's thread."""
+    """How a worker is started, or None. ``folder``: for what a FreeCAD without a window reads and writes; it
+    stays as long as the workers do. Takes a second or two the first time; not for the window's thread."""
     if around not in _proven:
-        _proven[around] = next(filter(None, map(_prove_python, candidates(around))), "") or _prove_freecad(around)
+        _proven[around] = next(filter(None, map(_prove_python, candidates(around))), "") or _prove_freecad(
+            around
+        )
     program = _proven[around]
     if not program:
         return None
-    return freecad_command(program, folder, "serve") if program == around.without_window else python_command(program, "serve")
+    return (
+        freecad_command(program, folder, "serve")
+        if program == around.without_window
+        else python_command(program, "serve")
+    )
 
 
 def has_no_worker(around: Around) -> bool:
@@ -92,7 +104,8 @@ def python_command(python: str, call: str) -> Command:
 
 
 def freecad_command(program: str, folder: str, call: str) -> Command:
-    """The same of a FreeCAD, which wants a file, and is told that it is a new user's: no other add-on is loaded."""
+    """The same of a FreeCAD, which wants a file, and is told that it is a new user's: no other add-on is
+    loaded."""
     script = Path(folder) / f"{call}.py"
     script.write_text(python_code(call), encoding="utf-8")
     return Command((program, str(script)), {"FREECAD_USER_HOME": folder, "QT_QPA_PLATFORM": "offscreen"})

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Setup object: machine, controller, work zero and cutters that several toolpaths share.
 
-linked    a toolpath whose property Setup names one. It keeps the shared values in properties of its own, which follow those of
-          its setup and cannot be edited meanwhile; where the setup is deleted, they stay as they are.
+linked    a toolpath whose property Setup names one. It keeps the shared values in properties of its own,
+          which follow those of its setup and cannot be edited meanwhile; where the setup is deleted, they
+          stay as they are.
 """
 
 from __future__ import annotations
@@ -29,11 +30,13 @@ SHARED = (*(property_name(option) for option in OPTIONS), "OriginFromMachine", W
 """The properties that are shared."""
 LINK = Property(
     "Setup", "App::PropertyLinkGlobal", "Machine",
-    QT_TRANSLATE_NOOP("App::Property", "The setup whose machine, controller and work zero the path takes; empty: its own"),
+    QT_TRANSLATE_NOOP("App::Property", "The setup whose machine, controller and work zero the path takes; "
+        "empty: its own"),
 )  # fmt: skip
 TOOLS = Property(
     "Tools", "App::PropertyStringList", "Tool",
-    QT_TRANSLATE_NOOP("App::Property", "The cutters of the setup, one a line: number, shape with its sizes, name"), [],
+    QT_TRANSLATE_NOOP("App::Property", "The cutters of the setup, one a line: number, shape with its sizes, "
+        "name"), [],
 )  # fmt: skip
 DEFAULT_MACHINE = "trunnion_ac"
 
@@ -100,20 +103,28 @@ def follow(path: Any) -> None:
 def options_of(setup: Any) -> dict[str, Any]:
     """What the setup says, as ``create_toolpath`` takes it (mm)."""
     options = {"machine": setup.Machine, "work_offset": setup.WorkOffset, "work_zero": tuple(setup.WorkZero)}
-    options |= {"controller": setup.Controller} if setup.Controller != setup.getEnumerationsOfProperty("Controller")[0] else {}
+    options |= (
+        {"controller": setup.Controller}
+        if setup.Controller != setup.getEnumerationsOfProperty("Controller")[0]
+        else {}
+    )
     options |= {"tool_length": setup.ToolLength.Value} if setup.ToolLength.Value else {}
     return options | ({} if setup.OriginFromMachine else {"origin": tuple(setup.Origin)})
 
 
 def create(doc: Any, settings: Mapping[str, Any], job: Any = None) -> Any:
     """See :func:`freecad_fiveaxis.app.create_setup`."""
-    options = {"machine": DEFAULT_MACHINE} | {name: value for name, value in settings.items() if value is not None}
+    options = {"machine": DEFAULT_MACHINE} | {
+        name: value for name, value in settings.items() if value is not None
+    }
     zero, tools = options.pop("work_zero", None), options.pop("tools", None)
     obj = doc.addObject("App::FeaturePython", "Setup")
     try:
         JobSetup(obj)
         put(obj, options, zero)
-        obj.Tools = list(tools) if tools is not None else [line for one in _jobs(doc, job) for line in tools_of(one)]
+        obj.Tools = (
+            list(tools) if tools is not None else [line for one in _jobs(doc, job) for line in tools_of(one)]
+        )
     except BaseException:
         doc.removeObject(obj.Name)
         raise
@@ -136,7 +147,11 @@ def put(setup: Any, options: Mapping[str, Any], zero: Any = None) -> None:
 
 def tools_of(job: Any) -> list[str]:
     """The tools of a CAM Job that are of use here, as ``T3 ball:6.0:30.0 Name``."""
-    return [f"T{tool.number} {cutter_text(tool.cutter)} {tool.label}" for tool in tool_bit.cutters_of_job(job) if tool.cutter]
+    return [
+        f"T{tool.number} {cutter_text(tool.cutter)} {tool.label}"
+        for tool in tool_bit.cutters_of_job(job)
+        if tool.cutter
+    ]
 
 
 def cutters_of(setup: Any) -> list[tool_bit.JobTool]:
@@ -149,11 +164,14 @@ def _tool(line: str) -> tool_bit.JobTool:
     try:
         if not number[1:].isdecimal():
             raise SettingsError(
-                say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line), line
+                say("{line} is no tool; write number, cutter and name, as T3 ball:6:30 Finisher", line=line),
+                line,
             )
         return tool_bit.JobTool(label or text, int(number[1:]), parse_cutter(text))
     except SettingsError as error:
-        return tool_bit.JobTool(label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.localize(error))
+        return tool_bit.JobTool(
+            label or line, int(number[1:]) if number[1:].isdecimal() else 0, None, wording.localize(error)
+        )
 
 
 def _jobs(doc: Any, job: Any) -> list[Any]:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words beside the fields: one for each option of the core's settings, for each choice, and for each controller."""
+"""The words beside the fields: one for each option of the core's settings, for each choice, and for each
+controller."""
 
 from __future__ import annotations
 
@@ -41,13 +42,18 @@ def name_of(named: Option | Choice | Task) -> str:
         return _tasks().get(named.name) or str(named)
     if isinstance(named, Option):
         return option_label(named.name)
-    choices = ", ".join(cure_label(one) if named.option == "cures" else choice_label(one) for one in named.choices)
+    choices = ", ".join(
+        cure_label(one) if named.option == "cures" else choice_label(one) for one in named.choices
+    )
     return choices if named.alone else f"{option_label(named.option)}: {choices}"
 
 
 def cure_label(cure: str) -> str:
     """What a correction is called in a comparison, where no field says of what it is a choice."""
-    own = {"none": translate("FiveAxis", "none"), "deform": translate("FiveAxis", "turn the axis past the pole")}
+    own = {
+        "none": translate("FiveAxis", "none"),
+        "deform": translate("FiveAxis", "turn the axis past the pole"),
+    }
     return own.get(cure) or choice_label(cure)
 
 
@@ -302,35 +308,63 @@ def _choices() -> dict[str, str]:
 
 def _choice_hints() -> dict[tuple[str, str], str]:
     return _of_safety() | {
-        ("tool_axis", "facet_mean"): translate("FiveAxis", "The tool stands normal to the surface, leaned by lead and tilt."),
+        ("tool_axis", "facet_mean"): translate(
+            "FiveAxis", "The tool stands normal to the surface, leaned by lead and tilt."
+        ),
         ("tool_axis", "step_weighted"): translate(
             "FiveAxis", "Between two facets the axis turns evenly over the steps on either side (Lin and Ye)."
         ),
         ("tool_axis", "minimax"): translate(
-            "FiveAxis", "The axis that makes the deviation of this machine smallest, within the largest axis angle; takes long."
+            "FiveAxis",
+            "The axis that makes the deviation of this machine smallest, within the largest axis angle; "
+            "takes long.",
         ),
         ("tool_axis", "auto"): translate(
-            "FiveAxis", "The axis that keeps cutter, shank and holder out of the part and turns smoothly over the surface."
+            "FiveAxis",
+            "The axis that keeps cutter, shank and holder out of the part and turns smoothly over the "
+            "surface.",
         ),
-        ("tool_axis", "fixed"): translate("FiveAxis", "One axis everywhere: three-axis milling, or 3 + 2 with a tilted axis."),
-        ("tool_axis", "from_axis"): translate("FiveAxis", "Square to the rotary axis and pointing at it, as the part turns."),
-        ("rtcp", "off"): translate("FiveAxis", "The program gives the positions of all axes; any controller can run it."),
-        ("rtcp", "angles"): translate("FiveAxis", "The controller guides the tip; the program gives the rotary axes."),
-        ("rtcp", "vectors"): translate("FiveAxis", "The controller guides the tip; the program gives the tool axis as a vector."),
+        ("tool_axis", "fixed"): translate(
+            "FiveAxis", "One axis everywhere: three-axis milling, or 3 + 2 with a tilted axis."
+        ),
+        ("tool_axis", "from_axis"): translate(
+            "FiveAxis", "Square to the rotary axis and pointing at it, as the part turns."
+        ),
+        ("rtcp", "off"): translate(
+            "FiveAxis", "The program gives the positions of all axes; any controller can run it."
+        ),
+        ("rtcp", "angles"): translate(
+            "FiveAxis", "The controller guides the tip; the program gives the rotary axes."
+        ),
+        ("rtcp", "vectors"): translate(
+            "FiveAxis", "The controller guides the tip; the program gives the tool axis as a vector."
+        ),
     }
 
 
 def _of_safety() -> dict[tuple[str, str], str]:
     return {
         ("gouge", "off"): translate("FiveAxis", "Nothing is checked: the tool may enter the part."),
-        ("gouge", "report"): translate("FiveAxis", "Places where the tool enters the part are listed; the path stays as it is."),
-        ("gouge", "lift"): translate("FiveAxis", "The tool is lifted along its axis until nothing enters the part."),
-        ("gouge", "tilt"): translate(
-            "FiveAxis", "The tool is tilted until shank and holder are free; where the cutter still enters, it is lifted."
+        ("gouge", "report"): translate(
+            "FiveAxis", "Places where the tool enters the part are listed; the path stays as it is."
         ),
-        ("gouge", "leave-out"): translate("FiveAxis", "Places where the tool would enter the part are not machined."),
-        ("singularity", "report"): translate("FiveAxis", "Blocks near the pole are listed; the path stays as it is."),
-        ("singularity", "linearize"): translate("FiveAxis", "Blocks near the pole that are over tolerance are divided."),
+        ("gouge", "lift"): translate(
+            "FiveAxis", "The tool is lifted along its axis until nothing enters the part."
+        ),
+        ("gouge", "tilt"): translate(
+            "FiveAxis",
+            "The tool is tilted until shank and holder are free; where the cutter still enters, it is "
+            "lifted.",
+        ),
+        ("gouge", "leave-out"): translate(
+            "FiveAxis", "Places where the tool would enter the part are not machined."
+        ),
+        ("singularity", "report"): translate(
+            "FiveAxis", "Blocks near the pole are listed; the path stays as it is."
+        ),
+        ("singularity", "linearize"): translate(
+            "FiveAxis", "Blocks near the pole that are over tolerance are divided."
+        ),
         ("singularity", "deform"): translate(
             "FiveAxis", "The tool axis is turned by a few degrees, so that it passes beside the pole."
         ),

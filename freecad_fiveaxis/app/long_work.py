@@ -2,11 +2,12 @@
 """Who listens while long work goes on, and how it is stopped.
 
 listener  a function ``(stage, fraction)`` that shows how far the work is; it raises Cancelled to stop it.
-window    a listener that shows a dialog and handles the window's events (``pump``). For it the core works in a thread of its own,
-          while this one, which FreeCAD's documents belong to, keeps the window alive. Nothing of FreeCAD's is touched in there.
+window    a listener that shows a dialog and handles the window's events (``pump``). For it the core works in
+          a thread of its own, while this one, which FreeCAD's documents belong to, keeps the window alive.
+          Nothing of FreeCAD's is touched in there.
 
-Cancel reaches the worker at its next word of progress, a little later between any two steps of Python. Where it sits in one
-long call of numpy it is abandoned: it ends after that call, and nobody takes what it made.
+Cancel reaches the worker at its next word of progress, a little later between any two steps of Python. Where
+it sits in one long call of numpy it is abandoned: it ends after that call, and nobody takes what it made.
 """
 
 from __future__ import annotations
@@ -33,9 +34,11 @@ T = TypeVar("T")
 TICK = 0.03
 """s between two looks at the window's events."""
 TURN = 0.001
-"""s after which Python leaves the worker for this thread when it wants to go on: it does so several times in each look."""
+"""s after which Python leaves the worker for this thread when it wants to go on: it does so several times in
+each look."""
 POLITE, PATIENCE = 0.15, 0.25
-"""s that a stopped worker gets to the next word of progress, and then to the next step of Python; after both it is abandoned."""
+"""s that a stopped worker gets to the next word of progress, and then to the next step of Python; after both
+it is abandoned."""
 
 _listeners: list[Progress] = []
 
@@ -52,7 +55,8 @@ def reporting(listener: Progress) -> Iterator[Progress]:
 
 @contextmanager
 def listening(listener: Progress | None = None) -> Iterator[Progress]:
-    """The listener of one piece of work: the given one, else the current one, else the window's for as long as it lasts."""
+    """The listener of one piece of work: the given one, else the current one, else the window's for as long
+    as it lasts."""
     if listener is not None:
         with reporting(listener):
             yield listener
@@ -71,7 +75,8 @@ def progress() -> Progress:
 def run(work: Callable[[Progress], T], listener: Progress | None = None, doc: Any = None) -> T:
     """What ``work(progress)`` gives; ``work`` must touch nothing of FreeCAD's.
 
-    Raises what the work raises, and Cancelled where the listener stops it or ``doc``, if one is given, is closed meanwhile.
+    Raises what the work raises, and Cancelled where the listener stops it or ``doc``, if one is given, is
+    closed meanwhile.
     """
     with listening(listener) as current:
         if not hasattr(current, "pump") or not _is_main():
@@ -99,7 +104,8 @@ def take_back(doc: Any, *objects: Any) -> None:
 
 
 def check_open(doc: Any) -> None:
-    """Raises Cancelled where the document (None: there is none) was closed while the window's events were handled."""
+    """Raises Cancelled where the document (None: there is none) was closed while the window's events were
+    handled."""
     if doc is not None and not is_open(doc):
         raise Cancelled(say("the document was closed; nothing was changed"))
 
@@ -137,7 +143,9 @@ class Worker(threading.Thread, Generic[T]):
     """
 
     def __init__(self, work: Callable[[Progress], T]) -> None:
-        super().__init__(name="FiveAxis", daemon=True)  # FreeCAD quits without waiting for one that was abandoned
+        super().__init__(
+            name="FiveAxis", daemon=True
+        )  # FreeCAD quits without waiting for one that was abandoned
         self.done = threading.Event()
         self._work, self._rules = work, _float_rules()
         self._heard: deque[tuple[str, float]] = deque()
@@ -174,7 +182,8 @@ class Worker(threading.Thread, Generic[T]):
         return self._results[0]
 
     def stop(self) -> None:
-        """End the work as soon as that can be; returns within POLITE + PATIENCE seconds, with the worker ended or abandoned."""
+        """End the work as soon as that can be; returns within POLITE + PATIENCE seconds, with the worker
+        ended or abandoned."""
         self._stopped = True
         if self.done.wait(POLITE):
             return
@@ -182,7 +191,9 @@ class Worker(threading.Thread, Generic[T]):
         while not self.done.wait(TICK) and time.monotonic() < end:
             with self._leaving:
                 if not self._left:
-                    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(self.ident or 0), ctypes.py_object(Cancelled))
+                    ctypes.pythonapi.PyThreadState_SetAsyncExc(
+                        ctypes.c_ulong(self.ident or 0), ctypes.py_object(Cancelled)
+                    )
 
     def _tell(self, stage: str, fraction: float) -> None:
         if self._stopped:

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machines to choose from: those that come with the program, the user's own files, and those of FreeCAD's Machine editor.
+"""The machines to choose from: those that come with the program, the user's own files, and those of FreeCAD's
+Machine editor.
 
-source    where a machine's file lies: SHIPPED (with the program), USER (the folder of the preferences), FREECAD (what the Machine
-          editor of FreeCAD 26.3 and later has saved, and the templates that come with it).
+source    where a machine's file lies: SHIPPED (with the program), USER (the folder of the preferences),
+          FREECAD (what the Machine editor of FreeCAD 26.3 and later has saved, and the templates that come
+          with it).
 """
 
 from __future__ import annotations
@@ -38,7 +40,8 @@ class Choice:
 
 
 def choices() -> list[Choice]:
-    """Every machine there is: shipped, then the user's, then FreeCAD's; each file once, in the order of the names."""
+    """Every machine there is: shipped, then the user's, then FreeCAD's; each file once, in the order of the
+    names."""
     found, seen = [_choice(name, SHIPPED) for name in shipped_machines()], set()
     for source, folder in ((USER, user_folder()), *((FREECAD, folder) for folder in freecad_folders())):
         for path in _files(folder):
@@ -49,7 +52,8 @@ def choices() -> list[Choice]:
 
 
 def user_folder() -> Path:
-    """The folder of the user's own machines: that of the preferences, else ``FiveAxis/machines`` in FreeCAD's user data."""
+    """The folder of the user's own machines: that of the preferences, else ``FiveAxis/machines`` in FreeCAD's
+    user data."""
     import FreeCAD
 
     return preferences.machine_folder() or Path(FreeCAD.getUserAppDataDir()) / "FiveAxis" / "machines"
@@ -85,7 +89,8 @@ def make_folder(file: str | os.PathLike[str]) -> None:
 
 
 def freecad_folders() -> list[Path]:
-    """The folders of FreeCAD's Machine editor: what the user saved in it, and its templates; none before FreeCAD 26.3."""
+    """The folders of FreeCAD's Machine editor: what the user saved in it, and its templates; none before
+    FreeCAD 26.3."""
     import FreeCAD
 
     editor = Path(FreeCAD.getHomePath()) / "Mod" / "CAM" / "Machine"
@@ -101,7 +106,9 @@ def _asset_folder() -> Path:
 
 def _files(folder: Path) -> Iterator[Path]:
     try:
-        yield from sorted(path for path in folder.iterdir() if path.suffix.lower() == SUFFIX and path.is_file())
+        yield from sorted(
+            path for path in folder.iterdir() if path.suffix.lower() == SUFFIX and path.is_file()
+        )
     except OSError:  # a folder that is not there (yet) or cannot be looked into has no machines to offer
         return
 

@@ -20,26 +20,31 @@ from .selection import SelectionError
 
 PROPERTIES = (
     Property(
-        "Path", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The toolpath or audit that is marked")
+        "Path", "App::PropertyLinkGlobal", "Base",
+        QT_TRANSLATE_NOOP("App::Property", "The toolpath or audit that is marked")
     ),
     Property(
         "Places", "App::PropertyVectorList", "Markers",
         QT_TRANSLATE_NOOP("App::Property", "Where the markers stand in the document"), [], READ_ONLY,
     ),
     Property(
-        "Kinds", "App::PropertyStringList", "Markers", QT_TRANSLATE_NOOP("App::Property", "What each marker marks"), [], READ_ONLY
+        "Kinds", "App::PropertyStringList", "Markers",
+        QT_TRANSLATE_NOOP("App::Property", "What each marker marks"), [], READ_ONLY
     ),
     Property(
-        "Labels", "App::PropertyStringList", "Markers", QT_TRANSLATE_NOOP("App::Property", "A few words to each marker"), [],
+        "Labels", "App::PropertyStringList", "Markers",
+        QT_TRANSLATE_NOOP("App::Property", "A few words to each marker"), [],
         READ_ONLY,
     ),
     Property(
         "Depths", "App::PropertyFloatList", "Markers",
-        QT_TRANSLATE_NOOP("App::Property", "How deep the tool enters the part at each marker, mm; 0: not at all"), [], READ_ONLY,
+        QT_TRANSLATE_NOOP("App::Property", "How deep the tool enters the part at each marker, mm; 0: not at "
+            "all"), [], READ_ONLY,
     ),
     Property(
         "Areas", "App::PropertyFloatList", "Markers",
-        QT_TRANSLATE_NOOP("App::Property", "Area that each marker stands for, as a side that no pass cuts, mm²; 0: none"), [],
+        QT_TRANSLATE_NOOP("App::Property", "Area that each marker stands for, as a side that no pass cuts, "
+            "mm²; 0: none"), [],
         READ_ONLY,
     ),
 )  # fmt: skip
@@ -58,7 +63,11 @@ class Markers(Proxy):
         """FreeCAD recomputes the object."""
         if obj.Path is None:
             raise SelectionError(
-                say("The path of {label} was deleted: choose another one in its property Path.", label=obj.Label), obj.Label
+                say(
+                    "The path of {label} was deleted: choose another one in its property Path.",
+                    label=obj.Label,
+                ),
+                obj.Label,
             )
         marks, zero = report.markers(figures_of(obj.Path)), obj.Path.WorkZero
         obj.Places = [FreeCAD.Vector(*mark.place) + zero for mark in marks]

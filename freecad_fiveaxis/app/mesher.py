@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mesh of a solid, by MeshPart; also a program of its own, for a FreeCAD without a window.
 
-As a program it takes the folder FIVEAXIS_MESHER with ``task.json`` (the deflections) and ``shape.bin``, and leaves there
-``mesh.bms`` and then ``draft.json``: the number of facets of each face, or null where the shape is invalid. Of a task with a
-``file`` (STEP, IGES, BREP, FCStd) it meshes the solid ``named``, or the only one, to ``mesh.stl``; ``draft.json`` is then
-``{"facets": count}`` or ``{"error": why not}``. It imports nothing of this add-on, which that FreeCAD need not know.
+As a program it takes the folder FIVEAXIS_MESHER with ``task.json`` (the deflections) and ``shape.bin``, and
+leaves there ``mesh.bms`` and then ``draft.json``: the number of facets of each face, or null where the shape
+is invalid. Of a task with a ``file`` (STEP, IGES, BREP, FCStd) it meshes the solid ``named``, or the only
+one, to ``mesh.stl``; ``draft.json`` is then ``{"facets": count}`` or ``{"error": why not}``. It imports
+nothing of this add-on, which that FreeCAD need not know.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ SEVERAL = 8
 
 
 def solid_mesh(shape: Any, linear: float, angular: float) -> tuple[Any, list[int]] | None:
-    """The mesh of the solids of a shape, outside out, and the number of facets of each face; None for an invalid shape.
+    """The mesh of the solids of a shape, outside out, and the number of facets of each face; None for an
+    invalid shape.
 
     ``linear`` mm, ``angular`` rad.
     """
@@ -88,8 +90,8 @@ def _read_shape(path: str, named: str) -> Any:
 
 
 def _solid_of(doc: Any, named: str) -> Any:
-    """The shape of the object ``named``, by its label or else its name; without a name that of the only one, or the only visible
-    one, which no other solid is made of."""
+    """The shape of the object ``named``, by its label or else its name; without a name that of the only one,
+    or the only visible one, which no other solid is made of."""
     solids = [obj for obj in doc.Objects if _is_solid(obj)]
     if named:
         chosen = [obj for obj in solids if obj.Label == named] or [obj for obj in solids if obj.Name == named]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Who meshes a solid: this FreeCAD, or one without a window beside it.
 
-OpenCASCADE lets nobody else work while it meshes: not the window, and not the user's Cancel. So what takes long is meshed by a
-process of its own wherever a window listens. The mesh is the same to the last bit. Where no such process can be had, and where
-it fails, this FreeCAD meshes.
+OpenCASCADE lets nobody else work while it meshes: not the window, and not the user's Cancel. So what takes
+long is meshed by a process of its own wherever a window listens. The mesh is the same to the last bit. Where
+no such process can be had, and where it fails, this FreeCAD meshes.
 
 quick     what takes hardly longer than such a process takes to begin.
 """
@@ -42,7 +42,8 @@ WAIT = 0.05
 
 
 def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]] | None:
-    """The mesh of the solids of a shape and the number of facets of each face; None where the shape is invalid.
+    """The mesh of the solids of a shape and the number of facets of each face; None where the shape is
+    invalid.
 
     ``linear`` mm, ``angular`` rad. Raises Cancelled where the listener stops it.
     """
@@ -52,7 +53,8 @@ def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tup
 
 
 def expected(shape: Any, linear: float, angular: float) -> float:
-    """About how many facets the mesh will have, those that take longer counted more than once; infinite for very many faces."""
+    """About how many facets the mesh will have, those that take longer counted more than once; infinite for
+    very many faces."""
     faces = shape.Faces
     return math.inf if len(faces) > MANY else sum(_expected(face, linear, angular) for face in faces)
 
@@ -101,8 +103,14 @@ def _read(folder: str) -> Any:
 
 
 def _waited(program: str, folder: str, progress: Progress) -> None:
-    """Run the process to its end; whatever is raised meanwhile ends it. It is a new user's: no other add-on is loaded."""
-    environment = {**os.environ, mesher.FOLDER: folder, "FREECAD_USER_HOME": folder, "QT_QPA_PLATFORM": "offscreen"}
+    """Run the process to its end; whatever is raised meanwhile ends it. It is a new user's: no other add-on
+    is loaded."""
+    environment = {
+        **os.environ,
+        mesher.FOLDER: folder,
+        "FREECAD_USER_HOME": folder,
+        "QT_QPA_PLATFORM": "offscreen",
+    }
     hidden: dict[str, int] = {}
     if sys.platform == "win32":
         hidden["creationflags"] = subprocess.CREATE_NO_WINDOW

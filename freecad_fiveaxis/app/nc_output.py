@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The NC output: which file a toolpath was written to, and whether that file is still what the toolpath makes.
+"""The NC output: which file a toolpath was written to, and whether that file is still what the toolpath
+makes.
 
 written      sha256 of the bytes that went into the file, as hexadecimal digits.
-up to date   the file holds what was written, and the toolpath still makes just that. The property is set when the document
-             recomputes; ``out_of_date`` looks at any time, and says why.
-ours         a file that still holds what one of the document's NC outputs wrote. Only such a file, or an empty one, is
-             replaced without being asked.
+up to date   the file holds what was written, and the toolpath still makes just that. The property is set when
+             the document recomputes; ``out_of_date`` looks at any time, and says why.
+ours         a file that still holds what one of the document's NC outputs wrote. Only such a file, or an
+             empty one, is replaced without being asked.
 """
 
 from __future__ import annotations
@@ -32,14 +33,16 @@ PROPERTIES = (
         "Path", "App::PropertyLinkGlobal", "NC file",
         QT_TRANSLATE_NOOP("App::Property", "The toolpath that the file is made from"), None, READ_ONLY,
     ),
-    Property("File", "App::PropertyFile", "NC file", QT_TRANSLATE_NOOP("App::Property", "The NC file"), "", RESULT),
+    Property("File", "App::PropertyFile", "NC file", QT_TRANSLATE_NOOP("App::Property", "The NC file"), "",
+        RESULT),
     Property(
         "Written", "App::PropertyString", "NC file",
         QT_TRANSLATE_NOOP("App::Property", "Checksum (sha256) of what was written"), "", RESULT,
     ),
     Property(
         "UpToDate", "App::PropertyBool", "NC file",
-        QT_TRANSLATE_NOOP("App::Property", "The file is what the toolpath makes now; if it is not, post-process again"),
+        QT_TRANSLATE_NOOP("App::Property", "The file is what the toolpath makes now; if it is not, "
+            "post-process again"),
         False, RESULT,
     ),
 )  # fmt: skip
@@ -60,14 +63,18 @@ class NCOutput(Proxy):
 
 
 def post_process(
-    toolpath: Any, nc_path: str | os.PathLike[str], overwrite: bool = False, also: Mapping[str, bytes] | None = None
+    toolpath: Any,
+    nc_path: str | os.PathLike[str],
+    overwrite: bool = False,
+    also: Mapping[str, bytes] | None = None,
 ) -> Any:
-    """Write the toolpath's NC file and what is named ``also`` (its reports), all or none; returns its NCOutput object, one for
-    each file.
+    """Write the toolpath's NC file and what is named ``also`` (its reports), all or none; returns its
+    NCOutput object, one for each file.
 
-    An existing file is replaced only if ``overwrite``, if it is empty, or if it still is what was written last. Raises
-    FileError for a file that may not be replaced or a folder that cannot be written, SelectionError for what is no toolpath,
-    and the core's errors for one that cannot be computed; the file then stays as it was.
+    An existing file is replaced only if ``overwrite``, if it is empty, or if it still is what was written
+    last. Raises FileError for a file that may not be replaced or a folder that cannot be written,
+    SelectionError for what is no toolpath, and the core's errors for one that cannot be computed; the file
+    then stays as it was.
     """
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
         raise SelectionError(say("only a toolpath can be post-processed: select a toolpath"), toolpath)
@@ -82,30 +89,41 @@ def post_process(
 
 
 def check_replaceable(doc: Any, nc_path: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """Before the long work: the file can be written, and replaces nothing of the user's unasked. Raises FileError."""
+    """Before the long work: the file can be written, and replaces nothing of the user's unasked. Raises
+    FileError."""
     check_writable(nc_path)
     if not overwrite and os.path.lexists(nc_path) and not is_ours(doc, nc_path):
-        raise FileError(say("{nc_path} exists; choose another name, or ask for it to be overwritten", nc_path=nc_path), nc_path)
+        raise FileError(
+            say("{nc_path} exists; choose another name, or ask for it to be overwritten", nc_path=nc_path),
+            nc_path,
+        )
 
 
 def is_ours(doc: Any, nc_path: str | os.PathLike[str]) -> bool:
-    """Whether the file is empty, or still is what one of the document's NC outputs wrote. Raises FileError for no such file."""
+    """Whether the file is empty, or still is what one of the document's NC outputs wrote. Raises FileError
+    for no such file."""
     found = read_bytes(nc_path, "NC file")
-    return not found or any(_same_file(one.File, nc_path) and one.Written == _digest(found) for one in outputs_of(doc))
+    return not found or any(
+        _same_file(one.File, nc_path) and one.Written == _digest(found) for one in outputs_of(doc)
+    )
 
 
 def out_of_date(obj: Any) -> str:
-    """Why the file of an NC output is not what the toolpath makes now, and what helps; an empty text where it is.
+    """Why the file of an NC output is not what the toolpath makes now, and what helps; an empty text where it
+    is.
 
     Looks at the document as it stands, also where a recompute is due or has failed; computes no toolpath.
     """
     if obj.Path is None:
-        return wording.localize(say("the toolpath of {label} was deleted; the file stays as it is", label=obj.Label))
+        return wording.localize(
+            say("the toolpath of {label} was deleted; the file stays as it is", label=obj.Label)
+        )
     try:
         if not _holds_written(obj):
             return wording.localize(
                 say(
-                    "{file} was changed by somebody else; post-process to another file, or ask for it to be overwritten",
+                    "{file} was changed by somebody else; post-process to another file, or ask for it to be "
+                    "overwritten",
                     file=obj.File,
                 )
             )
@@ -115,7 +133,11 @@ def out_of_date(obj: Any) -> str:
     if why or obj.UpToDate:
         return why
     return wording.localize(
-        say("{label} has changed since {file} was written; post-process again", label=obj.Path.Label, file=obj.File)
+        say(
+            "{label} has changed since {file} was written; post-process again",
+            label=obj.Path.Label,
+            file=obj.File,
+        )
     )
 
 
@@ -140,7 +162,9 @@ def _is_up_to_date(obj: Any) -> bool:
         return False
     try:
         return _holds_written(obj) and _digest(results.nc_of(obj.Path)) == obj.Written
-    except FiveAxisError:  # no such file any more, or a path that cannot be computed: either is said at its own place
+    except (
+        FiveAxisError
+    ):  # no such file any more, or a path that cannot be computed: either is said at its own place
         return False
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with an object, said in the report view in one sentence.
 
-FreeCAD prints an error of ``execute`` with Python's trace of calls. Of an error that was foreseen, as of a part that was deleted,
-that trace says nothing to a user; an error that nobody foresaw keeps it.
+FreeCAD prints an error of ``execute`` with Python's trace of calls. Of an error that was foreseen, as of a
+part that was deleted, that trace says nothing to a user; an error that nobody foresaw keeps it.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ _before: list[int | None] = []
 
 
 class _Traceless:
-    """While one of these lives, Python prints no trace. Its error keeps it, which FreeCAD drops as soon as that is printed."""
+    """While one of these lives, Python prints no trace. Its error keeps it, which FreeCAD drops as soon as
+    that is printed."""
 
     def __init__(self) -> None:
         if not _living:
@@ -41,7 +42,8 @@ class _Traceless:
 
 
 def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None]:
-    """Decorator of a proxy's ``execute``: what was foreseen is raised as before, and printed without a trace."""
+    """Decorator of a proxy's ``execute``: what was foreseen is raised as before, and printed without a
+    trace."""
 
     @functools.wraps(execute)
     def call(proxy: Any, obj: Any) -> None:
@@ -51,7 +53,8 @@ def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None
         except FiveAxisError as error:
             failed.append(_traceless(error))
         if failed:
-            raise failed.pop()  # from no variable: this call, in the error's own trace, would keep the error alive
+            # from no variable: this call, in the error's own trace, would keep the error alive
+            raise failed.pop()
 
     return call
 

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the user prefers: defaults, folders and colours, from FreeCAD's own parameters; with and without a window.
+"""What the user prefers: defaults, folders and colours, from FreeCAD's own parameters; with and without a
+window.
 
-key    the name of a parameter in the group GROUP; DEFAULTS lists every key with its default, in FreeCAD's own units.
-unit   FreeCAD keeps a parameter's length in mm, an angle in degrees and a feed in mm/s; the getters below give mm/min.
+key    the name of a parameter in the group GROUP; DEFAULTS lists every key with its default, in FreeCAD's own
+       units.
+unit   FreeCAD keeps a parameter's length in mm, an angle in degrees and a feed in mm/s; the getters below
+       give mm/min.
 count  FreeCAD keeps it as a whole number without a sign, as it does a colour.
-colour red, green and blue, each from 0 to 1; FreeCAD keeps it as the number 0xRRGGBBAA, whose alpha is not used.
+colour red, green and blue, each from 0 to 1; FreeCAD keeps it as the number 0xRRGGBBAA, whose alpha is not
+used.
 """
 
 from __future__ import annotations
@@ -49,7 +53,8 @@ DEFAULTS: dict[str, str | float | int] = {
 
 
 def read(key: str) -> Any:
-    """The parameter as FreeCAD keeps it: a text, a number (mm, mm/s) or 0xRRGGBBAA. KeyError for a key that is not ours."""
+    """The parameter as FreeCAD keeps it: a text, a number (mm, mm/s) or 0xRRGGBBAA. KeyError for a key that
+    is not ours."""
     default = DEFAULTS[key]
     if isinstance(default, str):
         return _group().GetString(key, default)
@@ -119,7 +124,9 @@ def cutter() -> str:
 
     kind = _text("CutterKind")
     kind = kind if kind in KINDS else str(DEFAULTS["CutterKind"])
-    sizes = {name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper", "neck", "flank")}
+    sizes = {
+        name: read("Cutter" + name.capitalize()) for name in ("diameter", "corner", "taper", "neck", "flank")
+    }
     return sizes_text(kind, sizes | {"length": LENGTH})
 
 
@@ -145,7 +152,9 @@ def tolerance() -> float:
 
 def feed() -> float:
     """Feed of a new path's tip over the part, mm/min."""
-    return round(60 * float(read("Feed")), 9)  # 1000 mm/min is no whole number of mm/s: what was typed comes back
+    return round(
+        60 * float(read("Feed")), 9
+    )  # 1000 mm/min is no whole number of mm/s: what was typed comes back
 
 
 def processes() -> int:

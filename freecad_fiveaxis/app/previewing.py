@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The passes of settings that are not computed yet: laid by the core, kept by whoever asked. The document holds none of them.
+"""The passes of settings that are not computed yet: laid by the core, kept by whoever asked. The document
+holds none of them.
 
 The mesh of the tool path is taken where it is that of the settings; any other one is made, and thrown away.
 """
@@ -23,8 +24,8 @@ from .long_work import check_open, listening, run
 
 @dataclass(frozen=True)
 class Part:
-    """What is milled: the ``base`` and names of its ``faces``, without those to ``avoid``, meshed with the deflections ``linear``
-    mm and ``angular`` deg; ``mesh``: the object that may be its mesh already."""
+    """What is milled: the ``base`` and names of its ``faces``, without those to ``avoid``, meshed with the
+    deflections ``linear`` mm and ``angular`` deg; ``mesh``: the object that may be its mesh already."""
 
     base: Any
     faces: Sequence[str] = ()
@@ -35,7 +36,8 @@ class Part:
 
 
 def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
-    """The part of a Toolpath with the settings that are of its mesh; without them as its mesh has them. Raises SelectionError."""
+    """The part of a Toolpath with the settings that are of its mesh; without them as its mesh has them.
+    Raises SelectionError."""
     mesh = path.Mesh
     if mesh is None:
         raise toolpath.mesh_is_gone(path)
@@ -53,7 +55,8 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
 
 
 def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[float]) -> preview.Preview:
-    """The passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises FiveAxisError, Cancelled."""
+    """The passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises FiveAxisError,
+    Cancelled."""
     options = toolpath.with_strategies(convert.given_options(MILL, options))
     settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
     with listening() as listener:
@@ -70,14 +73,16 @@ def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[fl
 def _find_facets(
     part: Part, work_zero: Sequence[float], settings: Settings, progress: Progress
 ) -> tuple[Callable[[], bytes], Sequence[int], Sequence[int]]:
-    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those that are milled, and
-    of those to avoid."""
+    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those
+    that are milled, and of those to avoid."""
     if _is_meshed(part):
         return convert.facets_of(part.mesh, work_zero).stl, *results.runs_of(part.mesh, settings)
     if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):
         return convert.facets_of(part.base, work_zero).stl, *results.runs_of(part.base, settings)
     progress("tessellate", 0.0)
-    mesh, runs, off = tessellation.meshed(part.base, part.faces, part.linear, part.angular, progress, part.avoid)
+    mesh, runs, off = tessellation.meshed(
+        part.base, part.faces, part.linear, part.angular, progress, part.avoid
+    )
     mesh.Placement = convert.moved_to_zero(mesh.Placement, work_zero)
     with tempfile.TemporaryDirectory() as folder:  # FreeCAD 0.20 writes nothing into a stream
         path = os.path.join(folder, "part.stl")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which window shows long work that nobody else listens to. Nothing is imported here: FreeCAD's start-up comes by."""
+"""Which window shows long work that nobody else listens to. Nothing is imported here: FreeCAD's start-up
+comes by."""
 
 from __future__ import annotations
 

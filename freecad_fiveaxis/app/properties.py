@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of our document objects, made from the fields of the core's settings.
 
-setting property   option ``least_interval`` is property ``LeastInterval``, in a group that bears a name of the trade, the same as
-                   in the panel of a tool path: Part, Machine, Tool, Passes, Axis, Safety, Output. Files to write
-                   (OutputSettings) and the file of faces (FacesSettings) are no properties; other files to read are. The cutter
-                   is six properties, CUTTER: its kind and its sizes, of which those count that the kind has.
-result property    what the last computation found; read-only, and a change of it does not make the object out of date.
+setting property   option ``least_interval`` is property ``LeastInterval``, in a group that bears a name of
+                   the trade, the same as in the panel of a tool path: Part, Machine, Tool, Passes, Axis,
+                   Safety, Output. Files to write (OutputSettings) and the file of faces (FacesSettings) are
+                   no properties; other files to read are. The cutter is six properties, CUTTER: its kind and
+                   its sizes, of which those count that the kind has.
+result property    what the last computation found; read-only, and a change of it does not make the object out
+                   of date.
 
-FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units; a feed has a second
-property for the editor, in mm/min (:mod:`.feed_per_minute`).
+FreeCAD keeps lengths in mm, angles in degrees and feeds in **mm/s**, and shows them in the user's units; a
+feed has a second property for the editor, in mm/min (:mod:`.feed_per_minute`).
 """
 
 from __future__ import annotations
@@ -42,13 +44,15 @@ MACHINES_OWN = "machine's own"
 
 
 def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
-    """Marks a text for the translators; FreeCAD itself translates the documentation of properties when it shows them."""
+    """Marks a text for the translators; FreeCAD itself translates the documentation of properties when it
+    shows them."""
     return text
 
 
 @dataclass(frozen=True)
 class Property:
-    """One property: ``name``, FreeCAD's ``kind`` of it, ``group``, ``text`` for the user, ``default``, attributes, choices."""
+    """One property: ``name``, FreeCAD's ``kind`` of it, ``group``, ``text`` for the user, ``default``,
+    attributes, choices."""
 
     name: str
     kind: str
@@ -62,14 +66,20 @@ class Property:
 KINDS = {
     "length": "App::PropertyLength", "angle": "App::PropertyAngle", "feed": "App::PropertySpeed",
     "choice": "App::PropertyEnumeration", "text": "App::PropertyString", "vector": "App::PropertyVector",
-    "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance", "counts": "App::PropertyVector",
-    "number": "App::PropertyFloat", "speed": "App::PropertyFloat", "count": "App::PropertyInteger", "path": "App::PropertyFile",
+    "point": "App::PropertyVectorDistance", "lengths": "App::PropertyVectorDistance",
+    "counts": "App::PropertyVector",
+    "number": "App::PropertyFloat", "speed": "App::PropertyFloat", "count": "App::PropertyInteger",
+    "path": "App::PropertyFile",
     "curve": "App::PropertyFile",
     "stack": "App::PropertyString", "height": "App::PropertyString",
     "place": "App::PropertyString",
 }  # fmt: skip
 """FreeCAD's kind of property for each kind of option. A kind that is not here makes no property."""
-_ENUMERATED = {"controller": (MACHINES_OWN, *DIALECTS), "tool_axis": tuple(STRATEGIES), "passes": tuple(PASS_STRATEGIES)}
+_ENUMERATED = {
+    "controller": (MACHINES_OWN, *DIALECTS),
+    "tool_axis": tuple(STRATEGIES),
+    "passes": tuple(PASS_STRATEGIES),
+}
 
 _GROUPS = {
     "PassSettings": QT_TRANSLATE_NOOP("App::Property", "Passes"),
@@ -89,7 +99,8 @@ _GROUPS = {
 }
 """The group of the options of a settings class."""
 _MOVED = {
-    "coedge_tolerance": "Passes", "clearance": "Safety", "feed_mode": "Output", "tool": "Tool", "spindle": "Tool",
+    "coedge_tolerance": "Passes", "clearance": "Safety", "feed_mode": "Output", "tool": "Tool",
+    "spindle": "Tool",
     "control_point": "Output", "shank": "Tool", "holder": "Tool", "avoid_allowance": "Part",
 }  # fmt: skip
 """Options that machinists look for in another group than that of their class."""
@@ -105,39 +116,49 @@ WORK_ZERO = Property(
     QT_TRANSLATE_NOOP("App::Property", "The place of the work zero in the document"), (0.0, 0.0, 0.0),
 )  # fmt: skip
 CORNER, TAPER, NECK, FLANK = 1.0, 5.0, 3.0, 85.0
-"""mm, deg, mm and mm: the sizes of a new object's cutter that its kind has not, so that another kind is a cutter at once."""
+"""mm, deg, mm and mm: the sizes of a new object's cutter that its kind has not, so that another kind is a
+cutter at once."""
 CUTTER = (
     Property(
         "CutterKind", KINDS["choice"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Cutter shape: ball, flat, bull nose, tapered ball or bull nose, lollipop, barrel"),
+        QT_TRANSLATE_NOOP("App::Property", "Cutter shape: ball, flat, bull nose, tapered ball or bull nose, "
+            "lollipop, barrel"),
         choices=tuple(CUTTER_KINDS),
     ),
     Property(
         "CutterDiameter", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one at its round end, of a barrel the largest"),
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of the cutter; of a tapered one at its round end, of a "
+            "barrel the largest"),
     ),
     Property(
         "CutterCorner", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, or radius of a barrel's tip; other kinds have none"),
+        QT_TRANSLATE_NOOP("App::Property", "Corner radius of a bull nose, or radius of a barrel's tip; other "
+            "kinds have none"),
     ),
     Property(
         "CutterTaper", KINDS["angle"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Angle between the flank of a tapered cutter and its axis; other kinds have none"),
+        QT_TRANSLATE_NOOP("App::Property", "Angle between the flank of a tapered cutter and its axis; other "
+            "kinds have none"),
     ),
     Property(
         "CutterNeck", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Diameter of a lollipop's neck, less than that of its ball; other kinds have none"),
+        QT_TRANSLATE_NOOP("App::Property", "Diameter of a lollipop's neck, less than that of its ball; other "
+            "kinds have none"),
     ),
     Property(
         "CutterFlank", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Radius of a barrel's flank, more than half its diameter; other kinds have none"),
+        QT_TRANSLATE_NOOP("App::Property", "Radius of a barrel's flank, more than half its diameter; other "
+            "kinds have none"),
     ),
     Property(
         "CutterLength", KINDS["length"], "Tool",
-        QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards; of a lollipop with its neck"),
+        QT_TRANSLATE_NOOP("App::Property", "Length of the cutter's edge, from the tip upwards; of a lollipop "
+            "with its neck"),
     ),
 )  # fmt: skip
-_FROM_MACHINE = QT_TRANSLATE_NOOP("App::Property", "Take the work zero's place on the machine from the machine's file")
+_FROM_MACHINE = QT_TRANSLATE_NOOP(
+    "App::Property", "Take the work zero's place on the machine from the machine's file"
+)
 
 _PER_MINUTE = {
     "feed": QT_TRANSLATE_NOOP("App::Property", "Feed rate of the tip over the part, in mm/min"),
@@ -147,7 +168,8 @@ _PER_MINUTE = {
 
 
 _NAMED = {"passes": "PassStrategy", "from_": "PassesFrom", "to": "PassesTo", "rest": "Left"}
-"""Options whose own name is that of a result, or Python's, or came after the property: saved documents have it for good."""
+"""Options whose own name is that of a result, or Python's, or came after the property: saved documents have
+it for good."""
 
 
 def property_name(option: str) -> str:
@@ -158,8 +180,8 @@ def property_name(option: str) -> str:
 
 
 def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
-    """Group and field of every option of the task that has properties and fields of its own: all but the files to
-    write and the file of faces, which are selected instead."""
+    """Group and field of every option of the task that has properties and fields of its own: all but the
+    files to write and the file of faces, which are selected instead."""
     for cls, leaf in option_fields(task):
         if cls not in (FacesSettings, OutputSettings) and leaf.metadata["kind"] in (*KINDS, "cutter"):
             yield cls, leaf
@@ -176,14 +198,20 @@ def _of_option(group: str, leaf: dataclasses.Field[Any]) -> Iterable[Property]:
     if kind == "cutter":
         cutter: Any = leaf.default
         values = cutter_values(cutter)
-        return [dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER]
+        return [
+            dataclasses.replace(one, default=values.get(one.name, _UNUSED.get(one.name))) for one in CUTTER
+        ]
     choices = _ENUMERATED.get(leaf.name, leaf.metadata["choices"])
     name, type_ = property_name(leaf.name), KINDS["choice" if choices else kind]
     properties = [Property(name, type_, group, text, default_value(leaf), choices=choices)]
     if kind == "point":
-        properties.append(Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None))
+        properties.append(
+            Property(name + "FromMachine", "App::PropertyBool", group, _FROM_MACHINE, leaf.default is None)
+        )
     if kind == "feed":
-        properties.append(Property(name + PER_MINUTE, "App::PropertyFloat", group, _PER_MINUTE.get(leaf.name, text)))
+        properties.append(
+            Property(name + PER_MINUTE, "App::PropertyFloat", group, _PER_MINUTE.get(leaf.name, text))
+        )
     return properties
 
 
@@ -193,8 +221,12 @@ _UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER, "CutterNeck": NECK, "Cu
 def cutter_values(cutter: Cutter) -> dict[str, Any]:
     """What the properties CUTTER hold of a cutter, but for the sizes that its kind has not (mm, deg)."""
     kind = kind_of(cutter)
-    values = {name: getattr(cutter, name) for name in CUTTER_SIZES} | {"taper": round(math.degrees(cutter.taper), 12)}
-    return {"CutterKind": kind} | {cutter_property(size): values[size] for size in ("diameter", *CUTTER_KINDS[kind], "length")}
+    values = {name: getattr(cutter, name) for name in CUTTER_SIZES} | {
+        "taper": round(math.degrees(cutter.taper), 12)
+    }
+    return {"CutterKind": kind} | {
+        cutter_property(size): values[size] for size in ("diameter", *CUTTER_KINDS[kind], "length")
+    }
 
 
 def cutter_property(size: str) -> str:
@@ -203,7 +235,8 @@ def cutter_property(size: str) -> str:
 
 
 def show_sizes(obj: Any) -> None:
-    """The property editor shows those sizes of the cutter that its kind has. Nothing is done to an object without a cutter."""
+    """The property editor shows those sizes of the cutter that its kind has. Nothing is done to an object
+    without a cutter."""
     has = CUTTER_KINDS.get(getattr(obj, "CutterKind", ""), ())
     for size in CUTTER_SIZES:
         if (name := cutter_property(size)) in _UNUSED and name in obj.PropertiesList:
@@ -217,7 +250,8 @@ def drawn_tool(task: str = "") -> tuple[Property, ...]:
 
 
 def default_value(leaf: dataclasses.Field[Any]) -> Any:
-    """The option's default as the property holds it: degrees, mm/s; where nothing is given 0, an empty text, the first choice."""
+    """The option's default as the property holds it: degrees, mm/s; where nothing is given 0, an empty text,
+    the first choice."""
     return property_value(leaf, leaf.default)
 
 
@@ -251,13 +285,17 @@ def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
 
 FINGERPRINT = Property(
     "Fingerprint", "App::PropertyString", "Result",
-    QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "", RESULT | HIDDEN,
+    QT_TRANSLATE_NOOP("App::Property", "Of the mesh and the settings that the result is of"), "",
+    RESULT | HIDDEN,
 )  # fmt: skip
 RESULTS = (
-    Property("Passes", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Passes over the part"), 0, RESULT),
-    Property("Blocks", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Blocks of the program"), 0, RESULT),
+    Property("Passes", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Passes over the "
+        "part"), 0, RESULT),
+    Property("Blocks", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Blocks of the "
+        "program"), 0, RESULT),
     Property(
-        "Time", "App::PropertyTime", "Result", QT_TRANSLATE_NOOP("App::Property", "Time that the program takes"), 0.0, RESULT
+        "Time", "App::PropertyTime", "Result",
+        QT_TRANSLATE_NOOP("App::Property", "Time that the program takes"), 0.0, RESULT
     ),
     Property(
         "CutLength", "App::PropertyLength", "Result",
@@ -267,41 +305,49 @@ RESULTS = (
         "MaxSurfaceDeviation", "App::PropertyLength", "Result",
         QT_TRANSLATE_NOOP(
             "App::Property",
-            "Largest deviation of what makes the surface, which the verdict goes by: a ball cutter's centre, or the tip",
+            "Largest deviation of what makes the surface, which the verdict goes by: a ball cutter's centre, "
+            "or the tip",
         ),
         0.0, RESULT,
     ),
     Property(
         "MaxSurfaceBound", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the deviation of what makes the surface"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the deviation of what makes the surface"),
+        0.0, RESULT,
     ),
     Property(
         "MaxSegmentDeviation", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the commanded segments"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the commanded segments"), 0.0,
+        RESULT,
     ),
     Property(
         "MaxLineDeviation", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the lines of the commanded segments"),
+        QT_TRANSLATE_NOOP("App::Property", "Largest deviation of the tip from the lines of the commanded "
+            "segments"),
         0.0, RESULT,
     ),
     Property(
         "MaxBound", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the tip's deviation from the commanded segments"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Proven upper bound of the tip's deviation from the commanded "
+            "segments"), 0.0, RESULT,
     ),
     Property(
         "Proven", "App::PropertyBool", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The proven bound of every block is within the tolerance"), False, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "The proven bound of every block is within the tolerance"), False,
+        RESULT,
     ),
     Property(
         "GuidedBlocks", "App::PropertyInteger", "Result",
         QT_TRANSLATE_NOOP(
-            "App::Property", "Blocks under RTCP: only their end points are verified, the controller moves the tip between them"
+            "App::Property",
+            "Blocks under RTCP: only their end points are verified, the controller moves the tip between them"
         ),
         0, RESULT,
     ),
     Property(
         "Verdict", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Whether the program is safe to run, and why, in a plain sentence"), "", RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Whether the program is safe to run, and why, in a plain "
+            "sentence"), "", RESULT,
     ),
     Property(
         "Light", "App::PropertyString", "Result",
@@ -309,20 +355,24 @@ RESULTS = (
     ),
     Property(
         "OverTolerance", "App::PropertyInteger", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Blocks that leave the commanded segment by more than the tolerance"), 0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Blocks that leave the commanded segment by more than the "
+            "tolerance"), 0, RESULT,
     ),
     Property(
         "SingularBlocks", "App::PropertyInteger", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Blocks near the pole, where a rotary axis turns far to lean the tool a little"),
+        QT_TRANSLATE_NOOP("App::Property", "Blocks near the pole, where a rotary axis turns far to lean the "
+            "tool a little"),
         0, RESULT,
     ),
     Property(
         "WorstLine", "App::PropertyInteger", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "NC line of the block with the largest deviation; 0: none"), 0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "NC line of the block with the largest deviation; 0: none"), 0,
+        RESULT,
     ),
     Property(
         "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [],
+        RESULT,
     ),
     FINGERPRINT,
 )  # fmt: skip
@@ -333,7 +383,8 @@ _INSTEAD = {"App::PropertyTime": "App::PropertyFloat"}
 
 
 def add_missing(obj: Any, properties: Iterable[Property]) -> None:
-    """Give the object each property that it does not have, with its default; choices, groups and texts are brought up to date."""
+    """Give the object each property that it does not have, with its default; choices, groups and texts are
+    brought up to date."""
     there, known = set(obj.PropertiesList), None
     for one in properties:
         if one.name in there:
@@ -357,11 +408,14 @@ def _set_default(obj: Any, one: Property) -> None:
     if one.choices:
         setattr(obj, one.name, list(one.choices))
     if one.default is not None:
-        setattr(obj, one.name, FreeCAD.Vector(*one.default) if isinstance(one.default, tuple) else one.default)
+        setattr(
+            obj, one.name, FreeCAD.Vector(*one.default) if isinstance(one.default, tuple) else one.default
+        )
 
 
 def _renew_choices(obj: Any, one: Property) -> None:
-    """The choices of this version. A choice that is gone stays, so that the core can say so when it is used."""
+    """The choices of this version. A choice that is gone stays, so that the core can say so when it is
+    used."""
     if not one.choices or tuple(obj.getEnumerationsOfProperty(one.name) or ()) == one.choices:
         return
     value = getattr(obj, one.name)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panel of a new audit proposes: the program that was posted last, and what its tool path knows of it.
+"""What the panel of a new audit proposes: the program that was posted last, and what its tool path knows of
+it.
 
 newest    the file that was written last, of those that are still there.
 """
@@ -21,7 +22,8 @@ TAKEN = ("machine", "controller", "origin", "tool_length", "cutter", "shank", "h
 
 
 def proposed(doc: Any, chosen: Collection[Any] = ()) -> dict[str, Any]:
-    """Values of a form: those of the file that is ``chosen`` or that a chosen tool path wrote, else of the document's newest.
+    """Values of a form: those of the file that is ``chosen`` or that a chosen tool path wrote, else of the
+    document's newest.
 
     A tool path that has no file gives its values alone; empty where nothing was posted.
     """
@@ -43,7 +45,8 @@ def values_of(path: Any) -> dict[str, Any]:
 
 
 def part_of(path: Any) -> Any:
-    """The solid that a tool path is made of, or its mesh where there is no solid; None where that was deleted."""
+    """The solid that a tool path is made of, or its mesh where there is no solid; None where that was
+    deleted."""
     base = getattr(path.Mesh, "Base", None)
     whole = base[0] if isinstance(base, tuple) else base
     return path.Mesh if whole is None else whole

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The ReachMap object: where on a part a tool gets at all, before any pass is computed, and what is in the way elsewhere.
+"""The ReachMap object: where on a part a tool gets at all, before any pass is computed, and what is in the
+way elsewhere.
 
-map       the core's, of the mesh with the object's own settings; the same numbers as ``fiveaxis reach`` gives for the same mesh.
-stick-out how much farther the tool would have to stick out where only the holder is in the way: the least of the lengths tried
+map       the core's, of the mesh with the object's own settings; the same numbers as ``fiveaxis reach`` gives
+          for the same mesh.
+stick-out how much farther the tool would have to stick out where only the holder is in the way: the least of
+the lengths tried
           that frees ENOUGH of that area, else the one that frees most.
 
-Places and axes are arrays and not saved: after a document was opened they are found again when the map is drawn.
+Places and axes are arrays and not saved: after a document was opened they are found again when the map is
+drawn.
 """
 
 from __future__ import annotations
@@ -56,15 +60,24 @@ AREAS = {
 """The property that holds the area of each reason, in the order of the legend."""
 WORTH = 3
 """Processes: to divide the places costs a tenth to a quarter more work, which two do not bring back."""
-OWN = ("fixtures", "largest_axis_angle", "work_zero", "faces", "avoid", "linear_deflection", "angular_deflection")
+OWN = (
+    "fixtures",
+    "largest_axis_angle",
+    "work_zero",
+    "faces",
+    "avoid",
+    "linear_deflection",
+    "angular_deflection",
+)
 """Settings that are no options of the core's task."""
 _DEFLECTIONS = {"linear_deflection": "linear", "angular_deflection": "angular"}
 
 
 @dataclass(frozen=True, eq=False)
 class Last:
-    """What a map is drawn from, work frame: the ``trial`` over the facets of ``mesh``; ``smaller``: mm, the radius of a ball that
-    would be free on ENOUGH of the area where the cutter is too large, as :func:`~.smaller_ball`."""
+    """What a map is drawn from, work frame: the ``trial`` over the facets of ``mesh``; ``smaller``: mm, the
+    radius of a ball that would be free on ENOUGH of the area where the cutter is too large, as
+    :func:`~.smaller_ball`."""
 
     fingerprint: str
     mesh: Mesh
@@ -99,7 +112,9 @@ class ReachMap(Proxy):
             text = say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label)
             raise SelectionError(text, obj.Mesh.Label)
         if "Invalid" in obj.Mesh.State:  # its facets are those of before: of another solid, or of other faces
-            text = say("{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString())
+            text = say(
+                "{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString()
+            )
             raise SelectionError(text, obj.Mesh.Label)
         settings = build_settings(REACH, f"{obj.Mesh.Label}.stl", convert.options_of(obj, REACH))
         most = math.radians(convert.plain(obj.LargestAxisAngle))
@@ -116,7 +131,8 @@ class ReachMap(Proxy):
 
 
 def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
-    """See :func:`freecad_fiveaxis.app.reach_map`. ``obj``: a map that is there already and gets these settings."""
+    """See :func:`freecad_fiveaxis.app.reach_map`. ``obj``: a map that is there already and gets these
+    settings."""
     if obj is None and isinstance(getattr(base, "Proxy", None), Toolpath):
         settings, base = taken_over(base) | dict(settings), base.Mesh
     options = {name: value for name, value in settings.items() if name not in OWN and value is not None}
@@ -144,7 +160,8 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
 
 
 def _document(given: Any) -> Any:
-    """The document of an object, or of an object with names of its faces. Raises SelectionError for anything else."""
+    """The document of an object, or of an object with names of its faces. Raises SelectionError for anything
+    else."""
     base = given[0] if isinstance(given, (tuple, list)) and len(given) == 2 else given
     if getattr(base, "Document", None) is None:
         raise SelectionError(say("Nothing is selected: {what}.", what=selection.WHAT), None)
@@ -159,7 +176,9 @@ def _mesh_of(base: Any, settings: Mapping[str, Any], added: list[Any]) -> Any:
         return base
     if base.State != ["Up-to-date"] or base.MustExecute:
         base.Document.recompute([base])
-    sizes = {way: float(settings[name]) for name, way in _DEFLECTIONS.items() if settings.get(name) is not None}
+    sizes = {
+        way: float(settings[name]) for name, way in _DEFLECTIONS.items() if settings.get(name) is not None
+    }
     added.append(tessellation.make(base.Document, base, faces, avoid=avoid, **sizes))
     return added[-1]
 
@@ -169,19 +188,26 @@ def _own(settings: Mapping[str, Any]) -> dict[str, Any]:
     zero, angle = settings.get("work_zero"), settings.get("largest_axis_angle")
     degrees = ANY_ANGLE if angle is None else parse(angle, ANGLES, "largest axis angle") / ANGLES["deg"]
     if not 0.0 < degrees <= ANY_ANGLE:
-        text = say("largest axis angle {angle} is out of range; it must be above 0 and at most 180", angle=str(angle))
+        text = say(
+            "largest axis angle {angle} is out of range; it must be above 0 and at most 180", angle=str(angle)
+        )
         raise SettingsError(text, angle)
     place = (
-        (0.0, 0.0, 0.0) if zero is None else parse_triple(zero if isinstance(zero, str) else tuple(zero), LENGTHS, "work_zero")
+        (0.0, 0.0, 0.0)
+        if zero is None
+        else parse_triple(zero if isinstance(zero, str) else tuple(zero), LENGTHS, "work_zero")
     )
     return {"WorkZero": FreeCAD.Vector(*place), "LargestAxisAngle": degrees}
 
 
 def _put(obj: Any, options: Mapping[str, Any], own: Mapping[str, Any]) -> None:
-    """Give the map all of these settings; an option that is not among them goes back to its default. Raises SettingsError."""
+    """Give the map all of these settings; an option that is not among them goes back to its default. Raises
+    SettingsError."""
     for one in setting_properties(REACH):
         if one.default is not None and one.name not in ("Machine",):
-            setattr(obj, one.name, FreeCAD.Vector(*one.default) if isinstance(one.default, tuple) else one.default)
+            setattr(
+                obj, one.name, FreeCAD.Vector(*one.default) if isinstance(one.default, tuple) else one.default
+            )
     convert.put_options(obj, REACH, options)
     for name, value in own.items():
         setattr(obj, name, value)
@@ -190,14 +216,26 @@ def _put(obj: Any, options: Mapping[str, Any], own: Mapping[str, Any]) -> None:
 def taken_over(path: Any) -> dict[str, Any]:
     """What a Toolpath says of machine, tool and part, as :func:`reach_map` takes it."""
     options, known = convert.options_of(path, "mill"), {leaf.name for _, leaf in shown_options(REACH)}
-    angle = {"largest_axis_angle": path.MaxAxisAngle.Value} if path.ToolAxis == "auto" and path.MaxAxisAngle.Value else {}
+    angle = (
+        {"largest_axis_angle": path.MaxAxisAngle.Value}
+        if path.ToolAxis == "auto" and path.MaxAxisAngle.Value
+        else {}
+    )
     shared = {name: value for name, value in options.items() if name in known}
-    return shared | {"machine": path.Machine, "work_zero": tuple(path.WorkZero), "fixtures": list(path.Fixtures)} | angle
+    return (
+        shared
+        | {"machine": path.Machine, "work_zero": tuple(path.WorkZero), "fixtures": list(path.Fixtures)}
+        | angle
+    )
 
 
 def settings_of(obj: Any) -> dict[str, Any]:
     """What a map says, as :func:`reach_map` takes it."""
-    own = {"work_zero": tuple(obj.WorkZero), "fixtures": list(obj.Fixtures), "largest_axis_angle": obj.LargestAxisAngle.Value}
+    own = {
+        "work_zero": tuple(obj.WorkZero),
+        "fixtures": list(obj.Fixtures),
+        "largest_axis_angle": obj.LargestAxisAngle.Value,
+    }
     return convert.options_of(obj, REACH) | {"machine": obj.Machine} | own
 
 
@@ -212,14 +250,18 @@ def found_of(obj: Any, progress: Progress | None = None) -> Last:
         with listening(progress) as listener:
             whole = replace(task, fixtures=tuple(one.meshed(listener) for one in task.fixtures))
             with processes(WORTH) as executor:
-                obj.Proxy.last = run(lambda progress: _found(whole, fingerprint, progress, executor), listener, obj.Document)
+                obj.Proxy.last = run(
+                    lambda progress: _found(whole, fingerprint, progress, executor), listener, obj.Document
+                )
     last: Last = obj.Proxy.last
     return last
 
 
 def _found(task: results.Task, fingerprint: str, progress: Progress, executor: Executor | None) -> Last:
     mesh, faces = task.mesh_and_mask(progress)
-    fixtures = [Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)]
+    fixtures = [
+        Fixture(f"fixture {k}", convert.mesh_of(one.stl, progress)) for k, one in enumerate(task.fixtures)
+    ]
     most = task.settings.passes.max_axis_angle
     trial = study.try_reach(task.settings, progress, mesh, faces, fixtures, most or math.pi, executor)
     smaller = smaller_ball(mesh, trial.reacher, trial.found, ENOUGH, fixtures, progress)
@@ -240,7 +282,8 @@ def axis_field(found: Last) -> tuple[Floats, Floats]:
 
 
 def stick_out(chart: Chart) -> tuple[float, float]:
-    """How much farther, mm, the tool should stick out, and the area, mm2, that it reaches then besides; zeros: no help."""
+    """How much farther, mm, the tool should stick out, and the area, mm2, that it reaches then besides;
+    zeros: no help."""
     if not chart.longer:
         return 0.0, 0.0
     held = held_area(chart)
@@ -253,7 +296,8 @@ def held_area(chart: Chart) -> float:
 
 
 def radius_too_large(found: Last) -> float:
-    """By how much, mm, the ball's radius is too large where the cutter is; 0 where that is nowhere or not known."""
+    """By how much, mm, the ball's radius is too large where the cutter is; 0 where that is nowhere or not
+    known."""
     return found.trial.reacher.cutter.radius - found.smaller if found.smaller else 0.0
 
 
@@ -265,25 +309,34 @@ def advice(found: Last) -> list[Sentence]:
     sentences = []
     if by_machine and step > 0.0:
         sentences.append(say(
-            "Let the tool stick out {step} farther and it reaches {area} of the {held} where holder or machine are in the way.",
+            "Let the tool stick out {step} farther and it reaches {area} of the {held} where holder or "
+            "machine are in the way.",
             step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
         ))  # fmt: skip
     elif by_machine:
-        sentences.append(say("Where holder or machine are in the way, no tool that sticks out up to 80 mm farther helps."))
+        sentences.append(
+            say("Where holder or machine are in the way, no tool that sticks out up to 80 mm farther helps.")
+        )
     elif held > 0.0 and step > 0.0:
         sentences.append(say(
-            "Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is in the way.",
+            "Let the tool stick out {step} farther and it reaches {area} of the {held} where the holder is "
+            "in the way.",
             step=Length(step), area=Area(area, ".3g"), held=Area(held, ".3g"),
         ))  # fmt: skip
     elif held > 0.0:
-        sentences.append(say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps."))
+        sentences.append(
+            say("Where the holder is in the way, no tool that sticks out up to 80 mm farther helps.")
+        )
     if found.smaller:
         sentences.append(say(
-            "Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of that area.",
+            "Where the cutter is too large, a ball of {diameter}, its radius {more} smaller, fits on 90 % of "
+            "that area.",
             more=Length(radius_too_large(found), ".3g"), diameter=Length(2.0 * found.smaller, ".3g"),
         ))  # fmt: skip
     elif found.smaller == 0.0:
-        sentences.append(say("Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area."))
+        sentences.append(
+            say("Where the cutter is too large, no ball down to a tenth of it fits on 90 % of that area.")
+        )
     return sentences
 
 
@@ -293,10 +346,13 @@ def _show(obj: Any, found: Last) -> None:
     values: dict[str, Any] = {name: chart.area_of(obstacle) for obstacle, name in AREAS.items()}
     step, area = stick_out(chart)
     values |= {
-        "WholeArea": float(chart.area.sum()), "ReachableShare": 100.0 * share_reached(chart), "StickOut": step,
+        "WholeArea": float(chart.area.sum()), "ReachableShare": 100.0 * share_reached(chart),
+        "StickOut": step,
         "StickOutArea": area, "RadiusTooLarge": radius_too_large(found),
-        "Advice": " ".join(wording.localize(one) for one in advice(found)), "Verdict": wording.localize(verdict(chart)),
-        "Findings": [wording.localize(finding.text) for finding in found.trial.findings], "Fingerprint": found.fingerprint,
+        "Advice": " ".join(wording.localize(one) for one in advice(found)),
+        "Verdict": wording.localize(verdict(chart)),
+        "Findings": [wording.localize(finding.text) for finding in found.trial.findings],
+        "Fingerprint": found.fingerprint,
         "UpToDate": True,
     }  # fmt: skip
     for name, value in values.items():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a ReachMap: the mesh, what holds it, the settings of ``fiveaxis reach``, and what was found."""
+"""The properties of a ReachMap: the mesh, what holds it, the settings of ``fiveaxis reach``, and what was
+found."""
 
 from __future__ import annotations
 
@@ -17,12 +18,14 @@ PROPERTIES = (
     ),
     Property(
         "Fixtures", "App::PropertyLinkListGlobal", "Safety",
-        QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: they are in the tool's way"),
+        QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: they are "
+            "in the tool's way"),
     ),
     *setting_properties(REACH),
     Property(
         "LargestAxisAngle", "App::PropertyAngle", "Axis",
-        QT_TRANSLATE_NOOP("App::Property", "So far the tool may lean from the work frame's Z; 180°: as far as the machine turns"),
+        QT_TRANSLATE_NOOP("App::Property", "So far the tool may lean from the work frame's Z; 180°: as far "
+            "as the machine turns"),
         ANY_ANGLE,
     ),
     WORK_ZERO,
@@ -32,7 +35,8 @@ PROPERTIES = (
     ),
     Property(
         "ReachableArea", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface that the tool reaches, with an axis that was tried"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Surface that the tool reaches, with an axis that was tried"), 0.0,
+        RESULT,
     ),
     Property(
         "ReachableShare", "App::PropertyFloat", "Result",
@@ -40,33 +44,40 @@ PROPERTIES = (
     ),
     Property(
         "TighterThanCutter", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter itself would enter the part"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter itself would enter the part"), 0.0,
+        RESULT,
     ),
     Property(
         "ShankInTheWay", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter would be free, but not the shank"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the cutter would be free, but not the shank"), 0.0,
+        RESULT,
     ),
     Property(
         "HolderInTheWay", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where cutter and shank would be free, but not the holder"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Surface where cutter and shank would be free, but not the "
+            "holder"), 0.0, RESULT,
     ),
     Property(
         "MachineInTheWay", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where the tool would be free, but bodies of the machine are in the way"),
+        QT_TRANSLATE_NOOP("App::Property", "Surface where the tool would be free, but bodies of the machine "
+            "are in the way"),
         0.0, RESULT,
     ),
     Property(
         "BelowTable", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface where a part of the tool would be below the table's face"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Surface where a part of the tool would be below the table's "
+            "face"), 0.0, RESULT,
     ),
     Property(
         "BeyondMachine", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Surface for which no axis that was tried is within the machine's limits"),
+        QT_TRANSLATE_NOOP("App::Property", "Surface for which no axis that was tried is within the machine's "
+            "limits"),
         0.0, RESULT,
     ),
     Property(
         "StickOut", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where holder or machine are in the way"),
+        QT_TRANSLATE_NOOP("App::Property", "So much farther the tool should stick out where holder or "
+            "machine are in the way"),
         0.0, RESULT,
     ),
     Property(
@@ -75,12 +86,14 @@ PROPERTIES = (
     ),
     Property(
         "RadiusTooLarge", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "By so much the ball's radius is too large where the cutter itself is in the way"),
+        QT_TRANSLATE_NOOP("App::Property", "By so much the ball's radius is too large where the cutter "
+            "itself is in the way"),
         0.0, RESULT,
     ),
     Property(
         "Advice", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What would help where holder, machine or cutter are in the way, in plain sentences"),
+        QT_TRANSLATE_NOOP("App::Property", "What would help where holder, machine or cutter are in the way, "
+            "in plain sentences"),
         "", RESULT,
     ),
     Property(
@@ -89,11 +102,13 @@ PROPERTIES = (
     ),
     Property(
         "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [],
+        RESULT,
     ),
     Property(
         "UpToDate", "App::PropertyBool", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The map is of the part and the settings as they are now"), False, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "The map is of the part and the settings as they are now"), False,
+        RESULT,
     ),
     FINGERPRINT,
 )  # fmt: skip

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine that a post had in mind, found from a CL file and the program made of it. No document is needed, none is changed.
+"""The machine that a post had in mind, found from a CL file and the program made of it. No document is
+needed, none is changed.
 
-folder    a machine file written to the user's folder of machines (:mod:`machines`) stands in every chooser from then on.
+folder    a machine file written to the user's folder of machines (:mod:`machines`) stands in every chooser
+          from then on.
 """
 
 from __future__ import annotations
@@ -24,7 +26,8 @@ from .long_work import run
 
 
 def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any]) -> Settings:
-    """What is asked of the core. ``fcm_file`` None: a new name in the user's folder of machines. Raises SettingsError."""
+    """What is asked of the core. ``fcm_file`` None: a new name in the user's folder of machines. Raises
+    SettingsError."""
     named = fcm_file if fcm_file else machines.free_file(Path(os.fspath(nc_file)).stem)
     files = {"program": os.fspath(nc_file), "machine_file": os.fspath(named)}
     return build_settings(RECOVER, os.fspath(cl_file), {**options, **files})
@@ -33,7 +36,8 @@ def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str,
 def recover(
     cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any], progress: Progress | None = None
 ) -> workshop.Recovered:
-    """The machine, not yet written. Raises FiveAxisError for files that cannot be used and for a name that is taken."""
+    """The machine, not yet written. Raises FiveAxisError for files that cannot be used and for a name that is
+    taken."""
     settings = settings_of(cl_file, nc_file, fcm_file, options)
     if not machines.is_new_folder(settings.recover.machine_file):
         outputs.check_outputs(settings)
@@ -48,11 +52,17 @@ def write(done: workshop.Recovered) -> str:
 
 
 def write_report(done: workshop.Work, file: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """What was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
+    """What was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file
+    that is there."""
     ending = os.path.splitext(os.fspath(file))[1].lower()
     if ending not in workshop.REPORTS:
-        raise FileError(say("{file} needs one of the endings {reports}", file=file, reports=", ".join(workshop.REPORTS)), file)
+        raise FileError(
+            say("{file} needs one of the endings {reports}", file=file, reports=", ".join(workshop.REPORTS)),
+            file,
+        )
     check_writable(file)
     if not overwrite and os.path.lexists(file):
-        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file)
+        raise FileError(
+            say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file
+        )
     write_whole(file, workshop.REPORTS[ending](done).encode("utf-8", "backslashreplace"))

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The map of rest material: what a toolpath's cutter leaves on the machined surface, and where it takes too much.
+"""The map of rest material: what a toolpath's cutter leaves on the machined surface, and where it takes too
+much.
 
-height     of a place of the surface: how far the cutter stays away from it all along its real way, mm; below 0 it cuts too deep.
-uncut      more is left there than the passes are meant to leave: ``Allowed``, which is twice the scallop and the tolerance.
+height     of a place of the surface: how far the cutter stays away from it all along its real way, mm; below
+           0 it cuts too deep.
+uncut      more is left there than the passes are meant to leave: ``Allowed``, which is twice the scallop and
+           the tolerance.
 
-Where the toolpath itself is asked for the map (its property ``Left``), the map is the toolpath's; else it is looked for here, and
-the toolpath stays as it is. The heights are arrays and not saved: after a document was opened they are found again when drawn.
+Where the toolpath itself is asked for the map (its property ``Left``), the map is the toolpath's; else it is
+looked for here, and the toolpath stays as it is. The heights are arrays and not saved: after a document was
+opened they are found again when drawn.
 """
 
 from __future__ import annotations
@@ -34,7 +38,8 @@ from .toolpath import Toolpath
 PROPERTIES = (
     Property(
         "Path", "App::PropertyLinkGlobal", "Base",
-        QT_TRANSLATE_NOOP("App::Property", "The toolpath whose cutter leaves what the map shows"), None, READ_ONLY,
+        QT_TRANSLATE_NOOP("App::Property", "The toolpath whose cutter leaves what the map shows"), None,
+        READ_ONLY,
     ),
     Property(
         "LargestUndercut", "App::PropertyLength", "Result",
@@ -42,15 +47,18 @@ PROPERTIES = (
     ),
     Property(
         "LargestOvercut", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Deepest that the cutter goes below the machined surface"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Deepest that the cutter goes below the machined surface"), 0.0,
+        RESULT,
     ),
     Property(
         "UncutArea", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Machined surface on which more is left than is allowed"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Machined surface on which more is left than is allowed"), 0.0,
+        RESULT,
     ),
     Property(
         "OvercutArea", "App::PropertyArea", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Machined surface that is cut too deep by more than the tolerance"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Machined surface that is cut too deep by more than the "
+            "tolerance"), 0.0, RESULT,
     ),
     Property(
         "MachinedArea", "App::PropertyArea", "Result",
@@ -62,7 +70,8 @@ PROPERTIES = (
     ),
     Property(
         "Allowed", "App::PropertyLength", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "So much may be left: twice the scallop, and the tolerance"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "So much may be left: twice the scallop, and the tolerance"), 0.0,
+        RESULT,
     ),
     Property(
         "Verdict", "App::PropertyString", "Result",
@@ -78,8 +87,9 @@ PROPERTIES = (
 
 @dataclass(frozen=True, eq=False)
 class Heights:
-    """What a map is drawn from, work frame: the heights ``rest`` over the facets of ``mesh``; mm that are ``allowed`` to be left,
-    and the ``tolerance`` of the other side. ``fingerprint``: that of the toolpath they are of."""
+    """What a map is drawn from, work frame: the heights ``rest`` over the facets of ``mesh``; mm that are
+    ``allowed`` to be left, and the ``tolerance`` of the other side. ``fingerprint``: that of the toolpath
+    they are of."""
 
     fingerprint: str
     mesh: Mesh
@@ -94,7 +104,8 @@ class Heights:
 
 
 class RestMap(Proxy):
-    """What the proxy of a map of rest material does; the one that documents save is :class:`.left.LeftMap`."""
+    """What the proxy of a map of rest material does; the one that documents save is
+    :class:`.left.LeftMap`."""
 
     last: Heights | None
 
@@ -149,10 +160,14 @@ def _check(path: Any) -> None:
 def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
     """The heights of a map, found anew only where its toolpath has changed.
 
-    Raises FiveAxisError, as SelectionError where the toolpath was deleted; Cancelled where the listener stops the work.
+    Raises FiveAxisError, as SelectionError where the toolpath was deleted; Cancelled where the listener stops
+    the work.
     """
     if obj.Path is None:
-        raise SelectionError(say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label), obj.Label)
+        raise SelectionError(
+            say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label),
+            obj.Label,
+        )
     with listening(progress) as listener:
         figures, known = results.figures_of(obj.Path, listener), obj.Path.Proxy.last
         if obj.Proxy.last is None or obj.Proxy.last.fingerprint != known.fingerprint:
@@ -164,7 +179,13 @@ def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
 def _found(figures: Figures, known: results.Last, progress: Progress) -> Heights:
     draft = cast(MilledProgram, known.result.draft)  # of a toolpath
     rest = figures.rest or job.rest_material_of(draft, progress)
-    return Heights(known.fingerprint, draft.mesh, rest, figures.tolerance, allowed(draft.settings, draft.mesh, draft.keep))
+    return Heights(
+        known.fingerprint,
+        draft.mesh,
+        rest,
+        figures.tolerance,
+        allowed(draft.settings, draft.mesh, draft.keep),
+    )
 
 
 def out_of_date(obj: Any) -> str:
@@ -173,7 +194,11 @@ def out_of_date(obj: Any) -> str:
         return wording.localize(say("The toolpath of {label} was deleted", label=obj.Label))
     if why := results.out_of_date(obj.Path):
         return why
-    return "" if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint else f"{obj.Label} is old: recompute the document"
+    return (
+        ""
+        if obj.UpToDate and obj.Fingerprint == obj.Path.Fingerprint
+        else f"{obj.Label} is old: recompute the document"
+    )
 
 
 def _show(obj: Any, found: Heights) -> None:
@@ -181,8 +206,10 @@ def _show(obj: Any, found: Heights) -> None:
     rest, height = found.rest, found.rest.height
     uncut, volume = rest.uncut(found.allowed)
     values = {
-        "LargestUndercut": max(float(height.max(initial=0.0)), 0.0), "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
-        "UncutArea": uncut, "OvercutArea": rest.taken(found.tolerance)[0], "MachinedArea": float(rest.area.sum()),
+        "LargestUndercut": max(float(height.max(initial=0.0)), 0.0),
+        "LargestOvercut": max(float(-height.min(initial=0.0)), 0.0),
+        "UncutArea": uncut, "OvercutArea": rest.taken(found.tolerance)[0],
+        "MachinedArea": float(rest.area.sum()),
         "UncutVolume": volume, "Allowed": found.allowed, "Verdict": wording.localize(verdict(found)),
         "Fingerprint": found.fingerprint,
         "UpToDate": True,
@@ -194,10 +221,15 @@ def _show(obj: Any, found: Heights) -> None:
 def verdict(found: Heights) -> str:
     """Say in a plain sentence how much rest material there is, and what is cut too deep."""
     rest = found.rest
-    whole, (uncut, _), (deep, _) = float(rest.area.sum()), rest.uncut(found.allowed), rest.taken(found.tolerance)
+    whole, (uncut, _), (deep, _) = (
+        float(rest.area.sum()),
+        rest.uncut(found.allowed),
+        rest.taken(found.tolerance),
+    )
     if not uncut and not deep:
         return say(
-            "Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too deep.",
+            "Of {whole} that are machined, all are cut: no more than {allowed} is left, nothing is cut too "
+            "deep.",
             whole=Area(whole, ".4g"),
             allowed=Length(found.allowed, ".3g"),
         )

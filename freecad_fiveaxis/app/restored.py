@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What undo and redo bring back: current where it is what its base and its settings give.
 
-touched   FreeCAD 1.0 and later have everything that undo or redo brings back recomputed, plain boxes too. A path that is still
-          right would be called out of date, and be computed once more.
+touched   FreeCAD 1.0 and later have everything that undo or redo brings back recomputed, plain boxes too. A
+          path that is still right would be called out of date, and be computed once more.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ def settle(doc: Any) -> list[Any]:
     for obj in settled:
         obj.purgeTouched()
     for obj in _ours(doc):
-        if (hasattr(obj.Proxy, "make_draft") or hasattr(obj.Proxy, "settles")) and not results.out_of_date(obj):
+        if (hasattr(obj.Proxy, "make_draft") or hasattr(obj.Proxy, "settles")) and not results.out_of_date(
+            obj
+        ):
             obj.purgeTouched()
             settled.append(obj)
     return settled

@@ -2,7 +2,8 @@
 """Results of toolpaths and audits, computed when somebody needs them.
 
 result        the core's Result: arrays, not saved with the document. The proxy keeps the last one.
-fingerprint   what a result is of: the mesh or NC file, the settings, the machine. The same fingerprint gives the same bytes.
+fingerprint   what a result is of: the mesh or NC file, the settings, the machine. The same fingerprint gives
+              the same bytes.
 current       the object shows the result of what its base and its settings now are.
 """
 
@@ -39,9 +40,9 @@ from .selection import SelectionError
 
 @dataclass(frozen=True)
 class Task:
-    """What an object asks of the core: the ``settings``, and the ``data`` (a mesh's facets, or the NC file) with the chosen
-    facets' ``runs``, and those of the facets to avoid (``avoided``); ``part``: what an audit compares with, where that is in the
-    document; ``fixtures``: what holds the part."""
+    """What an object asks of the core: the ``settings``, and the ``data`` (a mesh's facets, or the NC file)
+    with the chosen facets' ``runs``, and those of the facets to avoid (``avoided``); ``part``: what an audit
+    compares with, where that is in the document; ``fixtures``: what holds the part."""
 
     settings: Settings
     data: Any
@@ -51,7 +52,8 @@ class Task:
     fixtures: tuple[Part, ...] = ()
 
     def mesh_and_mask(self, progress: Progress) -> tuple[Mesh, Bools | None]:
-        """The core's mesh of the facets, with the allowance on those to avoid, and which are milled. Raises MeshError."""
+        """The core's mesh of the facets, with the allowance on those to avoid, and which are milled. Raises
+        MeshError."""
         progress("weld", 0.0)
         allowance = self.settings.gouge.avoid_allowance
         return convert.mesh_and_mask(self.data.stl(), self.runs, self.avoided, allowance, progress)
@@ -83,19 +85,25 @@ class Task:
 
 
 def runs_of(mesh: Any, settings: Settings) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The runs of a mesh object's facets that are milled, none: all are, and of those to avoid, which the settings need where
-    there is an allowance. Raises SelectionError where they cannot be found."""
+    """The runs of a mesh object's facets that are milled, none: all are, and of those to avoid, which the
+    settings need where there is an allowance. Raises SelectionError where they cannot be found."""
     find = getattr(getattr(mesh, "Proxy", None), "avoided_runs", None)
-    off = find(mesh) if find is not None and settings.gouge.avoid_allowance > 0.0 else getattr(mesh, "AvoidedRuns", ())
+    off = (
+        find(mesh)
+        if find is not None and settings.gouge.avoid_allowance > 0.0
+        else getattr(mesh, "AvoidedRuns", ())
+    )
     return tuple(getattr(mesh, "FacetRuns", ())), tuple(off)
 
 
 def _contents(settings: Settings, unread: tuple[str, ...] = ()) -> tuple[str, ...]:
-    """Checksums of the files that the settings name beside the source, but for the options ``unread``, whose content is at hand.
-    Raises FileError for a file that cannot be read."""
+    """Checksums of the files that the settings name beside the source, but for the options ``unread``, whose
+    content is at hand. Raises FileError for a file that cannot be read."""
     groups = {type(getattr(settings, top.name)): getattr(settings, top.name) for top in fields(Settings)}
     leaves = [(cls, leaf) for cls, leaf in shown_options(settings.task) if leaf.metadata["kind"] == "path"]
-    named = [getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups and leaf.name not in unread]
+    named = [
+        getattr(groups[cls], leaf.name) for cls, leaf in leaves if cls in groups and leaf.name not in unread
+    ]
     named += curve_files(settings)
     named += [body.file for body in _machine(settings).bodies]
     return tuple(hashlib.sha256(read_bytes(name, "file")).hexdigest() for name in named if name)
@@ -105,7 +113,9 @@ def _machine(settings: Settings) -> Machine:
     try:
         return load_machine(settings.machine.machine)
     except FileError as error:
-        raise FileError(say("{error}; choose another machine, or put the file back", error=error), error.value) from error
+        raise FileError(
+            say("{error}; choose another machine, or put the file back", error=error), error.value
+        ) from error
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,22 +154,31 @@ def _last(obj: Any, progress: Progress | None) -> Last:
     proxy: Any = getattr(obj, "Proxy", None)
     if not hasattr(proxy, "make_draft"):
         label = "Nothing" if obj is None else getattr(obj, "Label", None) or repr(obj)
-        raise SelectionError(say("{label} is no toolpath and no audit: select one of these.", label=label), label)
+        raise SelectionError(
+            say("{label} is no toolpath and no audit: select one of these.", label=label), label
+        )
     task = proxy.task(obj)
     fingerprint = task.fingerprint
     if proxy.last is None or proxy.last.fingerprint != fingerprint:
         with listening(progress) as listener:
             whole = replace(task, part=task.part.meshed(listener)) if task.part else task
             whole = replace(whole, fixtures=tuple(one.meshed(listener) for one in task.fixtures))
-            proxy.last = run(lambda progress: _computed(proxy, whole, fingerprint, progress), doc=obj.Document)
+            proxy.last = run(
+                lambda progress: _computed(proxy, whole, fingerprint, progress), doc=obj.Document
+            )
     last: Last = proxy.last
     return last
 
 
 def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
-    """The whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's is touched."""
+    """The whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's is
+    touched."""
     last, blocks = proxy.last, task.blocks_fingerprint
-    if last is not None and last.blocks_fingerprint == blocks and isinstance(last.result.draft, MilledProgram):
+    if (
+        last is not None
+        and last.blocks_fingerprint == blocks
+        and isinstance(last.result.draft, MilledProgram)
+    ):
         result = change_speed(last.result, task.settings, progress)
     else:
         part = None if task.part is None else mesh_of(task.part.stl, progress)
@@ -170,8 +189,8 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
 
 
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears its numbers.
-    Work that was stopped leaves it as it was, and out of date."""
+    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears
+    its numbers. Work that was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)
     except Cancelled:
@@ -184,8 +203,8 @@ def execute(obj: Any) -> None:
 
 
 def judged_of(obj: Any) -> tuple[float, float]:
-    """Largest deviation of what makes the surface and its proven bound, mm, as the object shows them; the tip's where its
-    document was last computed by a version that knew no others."""
+    """Largest deviation of what makes the surface and its proven bound, mm, as the object shows them; the
+    tip's where its document was last computed by a version that knew no others."""
     if obj.MaxSurfaceBound.Value > 0.0:
         return obj.MaxSurfaceDeviation.Value, obj.MaxSurfaceBound.Value
     return obj.MaxSegmentDeviation.Value, obj.MaxBound.Value
@@ -196,33 +215,45 @@ def out_of_date(obj: Any) -> str:
     if _base_is_gone(obj):
         return wording.localize(
             say(
-                "The part that {label} was made of was deleted: undo that, or choose another one in its property Base",
+                "The part that {label} was made of was deleted: undo that, or choose another one in its "
+                "property Base",
                 label=obj.Mesh.Label,
             )
         )
-    needed = (_base(obj), getattr(obj, "Mesh", None), getattr(obj, "Part", None), *getattr(obj, "Fixtures", ()))
+    needed = (
+        _base(obj),
+        getattr(obj, "Mesh", None),
+        getattr(obj, "Part", None),
+        *getattr(obj, "Fixtures", ()),
+    )
     before = [one for one in needed if one is not None]
     for one in (*before, obj):
         if "Invalid" in one.State:
-            return wording.localize(say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString()))
+            return wording.localize(
+                say("{label} could not be computed: {why}", label=one.Label, why=one.getStatusString())
+            )
         if "Touched" in one.State and one is not obj:
             return wording.localize(say("{label} was changed: recompute the document", label=one.Label))
     try:
         same = obj.Proxy.task(obj).fingerprint == obj.Fingerprint
     except FiveAxisError as error:
         return wording.localize(error)
-    text = say("{label} shows the result of other settings, or of another version: recompute the document", label=obj.Label)
+    text = say(
+        "{label} shows the result of other settings, or of another version: recompute the document",
+        label=obj.Label,
+    )
     return "" if same else wording.localize(text)
 
 
 def tells_of(obj: Any) -> bool:
-    """Whether the object's properties tell of the figures that were computed last, or none are at hand: a file may have been
-    replaced since, and somebody have asked for its figures without a recompute."""
+    """Whether the object's properties tell of the figures that were computed last, or none are at hand: a
+    file may have been replaced since, and somebody have asked for its figures without a recompute."""
     return obj.Proxy.last is None or obj.Proxy.last.fingerprint == obj.Fingerprint
 
 
 def touch_other(obj: Any) -> None:
-    """Have the next recompute compute an object of which FreeCAD does not know that it is old: a file of its own was replaced."""
+    """Have the next recompute compute an object of which FreeCAD does not know that it is old: a file of its
+    own was replaced."""
     if not obj.Fingerprint or {"Touched", "Invalid"} & set(obj.State):
         return
     try:

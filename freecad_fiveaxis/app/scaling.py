@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A part that was drawn or imported in another unit: the path gets a copy of it, scaled about the document's origin."""
+"""A part that was drawn or imported in another unit: the path gets a copy of it, scaled about the document's
+origin."""
 
 from __future__ import annotations
 
@@ -17,13 +18,17 @@ LARGEST = 1e6
 
 
 def scale_part(path: Any, factor: float) -> Any:
-    """Mill a copy of a toolpath's part, ``factor`` times as large; the part itself is hidden. Returns the copy.
+    """Mill a copy of a toolpath's part, ``factor`` times as large; the part itself is hidden. Returns the
+    copy.
 
-    The path's work zero is scaled with it; the path is not computed. Raises SettingsError for a factor that is no scale and
-    SelectionError; the caller's transaction then takes back what was done.
+    The path's work zero is scaled with it; the path is not computed. Raises SettingsError for a factor that
+    is no scale and SelectionError; the caller's transaction then takes back what was done.
     """
     if not 1.0 / LARGEST <= factor <= LARGEST:
-        raise SettingsError(say("the factor is {factor}; it must be between 1e-6 and 1e6", factor=Number(factor, ".6g")), factor)
+        raise SettingsError(
+            say("the factor is {factor}; it must be between 1e-6 and 1e6", factor=Number(factor, ".6g")),
+            factor,
+        )
     if path.Mesh is None:
         raise toolpath.mesh_is_gone(path)
     mesh, doc = path.Mesh, path.Document
@@ -44,7 +49,8 @@ def scale_part(path: Any, factor: float) -> Any:
 
 
 def _scaled(doc: Any, base: Any, faces: tuple[str, ...], factor: float) -> tuple[Any, list[str]]:
-    """A copy of the base, and what its faces are called there: the copy is of the solids alone, in the document's coordinates."""
+    """A copy of the base, and what its faces are called there: the copy is of the solids alone, in the
+    document's coordinates."""
     if selection.is_mesh(base):
         facets = selection.checked_mesh(base)
         facets.Placement = selection.holder_of(base).multiply(facets.Placement)

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all our document objects have in common: a proxy without data, and properties that grow with the versions.
+"""What all our document objects have in common: a proxy without data, and properties that grow with the
+versions.
 
-proxy           the Python object behind a document object. All data is in properties, so that a document is whole without us.
-SchemaVersion   a hidden property: which version's properties the object has. Objects without it are of version 0.
-migration       what brings an object of an older version up to date when its document is opened. Nothing is ever taken away.
+proxy           the Python object behind a document object. All data is in properties, so that a document is
+                whole without us.
+SchemaVersion   a hidden property: which version's properties the object has. Objects without it are of
+                version 0.
+migration       what brings an object of an older version up to date when its document is opened. Nothing is
+                ever taken away.
 
 The paths of the proxy classes stand in saved documents: they are forever.
 """
@@ -92,11 +96,16 @@ def is_restored(obj: Any) -> bool:
 def give_label(obj: Any) -> None:
     """The first label of its kind that no other object has: Toolpath, Toolpath001 ...
 
-    FreeCAD 1.1 never gives a label again that an object had whose making was undone or stopped; it does so while doubles are
-    allowed.
+    FreeCAD 1.1 never gives a label again that an object had whose making was undone or stopped; it does so
+    while doubles are allowed.
     """
-    kind, taken = obj.Name.rstrip("0123456789"), {one.Label for one in obj.Document.Objects if one.Name != obj.Name}
-    free = next(label for label in (kind, *(f"{kind}{i:03d}" for i in range(1, len(taken) + 2))) if label not in taken)
+    kind, taken = (
+        obj.Name.rstrip("0123456789"),
+        {one.Label for one in obj.Document.Objects if one.Name != obj.Name},
+    )
+    free = next(
+        label for label in (kind, *(f"{kind}{i:03d}" for i in range(1, len(taken) + 2))) if label not in taken
+    )
     if obj.Label == free:
         return
     group = FreeCAD.ParamGet(LABELS)
@@ -109,14 +118,17 @@ def give_label(obj: Any) -> None:
 
 
 def migrate(obj: Any, properties: Sequence[Property]) -> None:
-    """Bring an object up to this version: run the step of each version that it has missed; what is still missing is added.
+    """Bring an object up to this version: run the step of each version that it has missed; what is still
+    missing is added.
 
-    An object of a later version stays as it is but for that: what we do not know is kept for the program that does.
+    An object of a later version stays as it is but for that: what we do not know is kept for the program that
+    does.
     """
     version = getattr(obj, VERSION.name, 0)
     if version > SCHEMA:
         FreeCAD.Console.PrintWarning(
-            f"{obj.Label} was saved by a later version of the five-axis workbench (schema {version}, here {SCHEMA}); "
+            f"{obj.Label} was saved by a later version of the five-axis workbench (schema {version}, here "
+            f"{SCHEMA}); "
             "properties that are not known here are kept but not used\n"
         )
     for step in range(max(version, 0), SCHEMA):  # no version is below 0, but a document may say so
@@ -126,23 +138,30 @@ def migrate(obj: Any, properties: Sequence[Property]) -> None:
 
 
 def _from_0(obj: Any) -> None:
-    """Version 0 had the same properties under the same names, but fewer, and no SchemaVersion: adding the missing is all."""
+    """Version 0 had the same properties under the same names, but fewer, and no SchemaVersion: adding the
+    missing is all."""
 
 
 def _from_1(obj: Any) -> None:
-    """Version 1 had no cure but Linearize, which could only be ``off``: more choices, and properties that are added."""
+    """Version 1 had no cure but Linearize, which could only be ``off``: more choices, and properties that are
+    added."""
 
 
 def _from_2(obj: Any) -> None:
-    """Version 2 had joint output only, three controllers, and no files to read but the audited one: properties are added."""
+    """Version 2 had joint output only, three controllers, and no files to read but the audited one:
+    properties are added."""
 
 
 def _from_3(obj: Any) -> None:
-    """Version 3 had ball cutters only, no cure of gouges, and a holder of one cylinder that was only drawn: HolderDiameter and
-    HolderLength. It becomes the text of Holder; the two stay where they are, out of sight. What was cured by default only later
-    stays off: the path is what it was."""
+    """Version 3 had ball cutters only, no cure of gouges, and a holder of one cylinder that was only drawn:
+    HolderDiameter and HolderLength. It becomes the text of Holder; the two stay where they are, out of sight.
+    What was cured by default only later stays off: the path is what it was."""
     if "LeastInterval" in obj.PropertiesList:  # a toolpath
-        lacking = [one for one in setting_properties(MILL) if one.name in ("Linearize", "Gouge") and not hasattr(obj, one.name)]
+        lacking = [
+            one
+            for one in setting_properties(MILL)
+            if one.name in ("Linearize", "Gouge") and not hasattr(obj, one.name)
+        ]
         add_missing(obj, lacking)
         for one in lacking:
             setattr(obj, one.name, "off")
@@ -150,7 +169,9 @@ def _from_3(obj: Any) -> None:
     if len(old) < 2 or "Holder" in obj.PropertiesList:
         return
     add_missing(obj, drawn_tool())
-    diameter, length = (float(f"{getattr(obj, name).Value:.12g}") for name in old)  # files keep no more digits
+    diameter, length = (
+        float(f"{getattr(obj, name).Value:.12g}") for name in old
+    )  # files keep no more digits
     if min(diameter, length) > 0.0:
         obj.Holder = stack_text(((diameter, length),))
     for name in old:
@@ -158,8 +179,8 @@ def _from_3(obj: Any) -> None:
 
 
 def _from_4(obj: Any) -> None:
-    """Version 4 went over the part between all passes, and had planes only, once without a choice: so it stays, the path is what
-    it was."""
+    """Version 4 went over the part between all passes, and had planes only, once without a choice: so it
+    stays, the path is what it was."""
     if "LeastInterval" not in obj.PropertiesList:  # no toolpath
         return
     for name, value in (("Links", "over"), ("PassStrategy", "planes"), ("ToolAxis", "facet_mean")):
@@ -169,4 +190,5 @@ def _from_4(obj: Any) -> None:
 
 
 STEPS: dict[int, Callable[[Any], None]] = {0: _from_0, 1: _from_1, 2: _from_2, 3: _from_3, 4: _from_4}
-"""From each version to the next: what the plain adding of missing properties would lose, as the value of a renamed one."""
+"""From each version to the next: what the plain adding of missing properties would lose, as the value of a
+renamed one."""

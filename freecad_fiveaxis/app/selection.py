@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What can be milled: a solid, faces of it, a Part Design body, a compound of solids, or a mesh; and what to say of all else.
+"""What can be milled: a solid, faces of it, a Part Design body, a compound of solids, or a mesh; and what to
+say of all else.
 
 base    the object that the user selected.   faces   names of its faces, as ``Face3``; none: all of it.
 
-A mesh object's property ``Mesh`` is never read as an attribute. FreeCAD 1.1 with Python 3.14 crashes when it quits with a
-document open in which one was read: it frees Python's side of the mesh without Python's lock.
+A mesh object's property ``Mesh`` is never read as an attribute. FreeCAD 1.1 with Python 3.14 crashes when it
+quits with a document open in which one was read: it frees Python's side of the mesh without Python's lock.
 """
 
 from __future__ import annotations
@@ -31,12 +32,14 @@ CHECKED = 100
 _FACE = re.compile(r"Face[1-9]\d*")
 _LOST = Template("{label} has no {name} on a solid: select its faces again.")
 _LOST_AVOIDED = Template(
-    "{label} has no {name} on a solid, which was to be left alone: choose anew which of its faces are not machined."
+    "{label} has no {name} on a solid, which was to be left alone: choose anew which of its faces are not "
+    "machined."
 )
 
 
 GONE = "?"
-"""What FreeCAD 1.0 and later put before the name of a face that a link still asks for and the object has no more."""
+"""What FreeCAD 1.0 and later put before the name of a face that a link still asks for and the object has no
+more."""
 
 
 class SelectionError(FiveAxisError, ValueError):
@@ -73,23 +76,35 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
 
 
 def faces_of(base: Any, chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[str, ...]:
-    """The faces' names on ``base`` out of selected ``(object, names of its elements)``. Raises SelectionError that says what to
-    select where anything else is among them."""
-    rows = [(leaf_of(obj, name), name.rsplit(".", 1)[-1]) for obj, names in chosen for name in (tuple(names) or ("",))]
+    """The faces' names on ``base`` out of selected ``(object, names of its elements)``. Raises SelectionError
+    that says what to select where anything else is among them."""
+    rows = [
+        (leaf_of(obj, name), name.rsplit(".", 1)[-1])
+        for obj, names in chosen
+        for name in (tuple(names) or ("",))
+    ]
     if not rows:
-        text = say("Nothing is selected: click faces of {label} in the 3D view, several with Ctrl.", label=base.Label)
+        text = say(
+            "Nothing is selected: click faces of {label} in the 3D view, several with Ctrl.", label=base.Label
+        )
         raise SelectionError(text, None)
     return tuple(dict.fromkeys(_name_on(base, obj, name) for obj, name in rows))
 
 
 def _name_on(base: Any, obj: Any, name: str) -> str:
-    """What a face ``name`` of an object is called on ``base``: the same, or as it is counted there, of a solid in a part."""
+    """What a face ``name`` of an object is called on ``base``: the same, or as it is counted there, of a
+    solid in a part."""
     if not _FACE.fullmatch(name):
         text = say("{name} is no face: select faces of {label}.", name=name or obj.Label, label=base.Label)
         raise SelectionError(text, name or obj.Label)
     found = name if _tip(obj) is _tip(base) else _same_face(base, obj, name)
     if not found:
-        text = say("{name} is a face of {other}: select faces of {label}.", name=name, other=obj.Label, label=base.Label)
+        text = say(
+            "{name} is a face of {other}: select faces of {label}.",
+            name=name,
+            other=obj.Label,
+            label=base.Label,
+        )
         raise SelectionError(text, name)
     return found
 
@@ -111,7 +126,8 @@ def _same_face(base: Any, obj: Any, name: str) -> str:
 
 
 def leaf_of(obj: Any, name: str) -> Any:
-    """What is meant by an element of a group or a part, as ``Box.Face1``: the object in it. A body stands for its features."""
+    """What is meant by an element of a group or a part, as ``Box.Face1``: the object in it. A body stands for
+    its features."""
     inner = obj.getSubObject(name, 1) if "." in name and not obj.isDerivedFrom("PartDesign::Body") else None
     return inner or obj
 
@@ -119,7 +135,9 @@ def leaf_of(obj: Any, name: str) -> Any:
 def is_mesh(obj: Any) -> bool:
     """Whether the object is a mesh (a Tessellation is one too)."""
     linked = obj.getLinkedObject()
-    return "Mesh" in linked.PropertiesList and linked.getTypeIdOfProperty("Mesh") == "Mesh::PropertyMeshKernel"
+    return (
+        "Mesh" in linked.PropertiesList and linked.getTypeIdOfProperty("Mesh") == "Mesh::PropertyMeshKernel"
+    )
 
 
 def copy_of_mesh(obj: Any) -> Any:
@@ -132,7 +150,8 @@ def copy_of_mesh(obj: Any) -> Any:
 
 
 def checked_mesh(obj: Any) -> Any:
-    """A copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh without facets."""
+    """A copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh without
+    facets."""
     mesh = copy_of_mesh(obj)
     if not mesh.CountFacets:
         raise empty(obj.Label)
@@ -141,12 +160,14 @@ def checked_mesh(obj: Any) -> Any:
 
 def empty(label: str) -> SelectionError:
     """What to say of a mesh without facets."""
-    return SelectionError(say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=label), label)
+    return SelectionError(
+        say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=label), label
+    )
 
 
 def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tuple[Any, list[int]]:
-    """The object's solids as one shape in the document's coordinates, and which of its Faces (counted from 0) the names of the
-    object's ``faces``, and behind them of those to ``avoid``, mean. Raises SelectionError.
+    """The object's solids as one shape in the document's coordinates, and which of its Faces (counted from 0)
+    the names of the object's ``faces``, and behind them of those to ``avoid``, mean. Raises SelectionError.
 
     A shape of very many faces is not looked at for being valid: that takes seconds, and the mesher does it.
     """
@@ -155,7 +176,9 @@ def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tu
         raise invalid(obj.Label)
     found = shape.Solids
     if not found:
-        text = say("{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT)
+        text = say(
+            "{label} ({kind}) has no solid: {what}.", label=obj.Label, kind=_kind(obj, shape), what=WHAT
+        )
         raise SelectionError(text, obj.Label)
     whole = found[0] if len(found) == 1 else Part.makeCompound(found)
     wanted = [(name, text) for names, text in ((faces, _LOST), (avoid, _LOST_AVOIDED)) for name in names]
@@ -165,7 +188,8 @@ def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tu
 def invalid(label: str) -> SelectionError:
     """What to say of a shape that OpenCASCADE calls invalid."""
     text = say(
-        "The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check geometry shows where), "
+        "The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check "
+        "geometry shows where), "
         "or select another solid.", label=label,
     )  # fmt: skip
     return SelectionError(text, label)
@@ -187,11 +211,14 @@ def _face(shape: Any, name: str) -> Any:
 def _shape(obj: Any) -> Any:
     """The object's shape in the document's coordinates."""
     if obj is None:
-        raise SelectionError(say("The part was deleted: undo that, or choose another one in the property Base."), None)
+        raise SelectionError(
+            say("The part was deleted: undo that, or choose another one in the property Base."), None
+        )
     shape = Part.getShape(obj)
     if shape.isNull():
         raise SelectionError(
-            say("{label} ({typeid}) has no solid: {what}.", label=obj.Label, typeid=obj.TypeId, what=WHAT), obj.Label
+            say("{label} ({typeid}) has no solid: {what}.", label=obj.Label, typeid=obj.TypeId, what=WHAT),
+            obj.Label,
         )
     shape.Placement = holder_of(obj).multiply(shape.Placement)
     return shape
@@ -207,4 +234,6 @@ def holder_of(obj: Any) -> Any:
 def _kind(obj: Any, shape: Any) -> str:
     if obj.isDerivedFrom("Sketcher::SketchObject"):
         return "a sketch"
-    return {"Compound": "a compound without solids", "Wire": "a wire"}.get(shape.ShapeType, f"a {shape.ShapeType.lower()}")
+    return {"Compound": "a compound without solids", "Wire": "a wire"}.get(
+        shape.ShapeType, f"a {shape.ShapeType.lower()}"
+    )

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's Test workbench runs of this add-on; also ``freecadcmd --run-test freecad_fiveaxis.app.self_test``.
+"""What FreeCAD's Test workbench runs of this add-on; also ``freecadcmd --run-test
+freecad_fiveaxis.app.self_test``.
 
-``Init.py`` names this module in ``FreeCAD.__unit_test__``; nothing of it is loaded before somebody asks for it. The tests in
-:class:`SelfTest` need nothing but the add-on. Those of ``tests/app`` come along, one case a file, where FreeCAD's Python has
-pytest and FreeCAD has no window, for which they are not made.
+``Init.py`` names this module in ``FreeCAD.__unit_test__``; nothing of it is loaded before somebody asks for
+it. The tests in
+:class:`SelfTest` need nothing but the add-on. Those of ``tests/app`` come along, one case a file, where
+FreeCAD's Python has pytest and FreeCAD has no window, for which they are not made.
 """
 
 from __future__ import annotations
@@ -41,7 +43,9 @@ class SelfTest(unittest.TestCase):
         """Every block of the toolpath is within the tolerance, and the audit of the file agrees."""
         from freecad_fiveaxis import app
 
-        path = app.create_toolpath(self.doc, self.box, machine="trunnion_ac", cutter="ball:6", stepover=2, tolerance=TOLERANCE)
+        path = app.create_toolpath(
+            self.doc, self.box, machine="trunnion_ac", cutter="ball:6", stepover=2, tolerance=TOLERANCE
+        )
         self.assertGreater(path.Blocks, 10)
         self.assertEqual(path.OverTolerance, 0)
         file = self.folder / "box.ngc"
@@ -61,7 +65,9 @@ class SelfTest(unittest.TestCase):
         self.assertEqual([obj.Name for obj in self.doc.Objects], ["Box"])
 
 
-def load_tests(loader: unittest.TestLoader, tests: unittest.TestSuite, pattern: str | None) -> unittest.TestSuite:
+def load_tests(
+    loader: unittest.TestLoader, tests: unittest.TestSuite, pattern: str | None
+) -> unittest.TestSuite:
     """The tests of this module and, where they can run, those of ``tests/app``: unittest's own protocol."""
     for file in sorted((ROOT / "tests" / "app").glob("test_*.py")):
         tests.addTest(unittest.FunctionTestCase(_by_pytest(file), description=f"tests/app/{file.name}"))

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The SetupMap object: where on the machine's table the part of a toolpath could stand, and what each place costs.
+"""The SetupMap object: where on the machine's table the part of a toolpath could stand, and what each place
+costs.
 
-centre     the work zero in the machine frame (mm) about which setups were tried: that of the toolpath when they were.
-place      where in the document a work zero of the map lies: the part as it is drawn, its work zero shifted by so much.
-wants_trials  the map's own settings were changed, so that setups are to be tried anew. A change of the toolpath only puts the map
+centre     the work zero in the machine frame (mm) about which setups were tried: that of the toolpath when
+           they were.
+place      where in the document a work zero of the map lies: the part as it is drawn, its work zero shifted
+           by so much.
+wants_trials  the map's own settings were changed, so that setups are to be tried anew. A change of the
+              toolpath only puts the map
            out of date: to try hundreds of setups after every change would hold the user up.
 
-What is recommended is applied to the toolpath by :func:`apply`; the map stays true, for its centre stays where it was.
+What is recommended is applied to the toolpath by :func:`apply`; the map stays true, for its centre stays
+where it was.
 """
 
 from __future__ import annotations
@@ -27,7 +32,14 @@ from freecad_fiveaxis.core.base.progress import Progress
 from freecad_fiveaxis.core.base.sentences import Angle, say
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.pipeline.options import clamped
-from freecad_fiveaxis.core.pipeline.settings import MILL, SETUP, HeadSettings, SetupSettings, build_settings, option_fields
+from freecad_fiveaxis.core.pipeline.settings import (
+    MILL,
+    SETUP,
+    HeadSettings,
+    SetupSettings,
+    build_settings,
+    option_fields,
+)
 from freecad_fiveaxis.core.studies import study as trials
 from freecad_fiveaxis.core.studies.setup_map import SetupMap as Chart
 from freecad_fiveaxis.core.studies.setup_map import marked_rows, verdict
@@ -60,17 +72,20 @@ FLOOR = 1e-6
 
 PROPERTIES = (
     Property(
-        "Path", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The toolpath whose part is to be clamped"),
+        "Path", "App::PropertyLinkGlobal", "Base",
+        QT_TRANSLATE_NOOP("App::Property", "The toolpath whose part is to be clamped"),
         None, READ_ONLY,
     ),
     *(one for one in setting_properties(SETUP) if one.name in OWN),
     Property(
         "Recommended", "App::PropertyVectorDistance", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Where the work zero should stand, in the machine frame"), (0.0, 0.0, 0.0), RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "Where the work zero should stand, in the machine frame"),
+        (0.0, 0.0, 0.0), RESULT,
     ),
     Property(
         "RecommendedTurn", "App::PropertyAngle", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "How far the part should be turned about Z, counter-clockwise"), 0.0, RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "How far the part should be turned about Z, counter-clockwise"),
+        0.0, RESULT,
     ),
     Property(
         "DeviationBefore", "App::PropertyLength", "Result",
@@ -94,16 +109,19 @@ PROPERTIES = (
     ),
     Property(
         "Findings", "App::PropertyStringList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [], RESULT,
+        QT_TRANSLATE_NOOP("App::Property", "What the result says about itself, in plain sentences"), [],
+        RESULT,
     ),
     Property(
         "UpToDate", "App::PropertyBool", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now; if it is not, try the setups again"),
+        QT_TRANSLATE_NOOP("App::Property", "The map is of the toolpath as it is now; if it is not, try the "
+            "setups again"),
         False, RESULT,
     ),
     Property(
         "Centre", "App::PropertyVectorDistance", "Map",
-        QT_TRANSLATE_NOOP("App::Property", "The work zero in the machine frame about which setups were tried"),
+        QT_TRANSLATE_NOOP("App::Property", "The work zero in the machine frame about which setups were "
+            "tried"),
         (0.0, 0.0, 0.0), RESULT,
     ),
     Property(
@@ -111,7 +129,8 @@ PROPERTIES = (
         QT_TRANSLATE_NOOP("App::Property", "Where the work zeros of the map lie in the document"), [], RESULT,
     ),
     Property(
-        "Kinds", "App::PropertyStringList", "Map", QT_TRANSLATE_NOOP("App::Property", "What each place is"), [], RESULT,
+        "Kinds", "App::PropertyStringList", "Map", QT_TRANSLATE_NOOP("App::Property", "What each place is"),
+        [], RESULT,
     ),
     Property(
         "Deviations", "App::PropertyFloatList", "Map",
@@ -131,8 +150,9 @@ class Last:
 
 @dataclass(frozen=True, eq=False)
 class Scale:
-    """``level`` (k,) of each place: 0 the least deviation of the map, 1 the largest, evenly by its logarithm; NaN where the
-    deviation is not known; ``good`` (k,) within the tolerance; ``marks``: level and deviation, mm."""
+    """``level`` (k,) of each place: 0 the least deviation of the map, 1 the largest, evenly by its logarithm;
+    NaN where the deviation is not known; ``good`` (k,) within the tolerance; ``marks``: level and deviation,
+    mm."""
 
     level: np.ndarray
     good: np.ndarray
@@ -157,10 +177,13 @@ class SetupMap(Proxy):
         """What the object asks of the core, about its Centre. Raises FiveAxisError."""
         if obj.Path is None:
             raise SelectionError(
-                say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label), obj.Label
+                say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label),
+                obj.Label,
             )
         path = obj.Path.Proxy.task(obj.Path)
-        own = build_settings(SETUP, path.settings.source, {"machine": path.settings.machine.machine, **own_options(obj)})
+        own = build_settings(
+            SETUP, path.settings.source, {"machine": path.settings.machine.machine, **own_options(obj)}
+        )
         x, y, z = convert.plain(obj.Centre)
         machine = replace(path.settings.machine, origin=(x, y, z))
         settings = replace(path.settings, task=SETUP, machine=machine, setup=own.setup, head=HeadSettings())
@@ -206,7 +229,9 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
         obj.Path = path
         for leaf in LEAVES:
             value = default_value(leaf)
-            setattr(obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value)
+            setattr(
+                obj, property_name(leaf.name), FreeCAD.Vector(*value) if isinstance(value, tuple) else value
+            )
         convert.put_options(obj, SETUP, settings)
         try_out(obj)
         doc.recompute([obj])
@@ -218,7 +243,8 @@ def setup_map(path: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def try_out(obj: Any) -> None:
-    """Try the setups about the toolpath's present work zero. Raises FiveAxisError, and then the old map is out of date."""
+    """Try the setups about the toolpath's present work zero. Raises FiveAxisError, and then the old map is
+    out of date."""
     before, doc = obj.Centre, obj.Document
     obj.UpToDate = False
     try:
@@ -245,7 +271,9 @@ def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
         with processes() as executor:
-            obj.Proxy.last = run(lambda progress: _tried(task, fingerprint, progress, executor), progress, obj.Document)
+            obj.Proxy.last = run(
+                lambda progress: _tried(task, fingerprint, progress, executor), progress, obj.Document
+            )
     last: Last = obj.Proxy.last
     return last.trial
 
@@ -270,12 +298,18 @@ def apply(obj: Any) -> Any:
     """
     if not is_up_to_date(obj):
         raise SelectionError(
-            say("{label} has changed since: try the setups again", label=obj.Path.Label if obj.Path else say("the toolpath")), obj
+            say(
+                "{label} has changed since: try the setups again",
+                label=obj.Path.Label if obj.Path else say("the toolpath"),
+            ),
+            obj,
         )
     turn = obj.RecommendedTurn.Value
     if turn:
         text = say(
-            "turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn only", turn=Angle(turn)
+            "turn the part by {turn} about Z through its zero first, counter-clockwise, and try one turn "
+            "only",
+            turn=Angle(turn),
         )
         raise SettingsError(text, turn)
     convert.put_options(obj.Path.Setup or obj.Path, MILL, {"origin": convert.plain(obj.Recommended)})
@@ -283,18 +317,25 @@ def apply(obj: Any) -> Any:
 
 
 def write_page(obj: Any, file: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """The map as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that is there."""
+    """The map as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that
+    is there."""
     write_report(lambda: trial_of(obj), file, overwrite)
 
 
 def write_report(trial: Any, file: str | os.PathLike[str], overwrite: bool) -> None:
-    """Write what ``trial()`` gives, as the ending of the file says. A file that is there is replaced only where asked."""
+    """Write what ``trial()`` gives, as the ending of the file says. A file that is there is replaced only
+    where asked."""
     ending = os.path.splitext(os.fspath(file))[1].lower()
     if ending not in trials.REPORTS:
-        raise FileError(say("{file} needs one of the endings {reports}", file=file, reports=", ".join(trials.REPORTS)), file)
+        raise FileError(
+            say("{file} needs one of the endings {reports}", file=file, reports=", ".join(trials.REPORTS)),
+            file,
+        )
     check_writable(file)
     if not overwrite and os.path.lexists(file):
-        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file)
+        raise FileError(
+            say("{file} exists; choose another name, or ask for it to be overwritten", file=file), file
+        )
     write_whole(file, trials.REPORTS[ending](trial()).encode("utf-8", "backslashreplace"))
 
 
@@ -307,7 +348,11 @@ def scale(obj: Any) -> Scale:
     level = np.log(value / low) / spread if spread > 1e-6 else np.zeros(len(value))
     shares = (0.0, 0.25, 0.5, 0.75, 1.0) if spread > 1e-6 else (0.0,)
     tolerance = obj.Path.Tolerance.Value if obj.Path is not None else 0.0
-    return Scale(np.clip(level, 0.0, 1.0), value <= tolerance, tuple((at, low * math.exp(at * spread)) for at in shares))
+    return Scale(
+        np.clip(level, 0.0, 1.0),
+        value <= tolerance,
+        tuple((at, low * math.exp(at * spread)) for at in shares),
+    )
 
 
 def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
@@ -318,11 +363,14 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
     shift = FreeCAD.Vector(*obj.Path.WorkZero) - FreeCAD.Vector(*chart.base.origin)
     values = {
         "Recommended": FreeCAD.Vector(*chart.origin[best]), "RecommendedTurn": math.degrees(chart.turn[best]),
-        "DeviationBefore": _known(chart.max_deviation[0]), "DeviationAfter": _known(chart.max_deviation[best]),
-        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]), "Verdict": _verdict(obj, chart),
+        "DeviationBefore": _known(chart.max_deviation[0]),
+        "DeviationAfter": _known(chart.max_deviation[best]),
+        "TimeBefore": _known(chart.time[0]), "TimeAfter": _known(chart.time[best]),
+        "Verdict": _verdict(obj, chart),
         "Findings": [wording.localize(finding.text) for finding in chart.findings],
         "Places": [FreeCAD.Vector(*chart.origin[row]) + shift for row, _ in marked],
-        "Kinds": [kind for _, kind in marked], "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
+        "Kinds": [kind for _, kind in marked],
+        "Deviations": [_known(chart.max_deviation[row]) for row, _ in marked],
         "Fingerprint": fingerprint, "UpToDate": True,
     }  # fmt: skip
     for name, value in values.items():
@@ -330,13 +378,16 @@ def _show(obj: Any, chart: Chart, fingerprint: str) -> None:
 
 
 def divides_blocks(path: Any) -> bool:
-    """Whether the program of a toolpath has its blocks divided until they keep the tolerance; setups are tried without that."""
+    """Whether the program of a toolpath has its blocks divided until they keep the tolerance; setups are
+    tried without that."""
     return path is not None and (path.Linearize == "on" or path.Singularity == "linearize")
 
 
 def _verdict(obj: Any, chart: Chart) -> str:
     text = wording.localize(verdict(chart))
-    more = say("These are deviations of blocks that are not yet divided: the program's own keep its tolerance.")
+    more = say(
+        "These are deviations of blocks that are not yet divided: the program's own keep its tolerance."
+    )
     return f"{text} {wording.localize(more)}" if divides_blocks(obj.Path) else text
 
 

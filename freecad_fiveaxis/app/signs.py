@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program that proves a machine's signs before anything is cut, and its sheet. No document is needed, none is changed."""
+"""The program that proves a machine's signs before anything is cut, and its sheet. No document is needed,
+none is changed."""
 
 from __future__ import annotations
 
@@ -24,7 +25,9 @@ def settings_of(nc_file: Any, options: Mapping[str, Any], sheet: Any = None) -> 
     return build_settings(PROVE, "", {**options, **files})
 
 
-def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress: Progress | None = None) -> workshop.Proof:
+def prove(
+    nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress: Progress | None = None
+) -> workshop.Proof:
     """Program and sheet, not yet written. Raises FiveAxisError where the limits leave no room."""
     settings = settings_of(nc_file, options, sheet)
     outputs.check_outputs(settings)
@@ -32,9 +35,14 @@ def prove(nc_file: Any, options: Mapping[str, Any], sheet: Any = None, progress:
 
 
 def top_of(objects: Iterable[Any]) -> float | None:
-    """The highest Z of the solids and meshes among the objects, mm in the document; None where there is none."""
+    """The highest Z of the solids and meshes among the objects, mm in the document; None where there is
+    none."""
     solids = [one.Shape for one in objects if getattr(getattr(one, "Shape", None), "Solids", ())]
-    meshes = [mesh for one in objects if selection.is_mesh(one) and (mesh := selection.copy_of_mesh(one)).CountFacets]
+    meshes = [
+        mesh
+        for one in objects
+        if selection.is_mesh(one) and (mesh := selection.copy_of_mesh(one)).CountFacets
+    ]
     return max((shape.BoundBox.ZMax for shape in (*solids, *meshes)), default=None)
 
 
@@ -45,8 +53,12 @@ def targets(done: workshop.Proof) -> list[str]:
 
 
 def write(done: workshop.Proof, overwrite: bool = False) -> list[str]:
-    """Write program and sheet; returns their names. Raises FileError for a file that is there, unless ``overwrite``."""
+    """Write program and sheet; returns their names. Raises FileError for a file that is there, unless
+    ``overwrite``."""
     there = [] if overwrite else [name for name in targets(done) if os.path.lexists(name)]
     if there:
-        raise FileError(say("{file} exists; choose another name, or ask for it to be overwritten", file=there[0]), there[0])
+        raise FileError(
+            say("{file} exists; choose another name, or ask for it to be overwritten", file=there[0]),
+            there[0],
+        )
     return workshop.write_outputs(done)

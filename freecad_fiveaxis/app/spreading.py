@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Processes for work of many trials: *Compare*, *Where to clamp* and the reach map, in the window and without one.
+"""Processes for work of many trials: *Compare*, *Where to clamp* and the reach map, in the window and without
+one.
 
-The block that has them stands around :func:`.long_work.run`, in the thread that asked for the work: so they are gone once that
-goes on, whether the work has ended, was stopped, or was abandoned in one long call.
+The block that has them stands around :func:`.long_work.run`, in the thread that asked for the work: so they
+are gone once that goes on, whether the work has ended, was stopped, or was abandoned in one long call.
 """
 
 from __future__ import annotations
@@ -25,8 +26,9 @@ patience = PATIENCE
 
 @contextmanager
 def processes(least: int = 2) -> Iterator[Executor | None]:
-    """Who does the trials, as many at a time as the user prefers; None: this process, as where fewer than ``least`` are preferred
-    or no Python can work beside this FreeCAD. Whatever happens in the block, no process is left after it."""
+    """Who does the trials, as many at a time as the user prefers; None: this process, as where fewer than
+    ``least`` are preferred or no Python can work beside this FreeCAD. Whatever happens in the block, no
+    process is left after it."""
     count, around = preferences.processes() or PROCESSORS, Around(FreeCAD.getHomePath(), meshing.command())
     if count < max(least, 2) or has_no_worker(around):
         yield None
@@ -38,4 +40,6 @@ def processes(least: int = 2) -> Iterator[Executor | None]:
         finally:
             pool.stop()
     if pool.died:
-        FreeCAD.Console.PrintLog(f"Five-axis: {pool.died} processes ended before their work; it was done here\n")
+        FreeCAD.Console.PrintLog(
+            f"Five-axis: {pool.died} processes ended before their work; it was done here\n"
+        )

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Tessellation object: the mesh of a solid, with the facets of the chosen faces.
 
-linear deflection    mm; no facet is further than this from the surface.   angular deflection   deg between neighbouring facets.
-facet runs           start, stop, start, stop ...: which facets lie on the faces that are milled: the chosen ones, or all, without
-                     those that are left alone; none where all are to be milled.
+linear deflection    mm; no facet is further than this from the surface.   angular deflection   deg between
+                     neighbouring facets.
+facet runs           start, stop, start, stop ...: which facets lie on the faces that are milled: the chosen
+                     ones, or all, without those that are left alone; none where all are to be milled.
 
-The mesher is MeshPart's, which keeps the facets of a face together and in the order of the faces; ``shape.tessellate`` takes
-many times as long and makes more facets.
+The mesher is MeshPart's, which keeps the facets of a face together and in the order of the faces;
+``shape.tessellate`` takes many times as long and makes more facets.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ LINEAR, ANGULAR = 0.02, 15.0
 PROPERTIES = (
     Property(
         "Base", "App::PropertyLinkSubGlobal", "Base",
-        QT_TRANSLATE_NOOP("App::Property", "The solid, body, compound or mesh, and the faces of it that are milled"),
+        QT_TRANSLATE_NOOP("App::Property", "The solid, body, compound or mesh, and the faces of it that are "
+            "milled"),
     ),
     Property(
         "Avoid", "App::PropertyLinkSubGlobal", "Base",
@@ -46,18 +48,22 @@ PROPERTIES = (
         "AngularDeflection", "App::PropertyAngle", "Tessellation",
         QT_TRANSLATE_NOOP("App::Property", "Largest angle between neighbouring facets"), ANGULAR,
     ),
-    Property("Facets", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Facets of the mesh"), 0, RESULT),
+    Property("Facets", "App::PropertyInteger", "Result", QT_TRANSLATE_NOOP("App::Property", "Facets of the "
+        "mesh"), 0, RESULT),
     Property(
         "FacetRuns", "App::PropertyIntegerList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are milled"), [], RESULT | HIDDEN | OUTPUT,
+        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are milled"), [],
+        RESULT | HIDDEN | OUTPUT,
     ),
     Property(
         "AvoidedRuns", "App::PropertyIntegerList", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are left alone"), [], RESULT | HIDDEN | OUTPUT,
+        QT_TRANSLATE_NOOP("App::Property", "Start and stop of the facets that are left alone"), [],
+        RESULT | HIDDEN | OUTPUT,
     ),
     Property(
         "MadeOf", "App::PropertyString", "Result",
-        QT_TRANSLATE_NOOP("App::Property", "Checksum of the base and the deflections that the mesh is made of"), "",
+        QT_TRANSLATE_NOOP("App::Property", "Checksum of the base and the deflections that the mesh is made "
+            "of"), "",
         RESULT | HIDDEN | OUTPUT,
     ),
 )  # fmt: skip
@@ -81,7 +87,8 @@ class Tessellation(Proxy):
         return PROPERTIES
 
     def build(self, obj: Any) -> None:
-        """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does no work again."""
+        """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does
+        no work again."""
         (base, faces), doc = chosen(obj), obj.Document
         with listening() as progress:
             progress("tessellate", 0.0)
@@ -96,8 +103,9 @@ class Tessellation(Proxy):
         self.built = True
 
     def avoided_runs(self, obj: Any) -> list[int]:
-        """The runs of the facets that are left alone, also where an earlier version has made the mesh and did not keep them: then
-        from the same mesh made once more, which stays out of the document. Raises SelectionError where it is not the same."""
+        """The runs of the facets that are left alone, also where an earlier version has made the mesh and did
+        not keep them: then from the same mesh made once more, which stays out of the document. Raises
+        SelectionError where it is not the same."""
         if obj.AvoidedRuns or not avoided(obj):
             return list(obj.AvoidedRuns)
         inputs = chosen(obj)[1], avoided(obj), obj.MadeOf
@@ -119,13 +127,17 @@ class Tessellation(Proxy):
 
 
 def _find_avoided(obj: Any) -> list[int]:
-    """The runs of the facets on the faces left alone, of the object's mesh made anew. Raises SelectionError for another mesh."""
+    """The runs of the facets on the faces left alone, of the object's mesh made anew. Raises SelectionError
+    for another mesh."""
     base, faces = chosen(obj)
     with listening() as progress:
-        mesh, runs, off = meshed(base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress, avoided(obj))
+        mesh, runs, off = meshed(
+            base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress, avoided(obj)
+        )
     if mesh.CountFacets != obj.Mesh.CountFacets or runs != list(obj.FacetRuns):
         text = say(
-            "{label} was made by an earlier version, which did not keep where the faces to be left alone are: recompute it, that "
+            "{label} was made by an earlier version, which did not keep where the faces to be left alone "
+            "are: recompute it, that "
             "is mark it to recompute in the tree and recompute the document.",
             label=obj.Label,
         )  # fmt: skip
@@ -134,8 +146,8 @@ def _find_avoided(obj: Any) -> list[int]:
 
 
 def hash_inputs(obj: Any) -> str:
-    """A checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the deflections; empty without
-    a base."""
+    """A checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the
+    deflections; empty without a base."""
     base, faces = chosen(obj)
     if base is None:
         return ""
@@ -146,7 +158,14 @@ def hash_inputs(obj: Any) -> str:
     else:
         whole = selection.solids(base)[0]
         box, shape = whole.BoundBox, tuple(tuple(corner.Point) for corner in whole.Vertexes)
-    inputs = [shape, str(box), selection.holder_of(base).Matrix.A, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value]
+    inputs = [
+        shape,
+        str(box),
+        selection.holder_of(base).Matrix.A,
+        faces,
+        obj.LinearDeflection.Value,
+        obj.AngularDeflection.Value,
+    ]
     inputs += [avoided(obj)] if avoided(obj) else []  # documents that know of none keep their checksums
     return hashlib.sha256(repr(tuple(inputs)).encode()).hexdigest()
 
@@ -173,12 +192,18 @@ def _is_of_base(obj: Any) -> bool:
 def _check_avoid(obj: Any) -> None:
     if obj.Base is not None and not _is_of_base(obj):
         base, other, names = obj.Base[0].Label, obj.Avoid[0].Label, ", ".join(avoided(obj))
-        text = say("{names} to be left alone is of {other}: choose faces of {label}.", names=names, other=other, label=base)
+        text = say(
+            "{names} to be left alone is of {other}: choose faces of {label}.",
+            names=names,
+            other=other,
+            label=base,
+        )
         raise selection.SelectionError(text, names)
 
 
 def leave_alone(obj: Any, names: Sequence[str]) -> bool:
-    """Have a Tessellation leave these faces of its base alone, and no others; whether that is a change. The mesh is not made."""
+    """Have a Tessellation leave these faces of its base alone, and no others; whether that is a change. The
+    mesh is not made."""
     if tuple(names) == avoided(obj) and _is_of_base(obj):
         return False
     obj.Avoid = (obj.Base[0], list(names)) if names else None
@@ -186,16 +211,24 @@ def leave_alone(obj: Any, names: Sequence[str]) -> bool:
 
 
 def meshed(
-    base: Any, faces: Sequence[str], linear: float, angular: float, progress: Progress, avoid: Sequence[str] = ()
+    base: Any,
+    faces: Sequence[str],
+    linear: float,
+    angular: float,
+    progress: Progress,
+    avoid: Sequence[str] = (),
 ) -> tuple[Any, list[int], list[int]]:
-    """The mesh of a base, the runs of its facets that are milled: those on the faces, all where none is named, without those on
-    faces to ``avoid``; no runs where all are; and the runs of those. ``linear`` mm, ``angular`` deg. Raises FiveAxisError."""
+    """The mesh of a base, the runs of its facets that are milled: those on the faces, all where none is
+    named, without those on faces to ``avoid``; no runs where all are; and the runs of those. ``linear`` mm,
+    ``angular`` deg. Raises FiveAxisError."""
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces, avoid), [], []
     if linear <= 0.0 or angular <= 0.0:
         raise SettingsError(
             say(
-                "the deflections are {linear} and {angular}; both must be above 0", linear=Length(linear), angular=Angle(angular)
+                "the deflections are {linear} and {angular}; both must be above 0",
+                linear=Length(linear),
+                angular=Angle(angular),
             ),
             (linear, angular),
         )
@@ -208,20 +241,28 @@ def meshed(
     mesh, counts = found
     if not mesh.CountFacets or len(counts) != len(whole.Faces) or sum(counts) != mesh.CountFacets:
         raise selection.SelectionError(
-            say("FreeCAD could not mesh {label}: check its geometry, or choose other deflections.", label=base.Label), base
+            say(
+                "FreeCAD could not mesh {label}: check its geometry, or choose other deflections.",
+                label=base.Label,
+            ),
+            base,
         )
     stop = list(accumulate(counts))
-    runs, off = ([bound for row in some for bound in (stop[row] - counts[row], stop[row])] for some in (rows, off))
+    runs, off = (
+        [bound for row in some for bound in (stop[row] - counts[row], stop[row])] for some in (rows, off)
+    )
     return mesh, runs, off
 
 
 def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], count: int) -> list[int]:
-    """The faces, of ``count``, that are milled: the first ``chosen`` rows, all where there are none of these, without the others.
-    None where all are. Raises SelectionError where nothing is left, which would be taken for all."""
+    """The faces, of ``count``, that are milled: the first ``chosen`` rows, all where there are none of these,
+    without the others. None where all are. Raises SelectionError where nothing is left, which would be taken
+    for all."""
     left = set(rows[:chosen] or range(count)) - set(rows[chosen:])
     if not left:
         text = say(
-            "All that is to be milled of {label} is to be left alone too: take {names}, or some of them, out of {option}.",
+            "All that is to be milled of {label} is to be left alone too: take {names}, or some of them, out "
+            "of {option}.",
             label=label, names=", ".join(avoid), option=Option("avoid", flag=False),
         )  # fmt: skip
         raise selection.SelectionError(text, ", ".join(avoid))
@@ -233,7 +274,8 @@ def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
         raise no_names(base)
     if faces:
         raise selection.SelectionError(
-            say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label), base.Label
+            say("{label} is a mesh and has no faces to choose: select the whole of it.", label=base.Label),
+            base.Label,
         )
     mesh = selection.checked_mesh(base)
     mesh.Placement = selection.holder_of(base).multiply(mesh.Placement)
@@ -243,16 +285,23 @@ def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
 def no_names(base: Any) -> selection.SelectionError:
     """What to say where faces of a mesh are to be left alone."""
     text = say(
-        "{label} is a mesh, whose faces have no names: choose the solid it is of, or mill it on the command line with {option}.",
+        "{label} is a mesh, whose faces have no names: choose the solid it is of, or mill it on the command "
+        "line with {option}.",
         label=base.Label, option="--avoid FACES.stl",
     )  # fmt: skip
     return selection.SelectionError(text, base.Label)
 
 
 def make(
-    doc: Any, base: Any, faces: Sequence[str] = (), linear: float = LINEAR, angular: float = ANGULAR, avoid: Sequence[str] = ()
+    doc: Any,
+    base: Any,
+    faces: Sequence[str] = (),
+    linear: float = LINEAR,
+    angular: float = ANGULAR,
+    avoid: Sequence[str] = (),
 ) -> Any:
-    """A Tessellation object with its mesh. ``linear`` mm, ``angular`` deg. Raises as :meth:`Tessellation.build`.
+    """A Tessellation object with its mesh. ``linear`` mm, ``angular`` deg. Raises as
+    :meth:`Tessellation.build`.
 
     Where it fails, no object is left behind.
     """

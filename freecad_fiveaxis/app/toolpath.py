@@ -23,12 +23,16 @@ from .schema import Proxy
 from .selection import SelectionError, is_mesh
 
 MESH = Property(
-    "Mesh", "App::PropertyLinkGlobal", "Base", QT_TRANSLATE_NOOP("App::Property", "The tessellation, or any mesh, that is milled")
+    "Mesh",
+    "App::PropertyLinkGlobal",
+    "Base",
+    QT_TRANSLATE_NOOP("App::Property", "The tessellation, or any mesh, that is milled"),
 )
 
 FIXTURES = Property(
     "Fixtures", "App::PropertyLinkListGlobal", "Safety",
-    QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: the path goes around them"),
+    QT_TRANSLATE_NOOP("App::Property", "Solids and meshes of the document that hold the part: the path goes "
+        "around them"),
 )  # fmt: skip
 
 
@@ -43,7 +47,15 @@ class Toolpath(Proxy):
     @classmethod
     def properties(cls) -> Sequence[Property]:
         """The mesh, the fixtures, the settings of task ``mill``, the work zero and the results."""
-        return (MESH, FIXTURES, job_setup.LINK, *setting_properties(MILL), *guides.LINKS.values(), WORK_ZERO, *RESULTS)
+        return (
+            MESH,
+            FIXTURES,
+            job_setup.LINK,
+            *setting_properties(MILL),
+            *guides.LINKS.values(),
+            WORK_ZERO,
+            *RESULTS,
+        )
 
     def task(self, obj: Any) -> results.Task:
         """What the object asks of the core. Raises FiveAxisError."""
@@ -51,13 +63,18 @@ class Toolpath(Proxy):
             raise mesh_is_gone(obj)
         if not is_mesh(obj.Mesh):
             raise SelectionError(
-                say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label), obj.Mesh.Label
+                say("{label} is no mesh: choose a tessellation or a mesh.", label=obj.Mesh.Label),
+                obj.Mesh.Label,
             )
         if "Invalid" in obj.Mesh.State:  # its facets are those of before: of another solid, or of other faces
-            text = say("{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString())
+            text = say(
+                "{label} could not be computed: {why}", label=obj.Mesh.Label, why=obj.Mesh.getStatusString()
+            )
             raise SelectionError(text, obj.Mesh.Label)
         fixtures = check_fixtures(obj)
-        named = guides.options_of(guides.links_of(obj), tuple(obj.WorkZero)) | compared.fixture_names(fixtures)
+        named = guides.options_of(guides.links_of(obj), tuple(obj.WorkZero)) | compared.fixture_names(
+            fixtures
+        )
         settings = build_settings(MILL, f"{obj.Mesh.Label}.stl", convert.options_of(obj, MILL) | named)
         facets, zero = convert.facets_of(obj.Mesh, obj.WorkZero), tuple(obj.WorkZero)
         solids = compared.held_parts(fixtures, zero, self.seen)
@@ -86,31 +103,39 @@ class Toolpath(Proxy):
 
 
 def check_fixtures(obj: Any) -> list[Any]:
-    """Give the fixtures of a Toolpath. Raises SelectionError for what is no solid and no mesh, and for the part itself."""
+    """Give the fixtures of a Toolpath. Raises SelectionError for what is no solid and no mesh, and for the
+    part itself."""
     part = getattr(obj.Mesh, "Base", None)
     for one in obj.Fixtures:
         compared.checked(obj.Document, one)
         if one is obj.Mesh or (part and one is part[0]):
-            text = say("{label} is the part that is milled: choose what holds it, or no fixture.", label=one.Label)
+            text = say(
+                "{label} is the part that is milled: choose what holds it, or no fixture.", label=one.Label
+            )
             raise SelectionError(text, one.Label)
     return list(obj.Fixtures)
 
 
 def mesh_is_gone(obj: Any) -> SelectionError:
     """What to say of a Toolpath whose mesh was deleted."""
-    text = say("The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.", label=obj.Label)
+    text = say(
+        "The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.",
+        label=obj.Label,
+    )
     return SelectionError(text, obj.Label)
 
 
 def with_strategies(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options, and pass strategy and tool axis as the core chooses them where they are left open. Raises FiveAxisError."""
+    """The options, and pass strategy and tool axis as the core chooses them where they are left open. Raises
+    FiveAxisError."""
     settings = build_settings(MILL, "mesh", options)
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     return {**options, "passes": settings.passes.passes, "tool_axis": settings.tool_axis.tool_axis}
 
 
 def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
-    """A Toolpath object of a mesh object, not yet computed. ``extra``: properties that are no settings of the core.
+    """A Toolpath object of a mesh object, not yet computed. ``extra``: properties that are no settings of the
+    core.
 
     Raises SettingsError, and then leaves no object behind.
     """

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths, areas, angles and feeds as a machinist reads them: millimetres, or inches where FreeCAD's unit schema is imperial.
+"""Lengths, areas, angles and feeds as a machinist reads them: millimetres, or inches where FreeCAD's unit
+schema is imperial.
 
-The schema decides between mm and inches only: no micrometre, thou or metre, no fraction of an inch and no exponent, which
-FreeCAD's own texts would choose by the size of the value, and never more decimals than a machine knows.
+The schema decides between mm and inches only: no micrometre, thou or metre, no fraction of an inch and no
+exponent, which FreeCAD's own texts would choose by the size of the value, and never more decimals than a
+machine knows.
 """
 
 from __future__ import annotations
@@ -56,7 +58,8 @@ def measure_text(measure: Measure) -> str:
     places = most + extra if decimals is None else min(decimals, most) + extra
     whole = measure.form == IN_FULL
     numbers = measure.between.join(
-        formed(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places) for value in measure.values
+        formed(value / factor, IN_FULL) if whole else number_text(value / factor, digits, places)
+        for value in measure.values
     )
     unit = NAMES.get(kind, "{}").format("in" if inch else "mm") if kind in DECIMALS else measure.unit
     numbers = f"({numbers})" if isinstance(measure, Point) else numbers
@@ -72,7 +75,8 @@ def _precision(form: str) -> tuple[int, int | None]:
 
 
 def number_text(value: float, digits: int, decimals: int) -> str:
-    """A number with at most so many digits, of them so many behind the point; "<0.0001" for less than can be shown."""
+    """A number with at most so many digits, of them so many behind the point; "<0.0001" for less than can be
+    shown."""
     if not math.isfinite(value):
         return "∞" if value > 0.0 else "?"
     value = 0.0 if abs(value) < ROUNDING else value

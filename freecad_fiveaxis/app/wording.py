@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says, in the user's language and units: findings, errors and verdicts are shown by ``localize``."""
+"""What the core says, in the user's language and units: findings, errors and verdicts are shown by
+``localize``."""
 
 from __future__ import annotations
 

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The headless core: numpy and scipy only. Read ``job.py`` first; every call in it lives in the module of its name."""
+"""The headless core: numpy and scipy only. Read ``job.py`` first; every call in it lives in the module of its
+name."""

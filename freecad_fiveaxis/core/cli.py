@@ -3,11 +3,12 @@
 
 exit 0    done.
 exit 1    done, with findings of severity error.
-exit 2    the input cannot be used: a message on stderr, no output file; or the report cannot be shown: the message says which
-          files are written.
-exit 3    a fault of the program or of its surroundings (memory that ran out): one line says where to report it. With
-          FIVEAXIS_TRACEBACK in the environment, Python's traceback comes before it.
-exit 130  stopped by SIGINT (Ctrl-C); 143 by SIGTERM, 129 by SIGHUP. The message says whether the outputs are written.
+exit 2    the input cannot be used: a message on stderr, no output file; or the report cannot be shown: the
+          message says which files are written.
+exit 3    a fault of the program or of its surroundings (memory that ran out): one line says where to report
+          it. With FIVEAXIS_TRACEBACK in the environment, Python's traceback comes before it.
+exit 130  stopped by SIGINT (Ctrl-C); 143 by SIGTERM, 129 by SIGHUP. The message says whether the outputs are
+          written.
 
 The core is imported where it is used: numpy takes its time to load, and the user may stop that as well.
 """
@@ -50,7 +51,10 @@ ABOUT = {
     "setup": ("PART.stl|PATH.apt", "find out where on the table the part should stand"),
     "compare": ("PART.stl|PATH.apt", "compare machines and cures on one and the same path"),
     "reach": ("PART.stl", "map where on a part the tool gets at all, and what is in the way elsewhere"),
-    "recover": ("PATH.apt", "recover a machine's offsets and signs from a CL file and the program posted from it"),
+    "recover": (
+        "PATH.apt",
+        "recover a machine's offsets and signs from a CL file and the program posted from it",
+    ),
     "prove-signs": ("", "make a short safe program and a sheet that show a wrong sign before it cuts"),
 }
 SHORT = {"output": ("-o", "--output"), "machine_file": ("-o", "--output")}
@@ -86,10 +90,16 @@ def _answered(argv: Sequence[str]) -> int:
         _complain(f"fiveaxis: {error}")
         return UNUSABLE
     except Exception as fault:
-        signal = signals.received()  # what a module that is being loaded makes of a signal may be an ImportError
+        signal = (
+            signals.received()
+        )  # what a module that is being loaded makes of a signal may be an ImportError
         if signal is not None:
             return _stopped(signal)
-        return _without(fault) if isinstance(fault, ModuleNotFoundError) and fault.name in REQUIRED else _failed(fault)
+        return (
+            _without(fault)
+            if isinstance(fault, ModuleNotFoundError) and fault.name in REQUIRED
+            else _failed(fault)
+        )
 
 
 def _stopped(stop: BaseException) -> int:
@@ -104,7 +114,8 @@ def _complain_stopped() -> None:
 def _without(missing: ModuleNotFoundError) -> int:
     """A package that is needed is not installed for this Python: what to type, in one line."""
     _complain(
-        f"fiveaxis: {missing.name} is not installed for {sys.executable}: `{os.path.basename(sys.executable)} -m pip install "
+        f"fiveaxis: {missing.name} is not installed for {sys.executable}: "
+        f"`{os.path.basename(sys.executable)} -m pip install "
         f"{' '.join(REQUIRED)}`, or Debian's python3-{missing.name}"
     )
     return UNUSABLE
@@ -126,7 +137,8 @@ def _failed(fault: Exception) -> int:
 
 
 def _with_current_flags(argv: Sequence[str]) -> list[str]:
-    """The words, former names of options replaced by those of today; one line on stderr says so, unless all is to be quiet."""
+    """The words, former names of options replaced by those of today; one line on stderr says so, unless all
+    is to be quiet."""
     from freecad_fiveaxis.core.pipeline.settings import RENAMED
 
     now, words = {flag_of(old): flag_of(new) for old, new in RENAMED.items()}, list(argv)
@@ -140,7 +152,8 @@ def _with_current_flags(argv: Sequence[str]) -> list[str]:
 
 
 def _with_bare_options(argv: Sequence[str]) -> list[str]:
-    """Options that may stand without a value, followed by something that is none: with the value that they then mean."""
+    """Options that may stand without a value, followed by something that is none: with the value that they
+    then mean."""
     from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     bare = {flag_of(leaf.name): leaf.metadata for _, leaf in option_fields() if leaf.metadata["bare"]}
@@ -181,7 +194,9 @@ def _parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(required=True, metavar="COMMAND")
     for task, (what, text) in ABOUT.items():
         _add_task(commands.add_parser(task, help=text, description=text), task, what)
-    again = commands.add_parser("run", help="run a job file (JSON)", description="run a job file: the options of a task as JSON")
+    again = commands.add_parser(
+        "run", help="run a job file (JSON)", description="run a job file: the options of a task as JSON"
+    )
     again.add_argument("source", metavar="JOB.json")
     again.add_argument("--quiet", action="store_true", help="no progress, no report on the terminal")
     again.set_defaults(act=_run_file)
@@ -193,11 +208,17 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_import(commands: Any) -> None:
-    text = "make a machine file from a LinuxCNC configuration, a URDF file or a file of FreeCAD's Machine editor"
+    text = (
+        "make a machine file from a LinuxCNC configuration, a URDF file or a file of FreeCAD's Machine editor"
+    )
     parser = commands.add_parser("import-machine", help=text, description=text)
     parser.add_argument("source", metavar="CONFIG.ini|ROBOT.urdf|MACHINE.fcm")
     parser.add_argument(
-        "-o", "--output", metavar="OUT.fcm", required=True, help="the machine file to write; no file is overwritten"
+        "-o",
+        "--output",
+        metavar="OUT.fcm",
+        required=True,
+        help="the machine file to write; no file is overwritten",
     )
     parser.add_argument("--quiet", action="store_true", help="no table on the terminal")
     parser.set_defaults(act=_import_machine)
@@ -218,7 +239,9 @@ def _add_task(parser: argparse.ArgumentParser, task: str, what: str) -> None:
     if what:
         parser.add_argument("source", metavar=what)
     if task in TRIALS:
-        parser.add_argument("--workers", metavar="N", help="so many processes work on it; the result is the same [1]")
+        parser.add_argument(
+            "--workers", metavar="N", help="so many processes work on it; the result is the same [1]"
+        )
     _add_options(parser, task)
     parser.set_defaults(act=_run_task, task=task)
 
@@ -229,11 +252,15 @@ def _add_options(parser: argparse.ArgumentParser, task: str, without: Sequence[s
     for cls, leaf in option_fields(task):
         if leaf.name in without:
             continue
-        title = cls.__name__ if sys.flags.optimize > 1 else (cls.__doc__ or "").strip().rstrip(".")  # -OO: no docstrings
+        title = (
+            cls.__name__ if sys.flags.optimize > 1 else (cls.__doc__ or "").strip().rstrip(".")
+        )  # -OO: no docstrings
         if leaf.name in SECOND:
             parser.add_argument(leaf.name, metavar=SECOND[leaf.name])
             continue
-        box = next((g for g in parser._action_groups if g.title == title), None) or parser.add_argument_group(title)
+        box = next((g for g in parser._action_groups if g.title == title), None) or parser.add_argument_group(
+            title
+        )
         flags = SHORT.get(leaf.name, (flag_of(leaf.name),))
         many = leaf.metadata["kind"] in ("paths", "names")
         extra = {"action": "append"} if many else {"choices": leaf.metadata["choices"] or None}
@@ -261,7 +288,8 @@ def _metavar(leaf: Any) -> str | None:
 
 
 CUTTERS = (
-    "KIND:SIZES, as ball:10, flat:0.5in, bull:10:2 (corner), taperball:6:5deg, taperbull:10:2:5deg, lollipop:10:6 (neck) or "
+    "KIND:SIZES, as ball:10, flat:0.5in, bull:10:2 (corner), taperball:6:5deg, taperbull:10:2:5deg, "
+    "lollipop:10:6 (neck) or "
     "barrel:10:85:2 (flank, tip); :LENGTH may follow"
 )
 
@@ -299,7 +327,11 @@ def _options_given(arguments: argparse.Namespace) -> dict[str, Any]:
     from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     names = {leaf.name for _, leaf in option_fields(arguments.task)}
-    return {name.rstrip("_"): value for name, value in vars(arguments).items() if name in names and value is not None}
+    return {
+        name.rstrip("_"): value
+        for name, value in vars(arguments).items()
+        if name in names and value is not None
+    }
 
 
 def _batch(arguments: argparse.Namespace) -> int:
@@ -319,7 +351,8 @@ def _run_file(arguments: argparse.Namespace) -> int:
 
 
 def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int = 1) -> int:
-    """Do what is asked; ``read``: files that are read already, which no output may be; ``workers``: processes for trials."""
+    """Do what is asked; ``read``: files that are read already, which no output may be; ``workers``: processes
+    for trials."""
     from freecad_fiveaxis.core.pipeline import job, outputs
     from freecad_fiveaxis.core.pipeline.settings import TRIALS, WORKSHOP
     from freecad_fiveaxis.core.report import as_text
@@ -337,7 +370,9 @@ def _run(settings: Settings, quiet: bool, read: Sequence[str] = (), workers: int
         files = outputs.write_outputs(result, progress)
     if not quiet:
         _show_report([as_text(job.figures(result)), *_wrote(files)], files)
-    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
+    return (
+        DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in result.findings) else DONE
+    )
 
 
 def _try(settings: Settings, quiet: bool, workers: int) -> int:
@@ -373,7 +408,11 @@ def _show_report(parts: Sequence[str], written: Sequence[str]) -> None:
         show("\n".join(parts), sys.stdout)
     except FileError as error:
         raise FileError(
-            say("{error}; these files are written: {written}", error=error, written=", ".join(written) or say("none asked for")),
+            say(
+                "{error}; these files are written: {written}",
+                error=error,
+                written=", ".join(written) or say("none asked for"),
+            ),
             error.value,
         ) from error
 
@@ -382,14 +421,18 @@ def _import_machine(arguments: argparse.Namespace) -> int:
     from freecad_fiveaxis.core.machine.importing import as_text, import_machine, save_imported
 
     if not arguments.output.lower().endswith(".fcm"):
-        raise SettingsError(say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output)
+        raise SettingsError(
+            say("machine file {output} needs the ending .fcm", output=arguments.output), arguments.output
+        )
     check_readable(arguments.source)
     check_writable(arguments.output)
     imported = import_machine(arguments.source)
     written = save_imported(imported, arguments.output)
     if not arguments.quiet:
         _show_report([as_text(imported), *_wrote(written)], written)
-    return DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
+    return (
+        DONE_WITH_ERRORS if any(finding.severity is Severity.ERROR for finding in imported.findings) else DONE
+    )
 
 
 def _machines(arguments: argparse.Namespace) -> int:
@@ -412,7 +455,9 @@ def _strategies(arguments: argparse.Namespace) -> int:
         name: (strategy.__doc__ or "").strip() for name, strategy in STRATEGIES.items()
     }  # none where Python left them out (-OO)
     rows = [(name, text.partition("\n")[0]) for name, text in descriptions.items()]
-    return _list([*rows, *((f"--passes {name}", strategy.text) for name, strategy in PASS_STRATEGIES.items())])
+    return _list(
+        [*rows, *((f"--passes {name}", strategy.text) for name, strategy in PASS_STRATEGIES.items())]
+    )
 
 
 def _list(rows: Iterable[tuple[str, str]]) -> int:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Gives each of our document objects its view provider, whoever made it: a command, a macro, or FreeCAD without a window.
+"""Gives each of our document objects its view provider, whoever made it: a command, a macro, or FreeCAD
+without a window.
 
 Nothing here imports numpy: it runs when FreeCAD's window starts.
 """
@@ -33,8 +34,11 @@ class Observer:
     """Watches all documents."""
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """A new object gets its view as soon as it has its proxy; what depends on a changed object may be out of date."""
-        if FreeCAD.isRestoring():  # the views of the file come later; one that stood here already would be pushed aside
+        """A new object gets its view as soon as it has its proxy; what depends on a changed object may be out
+        of date."""
+        if (
+            FreeCAD.isRestoring()
+        ):  # the views of the file come later; one that stood here already would be pushed aside
             return
         if name == "Proxy":
             attach(obj)
@@ -96,10 +100,14 @@ def attach(obj: Any) -> None:
 
 
 def _settle(doc: Any) -> None:
-    """What is current is not recomputed. Documents without an object of ours are left alone, and numpy unloaded."""
+    """What is current is not recomputed. Documents without an object of ours are left alone, and numpy
+    unloaded."""
     if not any(doc is one for one in FreeCAD.listDocuments().values()):
         return
-    if any(type(getattr(obj, "Proxy", None)).__module__ in VIEWS and "Touched" in obj.State for obj in doc.Objects):
+    if any(
+        type(getattr(obj, "Proxy", None)).__module__ in VIEWS and "Touched" in obj.State
+        for obj in doc.Objects
+    ):
         from freecad_fiveaxis.app.restored import settle
 
         if settle(doc):
@@ -129,7 +137,8 @@ def _forget(gone: Any) -> None:
 
 
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
-    """The paths and maps that depend on ``changed`` (None: all), or only those that say so already, see whether they are old."""
+    """The paths and maps that depend on ``changed`` (None: all), or only those that say so already, see
+    whether they are old."""
     for obj in doc.Objects:
         view = _view_of(obj)
         if not hasattr(view, "look_again") or (changed is not None and not view.depends_on(changed)):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of a comparison, a window below the view: one row a machine, cure and kind of control. A click on a head sorts it.
+"""The table of a comparison, a window below the view: one row a machine, cure and kind of control. A click on
+a head sorts it.
 
-The numbers are the core's; each cell keeps its own (mm, s, rad) under the text in the user's units, and is sorted by it. The
-window closes with the document of its path. Nothing here imports numpy before there is a table.
+The numbers are the core's; each cell keeps its own (mm, s, rad) under the text in the user's units, and is
+sorted by it. The window closes with the document of its path. Nothing here imports numpy before there is a
+table.
 """
 
 from __future__ import annotations
@@ -93,14 +95,19 @@ class Table:
         self.dock.hide()
 
     def save(self) -> None:
-        """Ask for a file and write the table there; a file that is there is replaced only if the user says so."""
+        """Ask for a file and write the table there; a file that is there is replaced only if the user says
+        so."""
         from freecad_fiveaxis.app import comparing
 
         from .panels.setup import ask_file, write_asking
 
-        file = ask_file(self.dock, self.document.FileName, self.label + " " + translate("FiveAxis", "machines"))
+        file = ask_file(
+            self.dock, self.document.FileName, self.label + " " + translate("FiveAxis", "machines")
+        )
         if file:
-            write_asking(file, lambda agreed: comparing.write(self.comparison, file, agreed), self.error.setText)
+            write_asking(
+                file, lambda agreed: comparing.write(self.comparison, file, agreed), self.error.setText
+            )
 
 
 def show(path: Any, comparison: Any) -> Table:
@@ -128,9 +135,12 @@ def forget(gone: Any) -> None:
 def heads() -> list[str]:
     """The titles of the columns."""
     return [
-        translate("FiveAxis", "Machine"), translate("FiveAxis", "Correction"), translate("FiveAxis", "Tip guided (RTCP)"),
-        translate("FiveAxis", "Largest deviation"), translate("FiveAxis", "Proven bound"), translate("FiveAxis", "Blocks"),
-        translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"), translate("FiveAxis", "Peak of 1st rotary"),
+        translate("FiveAxis", "Machine"), translate("FiveAxis", "Correction"),
+        translate("FiveAxis", "Tip guided (RTCP)"),
+        translate("FiveAxis", "Largest deviation"), translate("FiveAxis", "Proven bound"),
+        translate("FiveAxis", "Blocks"),
+        translate("FiveAxis", "Time"), translate("FiveAxis", "Peak of X, Y, Z"),
+        translate("FiveAxis", "Peak of 1st rotary"),
         translate("FiveAxis", "Peak of 2nd rotary"), translate("FiveAxis", "Limits"),
     ]  # fmt: skip
 
@@ -173,4 +183,8 @@ def _turning(row: Any, column: int) -> Cell:
     from freecad_fiveaxis.core.machine import fitted_columns
 
     letter, rate = row.letters[column], row.peak_rate[column]
-    return Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate) if column in fitted_columns(row.letters) else Cell("–")
+    return (
+        Cell(f"{letter} {math.degrees(rate):.0f}°/min", rate)
+        if column in fitted_columns(row.letters)
+        else Cell("–")
+    )

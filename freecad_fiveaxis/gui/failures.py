@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors of ours that nobody foresaw: each is shown, in red in the panel that is open or in a message box, with its traceback in
-the report view. None vanishes.
+"""Errors of ours that nobody foresaw: each is shown, in red in the panel that is open or in a message box,
+with its traceback in the report view. None vanishes.
 
 slot      a function of ours that Qt or FreeCAD calls: of a button, a field, a timer, an observer, a command.
-PySide hands an error of a slot that it calls to ``sys.excepthook``, on PySide2 and PySide6 alike: ``watch`` listens there.
-FreeCAD catches those of the methods that it calls itself and prints them: they are ``guarded``.
+PySide hands an error of a slot that it calls to ``sys.excepthook``, on PySide2 and PySide6 alike: ``watch``
+listens there. FreeCAD catches those of the methods that it calls itself and prints them: they are
+``guarded``.
 """
 
 from __future__ import annotations
@@ -31,7 +32,8 @@ _box: list[Any] = []
 
 
 def watch() -> None:
-    """From now on errors of slots that PySide calls are shown. Whoever listened before still hears of all of them."""
+    """From now on errors of slots that PySide calls are shown. Whoever listened before still hears of all of
+    them."""
     before = sys.excepthook
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
@@ -70,7 +72,8 @@ def guards(cls: type) -> type:
 
 
 def attend(panel: Any) -> None:
-    """Give a task panel that is about to open its red line, and guard what FreeCAD calls of it. ``panel.form``: its widget."""
+    """Give a task panel that is about to open its red line, and guard what FreeCAD calls of it.
+    ``panel.form``: its widget."""
     from .panels.lines import error_line
 
     line = error_line("failure")
@@ -85,7 +88,9 @@ def show(error: BaseException) -> None:
     """Tell of an error that should not have happened: in the panel that is open, else in a message box."""
     from freecad_fiveaxis.app import wording
 
-    text = translate("FiveAxis", "This should not have happened: {error}. The details are in the report view.")
+    text = translate(
+        "FiveAxis", "This should not have happened: {error}. The details are in the report view."
+    )
     text = text.format(error=wording.localize(error).rstrip(".") or type(error).__name__)
     if not _show_in_panel(text):
         later(lambda: _show_box(text))  # no event loop within an observer

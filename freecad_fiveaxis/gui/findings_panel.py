@@ -2,8 +2,8 @@
 """The list of findings, a window at the side: the verdict, what a result says about itself, and where.
 
 row       a finding of the result, or a marker that no finding tells of.
-Picking a row moves the view to its place; picking a marker in the view selects its row. Below the list stands, in plain words,
-what happens there, why, and what helps.
+Picking a row moves the view to its place; picking a marker in the view selects its row. Below the list
+stands, in plain words, what happens there, why, and what helps.
 """
 
 from __future__ import annotations
@@ -59,7 +59,8 @@ def forget(gone: Any) -> None:
 
 
 def show(path: Any, marker: int | None = None) -> Any:
-    """Open the list for a path, at a marker (its row among the path's markers) where given; returns the Panel."""
+    """Open the list for a path, at a marker (its row among the path's markers) where given; returns the
+    Panel."""
     from .messages import telling
     from .waiting import waiting
 
@@ -218,9 +219,15 @@ class Panel:
             from freecad_fiveaxis.app import wording
 
             return _html([("", wording.localize(finding.text))], title)
-        heads = (translate("FiveAxis", "What happens"), translate("FiveAxis", "Why"), translate("FiveAxis", "What helps"))
+        heads = (
+            translate("FiveAxis", "What happens"),
+            translate("FiveAxis", "Why"),
+            translate("FiveAxis", "What helps"),
+        )
         parts = list(zip(heads, explanation, strict=True))
-        return _html([("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title)
+        return _html(
+            [("", words.count_text(row.kind, summary(self.figures))), *parts] if row.whole else parts, title
+        )
 
 
 def _html(parts: list[tuple[str, str]], title: str) -> str:
@@ -233,7 +240,9 @@ def _scope_page(figures: Any, some: bool) -> str:
     from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.report import scope, summary
 
-    parts = [] if some else [("", translate("FiveAxis", "Nothing to report: all blocks are as they should be."))]
+    parts = (
+        [] if some else [("", translate("FiveAxis", "Nothing to report: all blocks are as they should be."))]
+    )
     for name, texts in scope(figures, summary(figures)).named:
         parts += [(wording.localize(name) + ":", "; ".join(wording.localize(one) for one in texts) + ".")]
     return _html(parts, translate("FiveAxis", "What the verdict rests on"))

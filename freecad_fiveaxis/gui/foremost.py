@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whose legend a view has: that of the object which is selected, else of the one that was selected or shown last.
+"""Whose legend a view has: that of the object which is selected, else of the one that was selected or shown
+last.
 
-Markers, NC output and tessellation have no legend: they stand for their path. Nothing here imports numpy or pivy.
+Markers, NC output and tessellation have no legend: they stand for their path. Nothing here imports numpy or
+pivy.
 """
 
 from __future__ import annotations
@@ -66,7 +68,8 @@ def _look() -> None:
 
 
 def _legends_of(obj: Any) -> list[Any]:
-    """The legend of an object, else that of the path which it belongs to; none where that was not drawn yet."""
+    """The legend of an object, else that of the path which it belongs to; none where that was not drawn
+    yet."""
     if not kind_of(obj):
         return []
     near = [obj, getattr(obj, "Path", None), *obj.InList]

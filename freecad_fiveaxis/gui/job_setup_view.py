@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Setup shows itself: in the tree alone. The path of this class stands in saved documents: it is forever."""
+"""How a Setup shows itself: in the tree alone. The path of this class stands in saved documents: it is
+forever."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the keys go after long work: to the task panel that is open, so that Esc closes it.
 
-FreeCAD hears Esc where the focus is within its task view. FreeCAD 1.1 lays that over the 3D view, and hands the focus to the view
-when the window comes to life again after the dialog of long work; there Esc closes nothing. The panel as a whole gets the keys,
-and none of its buttons: Space would press it.
+FreeCAD hears Esc where the focus is within its task view. FreeCAD 1.1 lays that over the 3D view, and hands
+the focus to the view when the window comes to life again after the dialog of long work; there Esc closes
+nothing. The panel as a whole gets the keys, and none of its buttons: Space would press it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from typing import Any
 from .qt import QtCore, later
 
 AGAIN, TRIES = 50, 20
-"""ms between two looks whether the window is active and the panel has the keys, and how many: a second, for slow desktops."""
+"""ms between two looks whether the window is active and the panel has the keys, and how many: a second, for
+slow desktops."""
 
 _open: list[Any] = []
 """The widget of the panel that was opened last."""
@@ -31,7 +32,9 @@ def give_back() -> None:
 
 def _give_back(tries: int) -> None:
     try:
-        kept = [form for form in _open if form.isVisible() and not (form.isActiveWindow() and form.hasFocus())]
+        kept = [
+            form for form in _open if form.isVisible() and not (form.isActiveWindow() and form.hasFocus())
+        ]
         for form in kept:
             form.setFocus(QtCore.Qt.OtherFocusReason)
     except RuntimeError:  # PySide: already deleted, that panel was closed

@@ -29,15 +29,22 @@ class MarkersPicture:
         places = np.array([tuple(place) for place in self.obj.Places], float).reshape(-1, 3)
         good, bad = rgb(view.ColourGood), rgb(view.ColourBad)
         deviation, tolerance = (judged_of(path)[0], path.Tolerance.Value) if path is not None else (0.0, 0.0)
-        drawing = getattr(getattr(path.ViewObject.Proxy, "picture", None), "drawing", None) if path is not None else None
+        drawing = (
+            getattr(getattr(path.ViewObject.Proxy, "picture", None), "drawing", None)
+            if path is not None
+            else None
+        )
         if drawing is not None:  # else they have their whole size
             self.marks.stand_on(drawing.low, drawing.high)
         self.marks.show(
-            places, kinds, largest_colour(deviation, tolerance, good, bad), bad, rgb(view.ColourSingular), view.MarkerSize
+            places, kinds, largest_colour(deviation, tolerance, good, bad), bad, rgb(view.ColourSingular),
+            view.MarkerSize
         )  # fmt: skip
         texts: list[Any] = []
         if view.ShowLabel and path is not None and tells_of(path):
             largest = labels.LargestDeviation(deviation, path.WorstLine, tolerance, good, bad)
-            values = [depth or area for depth, area in zip_longest(self.obj.Depths, self.obj.Areas, fillvalue=0.0)]
+            values = [
+                depth or area for depth, area in zip_longest(self.obj.Depths, self.obj.Areas, fillvalue=0.0)
+            ]
             texts = labels.of_marks(places.tolist(), kinds, values, largest)
         self.labels.show(texts)

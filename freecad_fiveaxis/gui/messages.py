@@ -23,15 +23,19 @@ def warn(text: str) -> None:
 
 
 def ask(text: str, yes: str, no: str = "") -> bool:
-    """Whether the user answers with ``yes``, the text of that button; the other one, which Enter and Esc mean, is ``no``, or
-    Cancel."""
+    """Whether the user answers with ``yes``, the text of that button; the other one, which Enter and Esc
+    mean, is ``no``, or Cancel."""
     box = QtWidgets.QMessageBox(main_window())
     box.setObjectName("FiveAxisQuestion")
     box.setIcon(QtWidgets.QMessageBox.Question)
     box.setWindowTitle(translate("FiveAxis", "Five-axis"))
     box.setText(text)
     agreed = box.addButton(yes, QtWidgets.QMessageBox.AcceptRole)
-    other = box.addButton(no, QtWidgets.QMessageBox.RejectRole) if no else box.addButton(QtWidgets.QMessageBox.Cancel)
+    other = (
+        box.addButton(no, QtWidgets.QMessageBox.RejectRole)
+        if no
+        else box.addButton(QtWidgets.QMessageBox.Cancel)
+    )
     box.setDefaultButton(other)
     box.setEscapeButton(other)
     execute(box)
@@ -45,7 +49,8 @@ def status(text: str) -> None:
 
 @contextmanager
 def telling() -> Iterator[None]:
-    """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors go on."""
+    """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors
+    go on."""
     from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of one path: which figures are drawn, whether they still are those of the object, and what says so."""
+"""The picture of one path: which figures are drawn, whether they still are those of the object, and what says
+so."""
 
 from __future__ import annotations
 
@@ -25,8 +26,9 @@ SWITCHES = {
 class Picture:
     """Nodes of a path, and what they show.
 
-    ``figures`` those that are drawn; ``styled``: with the colours and sizes that the view has now; ``checked``: why the object is
-    out of date, empty where it is not, None where nobody looked since the last change; ``failed``: why nothing could be computed.
+    ``figures`` those that are drawn; ``styled``: with the colours and sizes that the view has now;
+    ``checked``: why the object is out of date, empty where it is not, None where nobody looked since the last
+    change; ``failed``: why nothing could be computed.
     """
 
     def __init__(self, vobj: Any) -> None:
@@ -57,13 +59,18 @@ class Picture:
         self._write()
 
     def _find_figures(self) -> None:
-        """The figures that the object's properties tell of; computed where the document was just opened and shows the path."""
+        """The figures that the object's properties tell of; computed where the document was just opened and
+        shows the path."""
         last = self.obj.Proxy.last
         if last is None and self.obj.Fingerprint and self.vobj.Visibility and not self.failed:
             last = self._compute()
         if not self.obj.Fingerprint:
             self.figures = self.drawing = None
-        elif last is not None and last.figures is not self.figures and (self.figures is None or results.tells_of(self.obj)):
+        elif (
+            last is not None
+            and last.figures is not self.figures
+            and (self.figures is None or results.tells_of(self.obj))
+        ):
             self.figures, self.drawing, self.styled, self.failed = last.figures, draw(last.figures), False, ""
             self.checked = None
             findings_panel.renew(self.obj)
@@ -84,13 +91,14 @@ class Picture:
     def _look(self) -> Look:
         view = self.vobj
         return Look(
-            rgb(view.ColourGood), rgb(view.ColourBad), rgb(view.ColourSingular), rgb(view.ColourAxes), view.LineWidth,
+            rgb(view.ColourGood), rgb(view.ColourBad), rgb(view.ColourSingular), rgb(view.ColourAxes),
+            view.LineWidth,
             view.MarkerSize, view.AxisLength.Value,
         )  # fmt: skip
 
     def _turn(self) -> None:
-        """Markers and label belong to the Markers object where there is one. What is shown of the worst blocks, label and curves,
-        goes with the markers: one switch leaves the plain path."""
+        """Markers and label belong to the Markers object where there is one. What is shown of the worst
+        blocks, label and curves, goes with the markers: one switch leaves the plain path."""
         for name, prop in SWITCHES.items():
             self.nodes.turn(name, getattr(self.vobj, prop))
         markers = markers_of(self.obj)
@@ -107,7 +115,9 @@ class Picture:
             legend = words.empty_legend(self.obj.Label, warning) if warning else None
         else:
             kinds = [mark.kind for mark in self.drawing.markers] if self.drawing is not None else []
-            legend = words.legend_of(self.obj.Label, self.figures, self._look(), warning, kinds, self._shown())
+            legend = words.legend_of(
+                self.obj.Label, self.figures, self._look(), warning, kinds, self._shown()
+            )
         self.nodes.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
         self.nodes.labels.show(self._labels())
 

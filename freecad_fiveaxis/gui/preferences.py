@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page of FreeCAD's preferences: its form is ``resources/ui/preferences.ui``, its values those of ``app.preferences``.
+"""The page of FreeCAD's preferences: its form is ``resources/ui/preferences.ui``, its values those of
+``app.preferences``.
 
-Each widget of the form that bears a parameter's name shows that parameter. The page is not left to FreeCAD's own loading of
-forms, because the lists of machines and controllers are made when it opens.
+Each widget of the form that bears a parameter's name shows that parameter. The page is not left to FreeCAD's
+own loading of forms, because the lists of machines and controllers are made when it opens.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ VALUES = {
 
 
 def register() -> None:
-    """Add the page, its icon and the translations. Called once, when the window starts; imports nothing heavy."""
+    """Add the page, its icon and the translations. Called once, when the window starts; imports nothing
+    heavy."""
     FreeCADGui.addIconPath(resource("icons"))
     FreeCADGui.addLanguagePath(resource("translations"))
     FreeCADGui.updateLocale()  # FreeCAD has looked for translations before it came to the add-ons
@@ -111,7 +113,10 @@ def _controllers() -> dict[str, str]:
     from freecad_fiveaxis.app.labels import controller_label
     from freecad_fiveaxis.core.controllers import DIALECTS
 
-    return {translate("FiveAxis", "the machine's own"): "", **{controller_label(name): name for name in DIALECTS}}
+    return {
+        translate("FiveAxis", "the machine's own"): "",
+        **{controller_label(name): name for name in DIALECTS},
+    }
 
 
 def _machines() -> dict[str, str]:

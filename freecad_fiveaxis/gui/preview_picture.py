@@ -29,7 +29,8 @@ SHAPES = ("Shape", "Mesh", "Placement", "Fingerprint")
 
 @guards
 class PreviewPicture:
-    """The lines of one preview in a view of the document; ``gone`` is called when a change of the document takes them away."""
+    """The lines of one preview in a view of the document; ``gone`` is called when a change of the document
+    takes them away."""
 
     def __init__(self, doc: Any, gone: Callable[[], None]) -> None:
         self.doc, self.gone = doc.Name, gone

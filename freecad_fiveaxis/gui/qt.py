@@ -36,7 +36,8 @@ _window: list[Any] = []
 
 
 def main_window() -> Any:
-    """FreeCAD's main window, always the same Python object: what is made with it as parent lives as long as that object does."""
+    """FreeCAD's main window, always the same Python object: what is made with it as parent lives as long as
+    that object does."""
     if not _window:
         import FreeCADGui
 
@@ -55,11 +56,12 @@ def flags(value: Any) -> int:
 
 
 def create(name: str) -> Any:
-    """A widget of FreeCAD's own, as ``Gui::QuantitySpinBox``. Raises RuntimeError where this FreeCAD has none.
+    """A widget of FreeCAD's own, as ``Gui::QuantitySpinBox``. Raises RuntimeError where this FreeCAD has
+    none.
 
-    FreeCAD deletes the widgets of a closed panel without PySide's knowledge, and PySide knows widgets by their address: a new
-    one may come as the old Python object of one that stood there, dead or soon to be. It is left in its place, unused, so
-    that the next one comes to stand elsewhere.
+    FreeCAD deletes the widgets of a closed panel without PySide's knowledge, and PySide knows widgets by
+    their address: a new one may come as the old Python object of one that stood there, dead or soon to be. It
+    is left in its place, unused, so that the next one comes to stand elsewhere.
     """
     import FreeCADGui
 
@@ -81,15 +83,19 @@ def _is_new(widget: Any) -> bool:
 
 
 def later(work: Callable[[], Any]) -> None:
-    """Do it when the window is idle again: a dialog must not close while one of its own signals is on the way."""
+    """Do it when the window is idle again: a dialog must not close while one of its own signals is on the
+    way."""
     QtCore.QTimer.singleShot(0, work)
 
 
 def resource(*parts: str) -> str:
-    """The path of a file in ``resources``: in the package when it is installed, beside it in the source tree."""
+    """The path of a file in ``resources``: in the package when it is installed, beside it in the source
+    tree."""
     package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     inside = os.path.join(package, "resources")
-    return os.path.join(inside if os.path.isdir(inside) else os.path.join(os.path.dirname(package), "resources"), *parts)
+    return os.path.join(
+        inside if os.path.isdir(inside) else os.path.join(os.path.dirname(package), "resources"), *parts
+    )
 
 
 def icon(name: str) -> str:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a reach map. Its places are found again where the document was just opened and shows the map."""
+"""The picture of a reach map. Its places are found again where the document was just opened and shows the
+map."""
 
 from __future__ import annotations
 
@@ -38,15 +39,17 @@ def area_lines(obj: Any) -> list[tuple[Obstacle, str, str, str]]:
     whole = max(obj.WholeArea.Value, 1e-30)
     areas = [(reason, getattr(obj, name).Value) for reason, name in reach.AREAS.items()]
     return [
-        (reason, reason_text(reason), area_text(area), f"{100.0 * area / whole:.1f} %") for reason, area in areas if area > 0.0
+        (reason, reason_text(reason), area_text(area), f"{100.0 * area / whole:.1f} %")
+        for reason, area in areas
+        if area > 0.0
     ]
 
 
 class ReachPicture:
     """Nodes of a map; ``root`` goes into the view provider.
 
-    ``found`` what is drawn; ``failed``: why nothing could be found; ``warned``: what the legend warns of; ``styled``: the axes
-    are drawn as the view's properties say.
+    ``found`` what is drawn; ``failed``: why nothing could be found; ``warned``: what the legend warns of;
+    ``styled``: the axes are drawn as the view's properties say.
     """
 
     def __init__(self, vobj: Any) -> None:
@@ -72,7 +75,9 @@ class ReachPicture:
         if self.vobj.ShowAxes and not self.styled:
             self._draw_axes()
         nodes.turn(self.axes, bool(self.vobj.ShowAxes))
-        self.warned = self.failed or (reach.out_of_date(self.obj) if self.vobj.Visibility else "")  # it hashes the mesh
+        self.warned = self.failed or (
+            reach.out_of_date(self.obj) if self.vobj.Visibility else ""
+        )  # it hashes the mesh
         legend = self._legend() if self.vobj.ShowLegend and (self.found is not None or self.warned) else None
         self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
 
@@ -86,7 +91,8 @@ class ReachPicture:
         self.strokes.addChild(reach_axes(*reach.axis_field(self.found), length, rgb(self.vobj.ColourAxes)))
 
     def _find(self) -> reach.Last | None:
-        """The map that the object's properties tell of. Where that fails, the legend and the object say why."""
+        """The map that the object's properties tell of. Where that fails, the legend and the object say
+        why."""
         known = self.obj.Proxy.last
         if known is not None:
             self.failed = ""

@@ -29,8 +29,12 @@ class ReachMapView(MapView):
 
     def claimChildren(self) -> list[Any]:
         """A tessellation that no tool path has stands below the map in the tree."""
-        mesh: Any = getattr(getattr(self, "obj", None), "Mesh", None)  # FreeCAD asks this before it attaches the view
-        if kind_of(mesh) != "tessellation" or any(kind_of(one) in ("toolpath", "audit") for one in mesh.InList):
+        mesh: Any = getattr(
+            getattr(self, "obj", None), "Mesh", None
+        )  # FreeCAD asks this before it attaches the view
+        if kind_of(mesh) != "tessellation" or any(
+            kind_of(one) in ("toolpath", "audit") for one in mesh.InList
+        ):
             return []
         return [mesh]
 

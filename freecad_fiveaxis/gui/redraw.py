@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Views are redrawn one after the other, when the window is idle.
 
-A change of an object comes as many small changes of its properties; the view is asked once, after them. It waits while a
-document is being computed or read and while a dialog waits for an answer, so that long work never starts within other work.
+A change of an object comes as many small changes of its properties; the view is asked once, after them. It
+waits while a document is being computed or read and while a dialog waits for an answer, so that long work
+never starts within other work.
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a map of rest material. Its heights are found again where the document was just opened and shows the map."""
+"""The picture of a map of rest material. Its heights are found again where the document was just opened and
+shows the map."""
 
 from __future__ import annotations
 
@@ -25,12 +26,18 @@ MARK_DIGITS = 3
 class RestPicture:
     """Nodes of a map; ``root`` goes into the view provider.
 
-    ``heights`` those that are drawn; ``failed``: why none could be found; ``warned``: what the legend warns of.
+    ``heights`` those that are drawn; ``failed``: why none could be found; ``warned``: what the legend warns
+    of.
     """
 
     def __init__(self, vobj: Any) -> None:
         self.vobj, self.obj = vobj, vobj.Object
-        self.origin, self.surface, self.labels, self.legend = coin.SoTranslation(), nodes.separate(), Labels(), LegendBox()
+        self.origin, self.surface, self.labels, self.legend = (
+            coin.SoTranslation(),
+            nodes.separate(),
+            Labels(),
+            LegendBox(),
+        )
         self.root = nodes.separate(self.origin, self.surface, self.legend.root, self.labels.root)
         self.heights: rest.Heights | None = None
         self.scale: HeightScale | None = None
@@ -47,11 +54,14 @@ class RestPicture:
             if found is not None:
                 self.scale = height_scale(found.rest, found.tolerance, found.allowed)
                 self.surface.addChild(rest_surface(found.mesh, found.rest, self.scale))
-        self.warned = self.failed or (rest.out_of_date(self.obj) if self.vobj.Visibility else "")  # it hashes the mesh
+        self.warned = self.failed or (
+            rest.out_of_date(self.obj) if self.vobj.Visibility else ""
+        )  # it hashes the mesh
         self._write()
 
     def _find(self) -> rest.Heights | None:
-        """The heights that the object's properties tell of. Where that fails, the legend and the object say why."""
+        """The heights that the object's properties tell of. Where that fails, the legend and the object say
+        why."""
         known = self.obj.Proxy.last
         if known is not None:
             self.failed = ""
@@ -63,7 +73,9 @@ class RestPicture:
         """Labels and legend."""
         shown = self.heights if self.vobj.ShowLabel else None
         self.labels.show(self._extremes(shown) if shown is not None else ())
-        legend = self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None
+        legend = (
+            self._legend() if self.vobj.ShowLegend and (self.heights is not None or self.warned) else None
+        )
         self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
 
     def _extremes(self, found: rest.Heights) -> list[Label]:
@@ -83,9 +95,15 @@ class RestPicture:
         uncut = translate("FiveAxis", "Uncut: {area} of {whole}")
         notes = (
             translate("FiveAxis", "From the part's surface to the cutter"),
-            translate("FiveAxis", "Most that is left: {height}").format(height=length_text(self.obj.LargestUndercut.Value)),
-            translate("FiveAxis", "Deepest below it: {depth}").format(depth=length_text(self.obj.LargestOvercut.Value)),
-            uncut.format(area=area_text(self.obj.UncutArea.Value), whole=area_text(self.obj.MachinedArea.Value)),
+            translate("FiveAxis", "Most that is left: {height}").format(
+                height=length_text(self.obj.LargestUndercut.Value)
+            ),
+            translate("FiveAxis", "Deepest below it: {depth}").format(
+                depth=length_text(self.obj.LargestOvercut.Value)
+            ),
+            uncut.format(
+                area=area_text(self.obj.UncutArea.Value), whole=area_text(self.obj.MachinedArea.Value)
+            ),
         )
         return overlay.Legend(self.obj.Label, scale_ramp(), marks, halves, (), notes, self.warned, notes[1])
 

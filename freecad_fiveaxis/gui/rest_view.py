@@ -31,7 +31,9 @@ class RestMapView(PictureView):
     def depends_on(self, obj: Any) -> bool:
         """Whether a change of that object may put this map out of date."""
         path = getattr(getattr(self, "obj", None), "Path", None)
-        view = getattr(getattr(path, "ViewObject", None), "Proxy", None)  # a path that is just deleted has lost its view already
+        view = getattr(
+            getattr(path, "ViewObject", None), "Proxy", None
+        )  # a path that is just deleted has lost its view already
         return path is not None and (obj is path or (view is not None and view.depends_on(obj)))
 
     def says_old(self) -> bool:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the user means: the selection, and the path among the objects of a document. Cheap, for it is asked all the time.
+"""What the user means: the selection, and the path among the objects of a document. Cheap, for it is asked
+all the time.
 
 path      a Toolpath or an Audit; its markers, its NC output and its tessellation stand for it too.
 """
@@ -12,7 +13,13 @@ import FreeCAD
 import FreeCADGui
 
 APP = "freecad_fiveaxis.app."
-TOOLPATH, AUDIT, TESSELLATION, SETUP_MAP, REACH_MAP = "Toolpath", "Audit", "Tessellation", "SetupMap", "ReachMap"
+TOOLPATH, AUDIT, TESSELLATION, SETUP_MAP, REACH_MAP = (
+    "Toolpath",
+    "Audit",
+    "Tessellation",
+    "SetupMap",
+    "ReachMap",
+)
 
 
 def idle() -> bool:
@@ -39,13 +46,18 @@ def has_path(*kinds: str) -> bool:
 
 
 def selected_path(*kinds: str) -> Any:
-    """The path of one of the kinds that is selected, or that what is selected belongs to; else the document's only one.
+    """The path of one of the kinds that is selected, or that what is selected belongs to; else the document's
+    only one.
 
     None where there is no such path, or where several could be meant.
     """
     doc = FreeCAD.ActiveDocument
-    chosen = {path.Name: path for obj in FreeCADGui.Selection.getSelection() for path in _paths_of(obj, kinds)}
-    there = chosen or {obj.Name: obj for obj in doc.findObjects("App::FeaturePython") if kind_of(obj) in kinds}
+    chosen = {
+        path.Name: path for obj in FreeCADGui.Selection.getSelection() for path in _paths_of(obj, kinds)
+    }
+    there = chosen or {
+        obj.Name: obj for obj in doc.findObjects("App::FeaturePython") if kind_of(obj) in kinds
+    }
     return next(iter(there.values())) if len(there) == 1 else None
 
 
@@ -63,10 +75,13 @@ def _paths_of(obj: Any, kinds: tuple[str, ...]) -> list[Any]:
 
 
 def part() -> tuple[Any, tuple[str, ...]]:
-    """The object to mill and the names of its chosen faces. Raises SelectionError that says what to select."""
+    """The object to mill and the names of its chosen faces. Raises SelectionError that says what to
+    select."""
     from freecad_fiveaxis.app import selection
 
-    return selection.pick([(one.Object, one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()])
+    return selection.pick(
+        [(one.Object, one.SubElementNames) for one in FreeCADGui.Selection.getSelectionEx()]
+    )
 
 
 def path_or_part() -> tuple[Any, tuple[Any, ...]]:
@@ -83,7 +98,8 @@ def path_or_part() -> tuple[Any, tuple[Any, ...]]:
 
 
 def job_or_part() -> tuple[Any, tuple[str, ...], dict[str, Any]]:
-    """The same and settings: those of a CAM Job where that is selected, whose model is then milled. Raises SelectionError."""
+    """The same and settings: those of a CAM Job where that is selected, whose model is then milled. Raises
+    SelectionError."""
     from freecad_fiveaxis.app import cam, selection
 
     chosen = FreeCADGui.Selection.getSelection()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a map of setups, from its object's properties alone: it stands as soon as a document is opened."""
+"""The picture of a map of setups, from its object's properties alone: it stands as soon as a document is
+opened."""
 
 from __future__ import annotations
 
@@ -41,12 +42,16 @@ class SetupPicture:
             setup_points(places[rows], shown, scale.level[rows], scale.good[rows], good, bad, view.MarkerSize)
         )  # fmt: skip
         named = view.ShowLabel and setups.BEST in kinds
-        self.labels.show([Label(places[kinds.index(setups.BEST)].tolist(), self._best(), nodes.WHITE)] if named else ())
+        self.labels.show(
+            [Label(places[kinds.index(setups.BEST)].tolist(), self._best(), nodes.WHITE)] if named else ()
+        )
         legend = self._legend(scale, good, bad, len(rows)) if view.ShowLegend else None
         self.legend.show(legend.folded() if legend is not None and view.FoldLegend else legend)
 
     def _best(self) -> str:
-        return translate("FiveAxis", "recommended: {deviation}").format(deviation=length_text(self.obj.DeviationAfter.Value))
+        return translate("FiveAxis", "recommended: {deviation}").format(
+            deviation=length_text(self.obj.DeviationAfter.Value)
+        )
 
     def _legend(self, scale: Any, good: nodes.Colour, bad: nodes.Colour, shown: int) -> overlay.Legend:
         template = translate("FiveAxis", "instead of {deviation} where it stood")
@@ -65,7 +70,9 @@ class SetupPicture:
             (PRESENT_COLOUR, translate("FiveAxis", "where the work zero stood")),
             (
                 BEYOND_COLOUR,
-                translate("FiveAxis", "beyond limits, below the table or in the machine: {count} places").format(count=beyond),
+                translate(
+                    "FiveAxis", "beyond limits, below the table or in the machine: {count} places"
+                ).format(count=beyond),
             ),
         )
         halves = (translate("FiveAxis", "smaller deviation"), translate("FiveAxis", "larger deviation"))

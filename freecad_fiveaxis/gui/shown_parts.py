@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What of a path is shown in the view: switches for the panel and for the menu of the object.
 
-part    a property of the path's view. Markers belong to the Markers object where there is one: then that one is shown or hidden.
+part    a property of the path's view. Markers belong to the Markers object where there is one: then that one
+        is shown or hidden.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One step of undo for one wish of the user.
 
-transaction   what undo takes back in one step. It is committed whole or aborted whole: an aborted one leaves the document
-              as it was, also in what waits to be recomputed.
+transaction   what undo takes back in one step. It is committed whole or aborted whole: an aborted one leaves
+              the document as it was, also in what waits to be recomputed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ import FreeCAD
 
 
 class OpenStep:
-    """A step that stays open while a task panel shows what it does: ``begin``, then ``keep`` or ``take_back``."""
+    """A step that stays open while a task panel shows what it does: ``begin``, then ``keep`` or
+    ``take_back``."""
 
     def __init__(self, doc: Any, name: str) -> None:
         self.doc, self.name, self.is_open = doc, name, False

@@ -14,7 +14,8 @@ COLOURS = {"red": "#b3261e", "amber": "#8a5a00", "green": "#0b6b3a", ADVICE: "#3
 
 
 class VerdictLabel(QtWidgets.QLabel):
-    """Hidden until there is a verdict; never lower than its words need at its width: what stands about it scrolls instead."""
+    """Hidden until there is a verdict; never lower than its words need at its width: what stands about it
+    scrolls instead."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -27,7 +28,8 @@ class VerdictLabel(QtWidgets.QLabel):
         light = getattr(obj, "Light", "")
         self.setText(obj.Verdict if light else "")
         self.setStyleSheet(
-            f"background: {COLOURS.get(light, 'none')}; color: white; font-weight: bold; padding: 6px; border-radius: 4px;"
+            f"background: {COLOURS.get(light, 'none')}; color: white; font-weight: bold; padding: 6px; "
+            "border-radius: 4px;"
         )
         self._keep_whole()
         self.setVisible(light in COLOURS)
@@ -38,5 +40,6 @@ class VerdictLabel(QtWidgets.QLabel):
         self._keep_whole()
 
     def _keep_whole(self) -> None:
-        """A label that wraps tells a layout of its height, and the layout of a low panel does not ask again."""
+        """A label that wraps tells a layout of its height, and the layout of a low panel does not ask
+        again."""
         self.setMinimumHeight(max(self.heightForWidth(self.width()), 0) if self.text() else 0)

@@ -26,20 +26,25 @@ COLOURS: tuple[Row, ...] = (
      QT_TRANSLATE_NOOP("App::Property", "Colour of markers near the pole")),
 )  # fmt: skip
 MARKS: tuple[Row, ...] = (
-    ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the largest deviation")),
+    ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the "
+        "largest deviation")),
     ("App::PropertyFloatConstraint", "MarkerSize", (7.0, 3.0, 25.0, 1.0),
      QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
 )  # fmt: skip
 LEGEND: tuple[Row, ...] = (
-    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours mean")),
-    ("App::PropertyBool", "FoldLegend", False, QT_TRANSLATE_NOOP("App::Property", "Leave one line of the legend")),
+    ("App::PropertyBool", "ShowLegend", True, QT_TRANSLATE_NOOP("App::Property", "Show what the colours "
+        "mean")),
+    ("App::PropertyBool", "FoldLegend", False, QT_TRANSLATE_NOOP("App::Property", "Leave one line of the "
+        "legend")),
 )  # fmt: skip
 PATH: tuple[Row, ...] = (
     ("App::PropertyBool", "ShowCuts", True,
      QT_TRANSLATE_NOOP("App::Property", "Show what cuts, in the colours of its deviation")),
     ("App::PropertyBool", "ShowLinks", True,
-     QT_TRANSLATE_NOOP("App::Property", "Show the ways between passes at feed, and where the tool is lifted off the part")),
-    ("App::PropertyBool", "ShowAxes", True, QT_TRANSLATE_NOOP("App::Property", "Show the tool axis here and there on the path")),
+     QT_TRANSLATE_NOOP("App::Property", "Show the ways between passes at feed, and where the tool is lifted "
+         "off the part")),
+    ("App::PropertyBool", "ShowAxes", True, QT_TRANSLATE_NOOP("App::Property", "Show the tool axis here and "
+        "there on the path")),
     ("App::PropertyBool", "ShowMarkers", True,
      QT_TRANSLATE_NOOP("App::Property", "Show blocks over the tolerance and near the pole")),
     ("App::PropertyBool", "ShowCurves", True,
@@ -52,17 +57,20 @@ PATH: tuple[Row, ...] = (
     ("App::PropertyLength", "AxisLength", 0.0,
      QT_TRANSLATE_NOOP("App::Property", "Length of the tool axes; 0: as the part needs it")),
     *COLOURS,
-    ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
+    ("App::PropertyColor", "ColourAxes", AXIS_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool "
+        "axes")),
 )  # fmt: skip
 PATH_SWITCHES = tuple(row[1] for row in PATH if row[0] == "App::PropertyBool")
 MARKERS: tuple[Row, ...] = (*MARKS, *COLOURS)
 
 
 SETUPS: tuple[Row, ...] = (
-    ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the recommended place")),
+    ("App::PropertyBool", "ShowLabel", True, QT_TRANSLATE_NOOP("App::Property", "Show the value at the "
+        "recommended place")),
     *LEGEND,
     ("App::PropertyBool", "ShowAllPlaces", False,
-     QT_TRANSLATE_NOOP("App::Property", "Show the places at all heights, not only those at the recommended one")),
+     QT_TRANSLATE_NOOP("App::Property", "Show the places at all heights, not only those at the recommended "
+         "one")),
     ("App::PropertyFloatConstraint", "MarkerSize", (9.0, 3.0, 25.0, 1.0),
      QT_TRANSLATE_NOOP("App::Property", "Size of the markers in pixels")),
     ("App::PropertyColor", "ColourGood", preferences.colour_good,
@@ -78,10 +86,12 @@ REST: tuple[Row, ...] = (
 REACH: tuple[Row, ...] = (
     *LEGEND,
     ("App::PropertyBool", "ShowAxes", False,
-     QT_TRANSLATE_NOOP("App::Property", "Show the tool axis with which each place is reached, as a short stroke")),
+     QT_TRANSLATE_NOOP("App::Property", "Show the tool axis with which each place is reached, as a short "
+         "stroke")),
     ("App::PropertyLength", "AxisLength", 0.0,
      QT_TRANSLATE_NOOP("App::Property", "Length of the tool axes; 0: as the part needs it")),
-    ("App::PropertyColor", "ColourAxes", STROKE_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the tool axes")),
+    ("App::PropertyColor", "ColourAxes", STROKE_COLOUR, QT_TRANSLATE_NOOP("App::Property", "Colour of the "
+        "tool axes")),
 )  # fmt: skip
 
 

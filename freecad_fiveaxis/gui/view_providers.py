@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How our document objects show themselves in the tree and in the 3D view.
 
-The paths of these classes stand in saved documents: they are forever. A view keeps no data: it is drawn from the object's
-properties and from the core's figures, which are computed anew after a document was opened. Nothing here imports numpy or
-pivy before something is drawn.
+The paths of these classes stand in saved documents: they are forever. A view keeps no data: it is drawn from
+the object's properties and from the core's figures, which are computed anew after a document was opened.
+Nothing here imports numpy or pivy before something is drawn.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ KINDS = {"auditing": "audit", "left": "rest"}
 
 
 ICONS = {
-    "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers", "nc_output": "NCOutput",
+    "tessellation": "Tessellation", "toolpath": "Toolpath", "audit": "Audit", "markers": "Markers",
+    "nc_output": "NCOutput",
     "setups": "SetupMap", "rest": "RestMap", "reach": "ReachMap", "job_setup": "FiveAxis_JobSetup",
 }  # fmt: skip
 
@@ -32,16 +33,20 @@ CHILDREN = ("markers", "nc_output", "setups", "rest")
 
 
 def kind_of(obj: Any) -> str:
-    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``rest``, ``reach``; empty
-    for objects that are not ours."""
+    """``toolpath``, ``audit``, ``markers``, ``nc_output``, ``tessellation``, ``setups``, ``rest``, ``reach``;
+    empty for objects that are not ours."""
     module = type(getattr(obj, "Proxy", None)).__module__
     name = module[len(APP) :] if module.startswith(APP) else ""
     return KINDS.get(name, name)
 
 
 def markers_of(path: Any) -> Any:
-    """The Markers object of a path, or None. One that undo took away may still be told to lead here, but has no name any more."""
-    return next((one for one in path.InList if kind_of(one) == "markers" and one.Path is path and _has_name(one)), None)
+    """The Markers object of a path, or None. One that undo took away may still be told to lead here, but has
+    no name any more."""
+    return next(
+        (one for one in path.InList if kind_of(one) == "markers" and one.Path is path and _has_name(one)),
+        None,
+    )
 
 
 def _has_name(obj: Any) -> bool:
@@ -95,7 +100,8 @@ class NCOutputView(View):
 
 
 class DrawnView(View):
-    """A view with nodes of ours. They are made when it is first drawn. ``SWITCHES``: properties that only show and hide."""
+    """A view with nodes of ours. They are made when it is first drawn. ``SWITCHES``: properties that only
+    show and hide."""
 
     SWITCHES: tuple[str, ...] = ()
 
@@ -125,7 +131,8 @@ class DrawnView(View):
         raise NotImplementedError
 
     def updateData(self, obj: Any, prop: str) -> None:
-        """A property of the object has changed. While a document is read, FreeCAD calls this before it attaches the view."""
+        """A property of the object has changed. While a document is read, FreeCAD calls this before it
+        attaches the view."""
         if hasattr(self, "root"):
             redraw.soon(self)
 
@@ -163,7 +170,9 @@ class DrawnView(View):
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
         """An entry that opens the list of findings, and one that folds the legend where there is one."""
-        menu.addAction(translate("FiveAxis", "Show findings")).triggered.connect(lambda *_: self.show_findings())
+        menu.addAction(translate("FiveAxis", "Show findings")).triggered.connect(
+            lambda *_: self.show_findings()
+        )
         self.add_fold(menu)
 
     def add_fold(self, menu: Any) -> None:
@@ -185,7 +194,8 @@ class DrawnView(View):
 
 
 class PathView(DrawnView):
-    """A toolpath or an audit: the path coloured by deviation, with legend, tool axes, markers and the worst blocks' curves."""
+    """A toolpath or an audit: the path coloured by deviation, with legend, tool axes, markers and the worst
+    blocks' curves."""
 
     ROWS, SWITCHES = view_properties.PATH, view_properties.PATH_SWITCHES
 
@@ -223,7 +233,9 @@ class PathView(DrawnView):
         mesh = getattr(self.obj, "Mesh", None)
         base = getattr(mesh, "Base", None)
         part = getattr(self.obj, "Part", None)  # what an audit compares with
-        return obj in (self.obj, mesh, base[0] if isinstance(base, tuple) else base) or (part is not None and obj is part)
+        return obj in (self.obj, mesh, base[0] if isinstance(base, tuple) else base) or (
+            part is not None and obj is part
+        )
 
     def adopt(self) -> None:
         """The path has a new child: the tree is to ask for its children again."""
@@ -246,7 +258,9 @@ class PathView(DrawnView):
 
         if self.childless:
             self.childless = False
-            self.obj.WorstLine = self.obj.WorstLine  # the tree asks for the children of what has changed, and of nothing else
+            self.obj.WorstLine = (
+                self.obj.WorstLine
+            )  # the tree asks for the children of what has changed, and of nothing else
         view_properties.add_missing(self.vobj, self.ROWS)
         if self.picture is None:
             self.picture = Picture(self.vobj)
@@ -361,7 +375,8 @@ class MapView(PictureView):
 
 
 class SetupMapView(MapView):
-    """A map of setups: a point for each work zero tried, coloured by deviation, the recommended one with its value."""
+    """A map of setups: a point for each work zero tried, coloured by deviation, the recommended one with its
+    value."""
 
     ROWS = view_properties.SETUPS
 

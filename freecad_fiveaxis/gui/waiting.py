@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long work in the window: stage, percent and a Cancel button, while the window goes on being painted.
 
-The work runs in a thread of its own (:mod:`freecad_fiveaxis.app.long_work`); the window's thread shows what is told of it and
-handles events. Cancel and Esc raise ``Cancelled`` out of ``pump``. The dialog is modal, so that nothing can be changed under the
-work.
+The work runs in a thread of its own (:mod:`freecad_fiveaxis.app.long_work`); the window's thread shows what
+is told of it and handles events. Cancel and Esc raise ``Cancelled`` out of ``pump``. The dialog is modal, so
+that nothing can be changed under the work.
 
-FreeCAD keeps keys and mouse from all windows while it recomputes a document. Esc still comes, as a shortcut of the dialog; where
-the mouse is pressed is asked for instead.
+FreeCAD keeps keys and mouse from all windows while it recomputes a document. Esc still comes, as a shortcut
+of the dialog; where the mouse is pressed is asked for instead.
 """
 
 from __future__ import annotations
@@ -55,7 +55,8 @@ class Waiting:
         QtWidgets.QApplication.processEvents()
 
     def __call__(self, stage: str, fraction: float) -> None:
-        """Show the stage (a word of the core) and its fraction, 0 to 1. Raises Cancelled once the user wants to stop."""
+        """Show the stage (a word of the core) and its fraction, 0 to 1. Raises Cancelled once the user wants
+        to stop."""
         now = time.monotonic()
         if (stage, fraction) != self._reported:
             self._reported, self._moved = (stage, fraction), now
@@ -83,7 +84,8 @@ class Waiting:
             raise Cancelled(translate("FiveAxis", "stopped by the user"))
 
     def _clicked_in_recompute(self) -> bool:
-        """Whether the mouse was pressed and let go over Cancel while FreeCAD keeps its events from all windows."""
+        """Whether the mouse was pressed and let go over Cancel while FreeCAD keeps its events from all
+        windows."""
         if not any(doc.Recomputing for doc in FreeCAD.listDocuments().values()):
             return False
         over = self.button.rect().contains(self.button.mapFromGlobal(QtGui.QCursor.pos()))
@@ -149,8 +151,8 @@ def waiting(text: str) -> Iterator[Waiting]:
 
 
 def find_for_drawing(obj: Any, find: Callable[[Any, Waiting], Any]) -> tuple[Any, str]:
-    """Find what is to be drawn of an object, after its document was opened; or give None and why that failed, for the legend: the
-    object is touched then, and the report view says why too."""
+    """Find what is to be drawn of an object, after its document was opened; or give None and why that failed,
+    for the legend: the object is touched then, and the report view says why too."""
     from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
@@ -167,7 +169,8 @@ def find_for_drawing(obj: Any, find: Callable[[Any, Waiting], Any]) -> tuple[Any
 
 @contextmanager
 def busy() -> Iterator[None]:
-    """The pointer says that a panel is on its way: its many fields take up to half a second, the first time more."""
+    """The pointer says that a panel is on its way: its many fields take up to half a second, the first time
+    more."""
     QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
         yield

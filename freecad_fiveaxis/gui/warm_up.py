@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Imports what the first panel needs, while the user still looks for the button: numpy, scipy and the core take a second or more.
+"""Imports what the first panel needs, while the user still looks for the button: numpy, scipy and the core
+take a second or more.
 
-It happens in a thread, so that the window goes on; whoever needs a module meanwhile waits for that one only. FreeCAD's own mesher
-(0.12 s) is imported before that, in the window's own thread: it registers types with FreeCAD, and no lock guards those.
+It happens in a thread, so that the window goes on; whoever needs a module meanwhile waits for that one only.
+FreeCAD's own mesher (0.12 s) is imported before that, in the window's own thread: it registers types with
+FreeCAD, and no lock guards those.
 """
 
 from __future__ import annotations
@@ -17,7 +19,8 @@ WAIT = 1000
 FREECADS = ("MeshPart",)
 """Modules of FreeCAD that are not loaded with it."""
 NEEDED = (
-    "core.pipeline.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers", "app.tessellation",
+    "core.pipeline.job", "core.report", "app.results", "app.setups", "app.machines", "app.controllers",
+    "app.tessellation",
     "app.changes", "app.job_setup", "gui.panels.toolpath",
 )  # fmt: skip
 """Modules of the package, in the order in which they are imported."""

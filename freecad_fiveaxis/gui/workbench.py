@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench: its menu, its toolbar, and what is set up once when FreeCAD's window starts. Imports nothing heavy."""
+"""The workbench: its menu, its toolbar, and what is set up once when FreeCAD's window starts. Imports nothing
+heavy."""
 
 from __future__ import annotations
 
@@ -44,7 +45,8 @@ class FiveAxisWorkbench(FreeCADGui.Workbench):
 
 
 def start() -> None:
-    """Make the workbench known, and what other workbenches need of it too: commands, preferences, view providers."""
+    """Make the workbench known, and what other workbenches need of it too: commands, preferences, view
+    providers."""
     from . import attach, commands, failures, preferences
 
     failures.watch()

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Example parts, made by formula: ``python resources/examples/make_parts.py FOLDER`` writes them as STL files.
+"""Example parts, made by formula: ``python resources/examples/make_parts.py FOLDER`` writes them as STL
+files.
 
-dome           spherical cap R 40 on a round plinth; its top is the pole of every machine with an upright rotary axis.
+dome           spherical cap R 40 on a round plinth; its top is the pole of every machine with an upright
+               rotary axis.
 blade          thin twisted blade of lens section, lying, to be milled from above.
 saddle         block with a hyperbolic paraboloid on top: convex one way, concave the other.
 half_cylinder  lying half cylinder, R 60 in Lin & Ye's Fig. 10.
-freeform_233   wavy open patch of 233 facets of uneven size, after Lin & Ye's Fig. 16 (that part itself was never published).
+freeform_233   wavy open patch of 233 facets of uneven size, after Lin & Ye's Fig. 16 (that part itself was
+               never published).
 
-Each function returns ``vertex`` (v, 3) mm and ``face`` (f, 3), counter-clockwise seen from outside. The solids stand on z = 0
-about the z axis; freeform_233 is open, for an odd number of facets cannot close.
+Each function returns ``vertex`` (v, 3) mm and ``face`` (f, 3), counter-clockwise seen from outside. The
+solids stand on z = 0 about the z axis; freeform_233 is open, for an odd number of facets cannot close.
 """
 
 from __future__ import annotations
@@ -22,7 +25,9 @@ from numpy.typing import NDArray
 Part = tuple[NDArray[np.float64], NDArray[np.int64]]
 
 
-def dome(radius: float = 40.0, half_angle: float = 60.0, plinth: float = 10.0, rings: int = 60, sectors: int = 180) -> Part:
+def dome(
+    radius: float = 40.0, half_angle: float = 60.0, plinth: float = 10.0, rings: int = 60, sectors: int = 180
+) -> Part:
     """Cap of ``half_angle`` deg about +Z with a vertex at the pole, on a cylinder ``plinth`` mm high."""
     tilt = np.radians(half_angle) * np.arange(1, rings + 1) / rings
     reach, height = radius * np.sin(tilt), radius * (np.cos(tilt) - np.cos(tilt[-1])) + plinth
@@ -64,7 +69,9 @@ def _lens_cap(ring: NDArray[np.int64], points: int) -> NDArray[np.int64]:
     return faces[(corners[:, 1:] != corners[:, :-1]).all(axis=1)]
 
 
-def saddle(length: float = 80.0, width: float = 60.0, base: float = 20.0, bend: float = 160.0, cells: int = 80) -> Part:
+def saddle(
+    length: float = 80.0, width: float = 60.0, base: float = 20.0, bend: float = 160.0, cells: int = 80
+) -> Part:
     """Block with the top ``z = base + (x^2 - y^2) / bend``, mm."""
     x, y = np.linspace(-0.5, 0.5, cells + 1) * length, np.linspace(-0.5, 0.5, cells + 1) * width
     x, y = np.meshgrid(x, y, indexing="ij")
@@ -85,7 +92,8 @@ def half_cylinder(radius: float = 60.0, length: float = 80.0, facets: int = 180)
 
 
 def freeform_233() -> Part:
-    """Open patch of 100 x 60 x 22 mm: 13 x 8 uneven cells, the 12 largest facets cut in three, one at the border in two."""
+    """Open patch of 100 x 60 x 22 mm: 13 x 8 uneven cells, the 12 largest facets cut in three, one at the
+    border in two."""
     rng = np.random.default_rng(233)
     x, y = np.meshgrid(np.linspace(-50.0, 50.0, 14), np.linspace(-30.0, 30.0, 9), indexing="ij")
     x[1:-1] += rng.uniform(-2.2, 2.2, x[1:-1].shape)
@@ -93,15 +101,23 @@ def freeform_233() -> Part:
     point = [np.array(p) for p in zip(x.ravel(), y.ravel(), strict=True)]
     row = np.arange(x.size).reshape(x.shape)
     face = _short_diagonals(
-        np.array(point), row[:-1, :-1].ravel(), row[1:, :-1].ravel(), row[1:, 1:].ravel(), row[:-1, 1:].ravel()
+        np.array(point),
+        row[:-1, :-1].ravel(),
+        row[1:, :-1].ravel(),
+        row[1:, 1:].ravel(),
+        row[:-1, 1:].ravel(),
     )
     for _ in range(12):
         area = _plan_area(np.array(point), face)
         a, b, c = face[np.argmax(area)]
         point.append(np.array([point[a], point[b], point[c]]).mean(axis=0))
         new = len(point) - 1
-        face = np.concatenate([np.delete(face, np.argmax(area), axis=0), [[a, b, new], [b, c, new], [c, a, new]]])
-    a, b, c = next(np.roll(f, -k) for f in face for k in range(3) if set(np.roll(f, -k)[:2]) == {row[6, 0], row[7, 0]})
+        face = np.concatenate(
+            [np.delete(face, np.argmax(area), axis=0), [[a, b, new], [b, c, new], [c, a, new]]]
+        )
+    a, b, c = next(
+        np.roll(f, -k) for f in face for k in range(3) if set(np.roll(f, -k)[:2]) == {row[6, 0], row[7, 0]}
+    )
     point.append(0.5 * (point[a] + point[b]))
     face = face[~(np.sort(face, axis=1) == np.sort([a, b, c])).all(axis=1)]
     face = np.concatenate([face, [[a, len(point) - 1, c], [len(point) - 1, b, c]]])
@@ -119,7 +135,9 @@ def _block(x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64
     """Closed block under the grid of heights ``z``, down to z = 0."""
     top = np.stack([x, y, z], axis=-1).reshape(-1, 3)
     row = np.arange(x.size).reshape(x.shape)
-    border = np.concatenate([row[:-1, 0], row[-1, :-1], row[:0:-1, -1], row[0, :0:-1]])  # counter-clockwise from above
+    border = np.concatenate(
+        [row[:-1, 0], row[-1, :-1], row[:0:-1, -1], row[0, :0:-1]]
+    )  # counter-clockwise from above
     below = len(top) + np.arange(len(border))
     foot = top[border] * (1.0, 1.0, 0.0)
     skin = _quads(row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:])
@@ -129,18 +147,26 @@ def _block(x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64
     return np.concatenate([top, foot, [[0.0, 0.0, 0.0]]]), np.concatenate([skin, wall, floor])
 
 
-def _quads(a: NDArray[np.int64], b: NDArray[np.int64], c: NDArray[np.int64], d: NDArray[np.int64]) -> NDArray[np.int64]:
+def _quads(
+    a: NDArray[np.int64], b: NDArray[np.int64], c: NDArray[np.int64], d: NDArray[np.int64]
+) -> NDArray[np.int64]:
     """Two facets for each quadrangle a b c d."""
     a, b, c, d = (corner.ravel() for corner in (a, b, c, d))
     return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
 
 
 def _short_diagonals(
-    point: NDArray[np.float64], a: NDArray[np.int64], b: NDArray[np.int64], c: NDArray[np.int64], d: NDArray[np.int64]
+    point: NDArray[np.float64],
+    a: NDArray[np.int64],
+    b: NDArray[np.int64],
+    c: NDArray[np.int64],
+    d: NDArray[np.int64],
 ) -> NDArray[np.int64]:
     """Two facets for each quadrangle, cut along its shorter diagonal."""
     other = np.linalg.norm(point[b] - point[d], axis=1) < np.linalg.norm(point[a] - point[c], axis=1)
-    return np.concatenate([_quads(a[~other], b[~other], c[~other], d[~other]), _quads(b[other], c[other], d[other], a[other])])
+    return np.concatenate(
+        [_quads(a[~other], b[~other], c[~other], d[~other]), _quads(b[other], c[other], d[other], a[other])]
+    )
 
 
 def _plan_area(point: NDArray[np.float64], face: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -165,7 +191,9 @@ def write_parts(folder: Path) -> list[Path]:
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # the package beside this folder, installed or not
+    sys.path.insert(
+        0, str(Path(__file__).resolve().parents[2])
+    )  # the package beside this folder, installed or not
     if len(sys.argv) != 2:
         sys.exit("usage: python resources/examples/make_parts.py FOLDER")
     for path in write_parts(Path(sys.argv[1])):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is selected becomes a surface where it stands in the document: in parts, through links, of several documents."""
+"""What is selected becomes a surface where it stands in the document: in parts, through links, of several
+documents."""
 
 import FreeCAD
 import Mesh
@@ -49,7 +50,9 @@ def test_a_solid_and_a_mesh_stand_where_the_part_that_holds_them_has_them(held):
 
 def test_what_a_link_shows_stands_where_the_link_does(held):
     link = held[3]
-    assert box_of([(link, ("Block.Face1",))]) == [(0.0, 10.0, 1000.0), (10.0, 20.0, 1010.0)], "it has no place of the part's"
+    assert box_of([(link, ("Block.Face1",))]) == [(0.0, 10.0, 1000.0), (10.0, 20.0, 1010.0)], (
+        "it has no place of the part's"
+    )
     assert box_of([(link, ("Net.",))]) == [(-0.5, -1.0, 1005.5), (0.5, 1.0, 1008.5)]
     assert box_of([(link, ())]) == [(-0.5, -1.0, 1000.0), (10.0, 20.0, 1010.0)]
 

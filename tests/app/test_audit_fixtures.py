@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures of an audit: solids of the document that somebody's program is proven against, wherever the machine takes them."""
+"""Fixtures of an audit: solids of the document that somebody's program is proven against, wherever the
+machine takes them."""
 
 from pathlib import Path
 
@@ -108,5 +109,7 @@ def test_fixtures_are_kept_in_the_file_of_the_document(doc, tmp_path, reopen):
 
 def test_those_of_the_tool_path_are_proposed_for_the_audit_of_its_program(doc):
     part, held = box(doc, "Plate", (0, 0, 0), (30, 20, 10)), clamp(doc, (0, -20, 0))
-    path = app.create_toolpath(doc, part, machine="trunnion_ac", cutter="ball:6", passes="planes", stepover=8, fixtures=[held])
+    path = app.create_toolpath(
+        doc, part, machine="trunnion_ac", cutter="ball:6", passes="planes", stepover=8, fixtures=[held]
+    )
     assert proposing.values_of(path)["fixtures"] == [held]

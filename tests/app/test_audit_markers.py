@@ -14,9 +14,7 @@ from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import markers as core_markers
 
-TABLE_2 = (
-    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
-)
+TABLE_2 = "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
 """So et al., Table 2: one block near the pole of a Mikron UCP 710."""
 
 
@@ -32,9 +30,15 @@ def test_table_2_of_so_is_judged(doc, table2):
     assert made.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
     assert made.MaxLineDeviation.Value == pytest.approx(0.9384, abs=3e-4)
     assert (made.WorstLine, made.SingularBlocks, made.OverTolerance, made.Proven) == (3, 1, 1, False)
-    assert made.State == ["Up-to-date"] and results.out_of_date(made) == "" and results.nc_of(made) == TABLE_2.encode()
+    assert (
+        made.State == ["Up-to-date"]
+        and results.out_of_date(made) == ""
+        and results.nc_of(made) == TABLE_2.encode()
+    )
     assert any("2.1264 mm" in text for text in made.Findings)
-    assert (made.MaxSurfaceDeviation, made.MaxSurfaceBound) == (made.MaxSegmentDeviation, made.MaxBound), "judged by the tip"
+    assert (made.MaxSurfaceDeviation, made.MaxSurfaceBound) == (made.MaxSegmentDeviation, made.MaxBound), (
+        "judged by the tip"
+    )
     assert not any("centre of the ball" in text for text in made.Findings), "nobody has said that a ball cuts"
 
 
@@ -42,7 +46,10 @@ def test_of_a_ball_that_is_given_the_centre_is_judged_and_the_tip_stands_beside_
     made = app.audit(doc, table2, "mikron_ucp710", cutter="ball:6")
     assert made.MaxSegmentDeviation.Value == pytest.approx(2.1264, abs=5e-4)
     centre = results.figures_of(made).surface.segment
-    assert made.MaxSurfaceDeviation.Value == pytest.approx(centre.max(), abs=1e-9) and abs(centre.max() - 2.1264) > 0.01
+    assert (
+        made.MaxSurfaceDeviation.Value == pytest.approx(centre.max(), abs=1e-9)
+        and abs(centre.max() - 2.1264) > 0.01
+    )
 
 
 def test_the_marker_stands_at_the_largest_deviation_in_the_document(doc, table2):
@@ -67,9 +74,13 @@ def test_a_part_to_compare_with_is_looked_at_by_the_whole_tool_unless_it_is_turn
     )
     part.write_text(f"solid box\n{facets}endsolid box\n")
     for given, seen in (({}, True), ({"gouge": "off"}, False)):
-        made = app.audit(doc, program, "trunnion_ac", cutter="ball:2:4", holder="8x20", against=str(part), **given)
+        made = app.audit(
+            doc, program, "trunnion_ac", cutter="ball:2:4", holder="8x20", against=str(part), **given
+        )
         assert any(one.code == "rapid-collision" for one in results.figures_of(made).findings) is seen
-    assert app.audit(doc, program, "trunnion_ac", holder="8x20").State == ["Up-to-date"]  # drawn, and nothing to check it with
+    assert app.audit(doc, program, "trunnion_ac", holder="8x20").State == [
+        "Up-to-date"
+    ]  # drawn, and nothing to check it with
 
 
 INTO_THE_BALL = "G21 G90 G94\nG0 X0 Y0 Z60 A0 C0\nG1 X0 Y0 Z9 F600\nG1 X5 Y0 Z9\nG1 X5 Y0 Z60\nM2\n"
@@ -83,7 +94,9 @@ def test_a_solid_of_the_document_is_compared_with_as_its_stl_is(doc, ball, tmp_p
     given = {"cutter": "ball:4:30", "holder": "8x20"}
     by_file = app.audit(doc, program, "trunnion_ac", against=str(tmp_path / "ball.stl"), **given)
     made = app.audit(doc, program, "trunnion_ac", part=ball, **given)
-    assert made.Findings == by_file.Findings and any("too deep into the part" in text for text in made.Findings)
+    assert made.Findings == by_file.Findings and any(
+        "too deep into the part" in text for text in made.Findings
+    )
     assert results.figures_of(made).inputs["against"] == "Ball.stl" and results.out_of_date(made) == ""
     without = app.audit(doc, program, "trunnion_ac", **given)
     assert not any("too deep" in text for text in without.Findings)
@@ -151,7 +164,11 @@ def test_the_file_that_vanished_or_changed_is_told(doc, table2, reopen):
     table2.unlink()
     again.touch()
     again.Document.recompute()
-    assert "Invalid" in again.State and "table2.ngc does not exist" in again.getStatusString() and again.Blocks == 0
+    assert (
+        "Invalid" in again.State
+        and "table2.ngc does not exist" in again.getStatusString()
+        and again.Blocks == 0
+    )
 
 
 @pytest.mark.parametrize(
@@ -185,9 +202,13 @@ def test_markers_on_a_dome_stand_where_the_core_says(doc, dome, tmp_path):
     moved.translate(-1, -2, -3)
     moved.write(str(tmp_path / "dome.stl"))
     wanted = core_markers(job.figures(job.run(build_settings("mill", str(tmp_path / "dome.stl"), DOME))))
-    assert list(marks.Kinds) == [mark.kind for mark in wanted] and list(marks.Labels) == [mark.label for mark in wanted]
+    assert list(marks.Kinds) == [mark.kind for mark in wanted] and list(marks.Labels) == [
+        mark.label for mark in wanted
+    ]
     np.testing.assert_allclose(
-        [tuple(place) for place in marks.Places], np.array([mark.place for mark in wanted]) + (1, 2, 3), atol=1e-9
+        [tuple(place) for place in marks.Places],
+        np.array([mark.place for mark in wanted]) + (1, 2, 3),
+        atol=1e-9,
     )
     kinds = set(marks.Kinds)
     assert {"largest-deviation", "singular-block", "deviation-over-tolerance"} <= kinds

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Faces that are left alone: no contact of the program lies on them, by dense samples of it; what is kept of them, and what is said
-where they cannot be used."""
+"""Faces that are left alone: no contact of the program lies on them, by dense samples of it; what is kept of
+them, and what is said where they cannot be used."""
 
 import FreeCAD
 import numpy as np
@@ -40,7 +40,8 @@ def step(doc):
 
 
 def contacts(path):
-    """Where the ball's lowest point goes, sampled along every feed block, cuts and links, two hundred times: mm, document."""
+    """Where the ball's lowest point goes, sampled along every feed block, cuts and links, two hundred times:
+    mm, document."""
     made = results.result_of(path).draft.path
     begin = np.flatnonzero(made.motion[1:] != Motion.RAPID)
     end = begin + 1
@@ -84,7 +85,9 @@ def test_the_tool_keeps_the_allowance_off_a_face_that_is_left_alone(doc, step):
     assert 13.0 - 0.02 <= nearest_on_floor(path) < 13.0 + 0.05, "the ball's radius and 1 mm beside the wall"
     assert on(contacts(path), step, low) > 500
     made = results.result_of(path).draft
-    assert [one.value for one in made.findings if one.code == "near-avoided-faces"] and made.keep_off.some.any()
+    assert [
+        one.value for one in made.findings if one.code == "near-avoided-faces"
+    ] and made.keep_off.some.any()
     changes.change_toolpath(path, {**GIVEN, "avoid": [wall], "avoid_allowance": 2})
     assert 14.0 - 0.02 <= nearest_on_floor(path) < 14.0 + 0.05
     with pytest.raises(FiveAxisError, match="allowance on faces to avoid, and there are none"):
@@ -108,7 +111,10 @@ def test_of_chosen_faces_those_left_alone_are_taken_away(doc, step):
 def test_where_nothing_is_left_it_is_said_and_not_taken_for_all(doc, step):
     every = [f"Face{at + 1}" for at in range(len(step.Shape.Faces))]
     for given in ({"avoid": every}, {"faces": [every[0]], "avoid": every[:2]}):
-        with pytest.raises(SelectionError, match=r"All that is to be milled of Step is to be left alone too: take Face1, Face2"):
+        with pytest.raises(
+            SelectionError,
+            match=r"All that is to be milled of Step is to be left alone too: take Face1, Face2",
+        ):
             app.create_toolpath(doc, step, **given, **GIVEN)
     assert [one.Name for one in doc.Objects] == ["Step"]
     assert app.tessellate(step, avoid=every[1:]).FacetRuns
@@ -123,7 +129,9 @@ def test_what_is_no_face_is_refused(doc, step, avoid):
 
 def test_a_mesh_has_no_faces_to_leave_alone(doc, dome, step):
     count = len(doc.Objects)
-    with pytest.raises(SelectionError, match=r"Dome is a mesh, whose faces have no names: .*--avoid FACES\.stl"):
+    with pytest.raises(
+        SelectionError, match=r"Dome is a mesh, whose faces have no names: .*--avoid FACES\.stl"
+    ):
         app.create_toolpath(doc, dome, avoid=["Face1"], **GIVEN)
     assert len(doc.Objects) == count
     ready = app.tessellate(step)
@@ -173,7 +181,11 @@ def test_a_face_that_is_gone_is_told_and_nothing_is_posted_without_it(doc, step,
     step.Shape = Part.makeBox(20, WIDE, 5)
     doc.recompute()
     gone = rf"Step has no {last} on a solid, which was to be left alone: choose anew"
-    assert "Invalid" in path.Mesh.State and last in path.Mesh.getStatusString() and last in results.out_of_date(path)
+    assert (
+        "Invalid" in path.Mesh.State
+        and last in path.Mesh.getStatusString()
+        and last in results.out_of_date(path)
+    )
     with pytest.raises(SelectionError, match=gone):
         app.post_process(path, tmp_path / "a.ngc")
     assert not (tmp_path / "a.ngc").exists()
@@ -206,8 +218,11 @@ def test_an_older_document_opens_unchanged(doc, step, reopen, anew):
 
 
 @pytest.mark.parametrize("faces", [(), ("wall", "low", "high")])
-def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_for(doc, step, reopen, faces, anew):
-    """Earlier versions did not keep which facets lie on them: the allowance was refused as one without faces."""
+def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_for(
+    doc, step, reopen, faces, anew
+):
+    """Earlier versions did not keep which facets lie on them: the allowance was refused as one without
+    faces."""
     named = {"low": face_at(step, z=5, x=15), "high": face_at(step, z=10), "wall": face_at(step, x=10, z=7.5)}
     given = {**GIVEN, "faces": [named[one] for one in faces], "avoid": [named["wall"]]}
     path = app.create_toolpath(doc, step, **given)
@@ -221,7 +236,11 @@ def test_an_older_document_finds_its_faces_to_avoid_when_an_allowance_is_asked_f
     assert not again.Mesh.AvoidedRuns and not results.out_of_date(again) and results.nc_of(again) == nc
     again.AvoidAllowance = 1
     again.Document.recompute()
-    assert again.State == ["Up-to-date"] and again.Mesh.State == ["Up-to-date"] and results.nc_of(again) == wanted
+    assert (
+        again.State == ["Up-to-date"]
+        and again.Mesh.State == ["Up-to-date"]
+        and results.nc_of(again) == wanted
+    )
     options = {name: value for name, value in given.items() if name not in ("faces", "avoid")}
     part = previewing.part_of(again, {})
     assert previewing.lay(again.Document, part, {**options, "avoid_allowance": 1}, (0, 0, 0)).length > 0
@@ -274,7 +293,9 @@ def test_a_face_of_what_is_inside_the_base_is_the_base_s_own(doc, step):
     doc.recompute()
     cube = doc.getObject("Cube")
     found = selection.faces_of(body, [(cube, ["Face2"])])
-    assert body.Shape.getElement(found[0]).CenterOfMass.isEqual(cube.Shape.getElement("Face2").CenterOfMass, 1e-9)
+    assert body.Shape.getElement(found[0]).CenterOfMass.isEqual(
+        cube.Shape.getElement("Face2").CenterOfMass, 1e-9
+    )
     assert len(selection.faces_of(part, [(step, ["Face1", "Face2"])])) == 2
     with pytest.raises(SelectionError, match="is a face of Step"):
         selection.faces_of(body, [(step, ["Face1"])])

@@ -71,7 +71,11 @@ def a_toolpath(doc):
 
 
 def a_cut(doc):
-    base, tool, cut = doc.addObject("Part::Box", "Base"), doc.addObject("Part::Box", "Hole"), doc.addObject("Part::Cut", "Cut")
+    base, tool, cut = (
+        doc.addObject("Part::Box", "Base"),
+        doc.addObject("Part::Box", "Hole"),
+        doc.addObject("Part::Cut", "Cut"),
+    )
     tool.Length, cut.Base, cut.Tool = 5, base, tool
 
 
@@ -112,7 +116,12 @@ def test_every_part_has_nc_and_reports_and_no_other_file_is_there(folders):
 def test_failures_are_told_in_one_line_each_and_stop_no_other(folders):
     _, code, lines = folders
     failed = [line.split(": FAILED: ") for line in lines if "FAILED" in line]
-    assert sorted(name.strip() for name, _ in failed) == ["broken.FCStd", "broken.step", "empty.FCStd", "sheet.step"]
+    assert sorted(name.strip() for name, _ in failed) == [
+        "broken.FCStd",
+        "broken.step",
+        "empty.FCStd",
+        "sheet.step",
+    ]
     assert all(len(reason) > 10 and "{" not in reason for _, reason in failed)
     assert code == 1
 
@@ -143,7 +152,9 @@ def test_the_nc_is_what_the_macro_makes(folders, doc):
 
 def test_settings_come_from_the_environment_and_all_well_is_exit_0(step, tmp_path):
     given = {f"FIVEAXIS_{name.upper()}": value for name, value in SETTINGS.items()}
-    code, lines = batch(FIVEAXIS_PARTS=str(step), FIVEAXIS_OUT=str(tmp_path / "out"), FIVEAXIS_SCALOP="1", **given)
+    code, lines = batch(
+        FIVEAXIS_PARTS=str(step), FIVEAXIS_OUT=str(tmp_path / "out"), FIVEAXIS_SCALOP="1", **given
+    )
     assert code == 0, lines
     assert (tmp_path / "out" / "dome.ngc").stat().st_size > 500
     assert any("FIVEAXIS_SCALOP is no setting" in line for line in lines)
@@ -152,7 +163,11 @@ def test_settings_come_from_the_environment_and_all_well_is_exit_0(step, tmp_pat
 def test_a_program_ends_as_its_controller_has_it(step, tmp_path):
     code, lines = batch(step, tmp_path / "out", *words(controller="siemens840d"))
     assert code == 0, lines
-    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["dome.html", "dome.json", "dome.mpf"]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [
+        "dome.html",
+        "dome.json",
+        "dome.mpf",
+    ]
 
 
 def test_nothing_is_overwritten_unasked(step, tmp_path):

@@ -30,7 +30,14 @@ def dome(doc):
 
 def mill(dome, **settings):
     return app.create_toolpath(
-        dome.Document, dome, machine="trunnion_ac", cutter="ball:6", stepover=5, linear_deflection=0.2, **PLAIN, **settings
+        dome.Document,
+        dome,
+        machine="trunnion_ac",
+        cutter="ball:6",
+        stepover=5,
+        linear_deflection=0.2,
+        **PLAIN,
+        **settings,
     )
 
 
@@ -55,9 +62,13 @@ def test_feeds_are_mm_a_second_and_give_the_programs_time(dome):
     feeds = figures.program.motion != Motion.RAPID
     speed = np.array([one.Parameters.get("F", np.nan) for one in commands])
     assert np.isnan(speed[~feeds]).all()
-    assert speed[feeds].max() == pytest.approx(10.0, rel=0.01)  # 600 mm/min; less where the real way is longer than the segment
+    assert speed[feeds].max() == pytest.approx(
+        10.0, rel=0.01
+    )  # 600 mm/min; less where the real way is longer than the segment
     length = np.linalg.norm(np.diff(xyz(commands), axis=0, prepend=xyz(commands)[:1]), axis=1)
-    assert (length[feeds] / speed[feeds]).sum() == pytest.approx(figures.program.seconds[feeds].sum(), rel=1e-3)
+    assert (length[feeds] / speed[feeds]).sum() == pytest.approx(
+        figures.program.seconds[feeds].sum(), rel=1e-3
+    )
 
 
 def test_the_preview_lies_on_the_part_wherever_the_work_zero_is(dome):
@@ -103,7 +114,8 @@ def test_a_preview_without_its_toolpath_says_so(dome):
 
 def figures_like(tip, motion, seconds):
     return SimpleNamespace(
-        tip=np.asarray(tip, float), program=SimpleNamespace(motion=np.asarray(motion), seconds=np.asarray(seconds, float))
+        tip=np.asarray(tip, float),
+        program=SimpleNamespace(motion=np.asarray(motion), seconds=np.asarray(seconds, float)),
     )
 
 
@@ -120,7 +132,9 @@ def test_a_path_of_rapids_alone_and_an_empty_one():
 
 def test_a_hundred_thousand_blocks_are_previewed():
     n = 100_000
-    figures = figures_like(np.random.default_rng(1).uniform(-100, 100, (n, 3)), np.zeros(n, int), np.full(n, 0.1))
+    figures = figures_like(
+        np.random.default_rng(1).uniform(-100, 100, (n, 3)), np.zeros(n, int), np.full(n, 0.1)
+    )
     assert cam.path_of(figures).Size == n
 
 
@@ -130,7 +144,13 @@ def test_a_job_gives_its_model_its_ball_end_and_its_feeds(dome):
     assert cam.job_of(dome) is job and cam.job_of(job.Model.Group[0]) is job
     model, settings = cam.settings_from_job(job)
     assert model == job.Model.Group
-    assert settings == {"cutter": Cutter(6.0, 40.0), "tool": 3, "feed": 1000.0, "plunge_feed": 200.0, "spindle": 12000.0}
+    assert settings == {
+        "cutter": Cutter(6.0, 40.0),
+        "tool": 3,
+        "feed": 1000.0,
+        "plunge_feed": 200.0,
+        "spindle": 12000.0,
+    }
 
 
 def test_a_jobs_settings_make_a_toolpath(dome):
@@ -146,7 +166,9 @@ def test_a_job_without_a_tool_of_use_says_which_tools_it_has(dome, monkeypatch):
     job = make_job(dome.Document, dome)
     with pytest.raises(SelectionError, match="no tool 7"):
         cam.settings_from_job(job, 7)
-    monkeypatch.setattr(cam, "cutters_of_job", lambda job: [JobTool("Drill", 1, None, "Drill is a tool of the shape drill")])
+    monkeypatch.setattr(
+        cam, "cutters_of_job", lambda job: [JobTool("Drill", 1, None, "Drill is a tool of the shape drill")]
+    )
     with pytest.raises(SelectionError, match="Job: Drill is a tool of the shape drill"):
         cam.settings_from_job(job)
 

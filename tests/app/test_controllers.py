@@ -12,7 +12,8 @@ from freecad_fiveaxis.core.controllers import DIALECTS
 pytestmark = pytest.mark.usefixtures("kept")
 EVERY = pytest.mark.parametrize("controller", list(DIALECTS))
 PLANES = 2
-"""The machine's safe start and end: one move of Z to the plane above the part before the path's blocks, and one after."""
+"""The machine's safe start and end: one move of Z to the plane above the part before the path's blocks, and
+one after."""
 GUIDES = [(name, how) for name, dialect in DIALECTS.items() for how in dialect.guides]
 
 
@@ -59,7 +60,9 @@ def test_what_a_controller_lacks_is_said(doc, ball):
 
 
 def test_the_high_speed_mode_stands_in_the_program(doc, ball):
-    path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8}, controller="siemens840d", high_speed="on")
+    path = app.create_toolpath(
+        doc, ball, **{**FAST, "stepover": 8}, controller="siemens840d", high_speed="on"
+    )
     assert path.HighSpeed == "on" and b"CYCLE832" in results.nc_of(path)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures of a tool path: solids of the document, which the path goes around; what changes them makes it out of date."""
+"""Fixtures of a tool path: solids of the document, which the path goes around; what changes them makes it out
+of date."""
 
 import pytest
 
@@ -32,7 +33,10 @@ def solid(doc, name, low, size):
 def plate(doc):
     import FreeCAD
 
-    made = solid(doc, "Plate", FreeCAD.Vector(0, 0, 0), (30, 20, 10)), solid(doc, "Clamp", FreeCAD.Vector(10, -8, 0), (10, 7, 25))
+    made = (
+        solid(doc, "Plate", FreeCAD.Vector(0, 0, 0), (30, 20, 10)),
+        solid(doc, "Clamp", FreeCAD.Vector(10, -8, 0), (10, 7, 25)),
+    )
     doc.recompute()
     return made
 
@@ -41,7 +45,12 @@ def hits(path, low, size):
     """What the path's program enters of a box."""
     from freecad_fiveaxis.core.geometry.mesh import from_faces
 
-    corner = [(low[0] + i * size[0], low[1] + j * size[1], low[2] + k * size[2]) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    corner = [
+        (low[0] + i * size[0], low[1] + j * size[1], low[2] + k * size[2])
+        for i in (0, 1)
+        for j in (0, 1)
+        for k in (0, 1)
+    ]
     face = [
         (0, 1, 3),
         (0, 3, 2),
@@ -58,7 +67,14 @@ def hits(path, low, size):
     ]
     made = results.result_of(path).draft
     fixture = Fixture("box", from_faces(corner, face))
-    return check_fixtures((fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings))
+    return check_fixtures(
+        (fixture,),
+        tool_body(made.settings),
+        made.kinematics,
+        made.program,
+        0.01,
+        tip_to_driven(made.settings),
+    )
 
 
 def test_a_path_goes_around_a_solid_that_holds_the_part_and_says_so(doc, plate):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Guides, boundary, centre and axis of passes that are links: they are what the solid says, follow it, and are missed when they are gone."""
+"""Guides, boundary, centre and axis of passes that are links: they are what the solid says, follow it, and
+are missed when they are gone."""
 
 import itertools
 import math
@@ -13,7 +14,14 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import changes, convert, guides, results
 from freecad_fiveaxis.app.selection import SelectionError
 
-GIVEN = {**FAST, **UNCURED, "passes": "radial", "cutter": "ball:6", "max_axis_angle": 40, "work_zero": (1.0, 2.0, 3.0)}
+GIVEN = {
+    **FAST,
+    **UNCURED,
+    "passes": "radial",
+    "cutter": "ball:6",
+    "max_axis_angle": 40,
+    "work_zero": (1.0, 2.0, 3.0),
+}
 
 
 @pytest.fixture
@@ -54,7 +62,11 @@ def test_links_say_centre_and_axis_about_the_work_zero_and_follow_the_solid(doc,
     name, edge = path.Name, rim(disc)
     again = reopen(doc)
     path = again.getObject(name)
-    assert guides.links_of(path)["pass_centre"] == (again.Disc, edge) and settings(path).pass_centre == (24.0, 8.0, 2.0)
+    assert guides.links_of(path)["pass_centre"] == (again.Disc, edge) and settings(path).pass_centre == (
+        24.0,
+        8.0,
+        2.0,
+    )
 
 
 def test_a_name_that_is_gone_and_a_wrong_one_are_told(doc, disc):
@@ -164,7 +176,9 @@ def test_edges_lead_morphing_passes_as_their_points_do(doc):
 
 
 def test_an_edge_goes_on_smoothly_round_the_part_and_stops_at_corners(doc, pocketed):
-    (outline,) = points(guides.options_of({"from_": (pocketed, edge_at(pocketed, 20, 0, 10))}, (0, 0, 0))["from_"])
+    (outline,) = points(
+        guides.options_of({"from_": (pocketed, edge_at(pocketed, 20, 0, 10))}, (0, 0, 0))["from_"]
+    )
     assert outline[0] == pytest.approx(outline[-1]) and len(set(outline)) >= len(outline) - 1
     assert length(outline) == pytest.approx(2 * (30 + 20) + 2 * math.pi * 5, rel=1e-3)
     assert max(math.dist(*pair) for pair in itertools.pairwise(outline)) == pytest.approx(30)
@@ -178,13 +192,21 @@ def test_an_edge_goes_on_smoothly_round_the_part_and_stops_at_corners(doc, pocke
 
 
 def test_a_face_bounds_the_passes_with_its_hole_and_an_edge_with_its_wire(doc, pocketed):
-    outline, hole = points(guides.options_of({"boundary": (pocketed, face_at(pocketed, 10))}, (0, 0, 0))["boundary"])
-    assert length(outline) == pytest.approx(100 + 10 * math.pi, rel=1e-3) and length(hole) == pytest.approx(8 * math.pi, rel=1e-3)
+    outline, hole = points(
+        guides.options_of({"boundary": (pocketed, face_at(pocketed, 10))}, (0, 0, 0))["boundary"]
+    )
+    assert length(outline) == pytest.approx(100 + 10 * math.pi, rel=1e-3) and length(hole) == pytest.approx(
+        8 * math.pi, rel=1e-3
+    )
     assert outline[0] == pytest.approx(outline[-1]) and hole[0] == pytest.approx(hole[-1])
-    (alone,) = points(guides.options_of({"boundary": (pocketed, edge_at(pocketed, 20, 0, 10))}, (0, 0, 0))["boundary"])
+    (alone,) = points(
+        guides.options_of({"boundary": (pocketed, edge_at(pocketed, 20, 0, 10))}, (0, 0, 0))["boundary"]
+    )
     assert length(alone) == pytest.approx(length(outline)) and all(z == pytest.approx(10) for *_, z in alone)
     sketch = doc.addObject("Part::Feature", "Drawn")
-    corners = [FreeCAD.Vector(*at) for at in ((10, 5, 10), (30, 5, 10), (30, 25, 10), (10, 25, 10), (10, 5, 10))]
+    corners = [
+        FreeCAD.Vector(*at) for at in ((10, 5, 10), (30, 5, 10), (30, 25, 10), (10, 25, 10), (10, 5, 10))
+    ]
     sketch.Shape = Part.makePolygon(corners)
     doc.recompute()
     link = {"boundary": (sketch, "Edge3")}
@@ -197,13 +219,22 @@ def test_a_face_bounds_the_passes_with_its_hole_and_an_edge_with_its_wire(doc, p
     doc.recompute()
     assert results.nc_of(path) != results.nc_of(typed) and guides.links_of(path) == link
     for name in ("Vertex1", "Edge9"):
-        with pytest.raises(SelectionError, match="bounds nothing: pick a face" if name == "Vertex1" else "has no Edge9"):
+        with pytest.raises(
+            SelectionError, match="bounds nothing: pick a face" if name == "Vertex1" else "has no Edge9"
+        ):
             guides.options_of({"boundary": (sketch, name)}, (0, 0, 0))
 
 
 def test_a_guide_curve_in_a_file_that_has_changed_makes_the_path_out_of_date(doc, disc, tmp_path):
     curve = tmp_path / "curve.csv"
-    given = {**GIVEN, "passes": "scallop", "scallop": 0.2, "stepover": None, "faces": [face_at(disc, 5)], "from_": str(curve)}
+    given = {
+        **GIVEN,
+        "passes": "scallop",
+        "scallop": 0.2,
+        "stepover": None,
+        "faces": [face_at(disc, 5)],
+        "from_": str(curve),
+    }
     given["work_zero"] = (20.0, 10.0, 3.0)
     curve.write_text("-10,0,2\n10,0,2\n")
     path = app.create_toolpath(doc, disc, **given)

@@ -8,7 +8,9 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.app import job_setup, results
 from freecad_fiveaxis.core.base.errors import MachineError, SettingsError
 
-OWN = {name: value for name, value in FAST.items() if name not in (*job_setup.OPTIONS, "work_zero")} | {"stepover": 8}
+OWN = {name: value for name, value in FAST.items() if name not in (*job_setup.OPTIONS, "work_zero")} | {
+    "stepover": 8
+}
 GIVEN = {
     "machine": "fork_head_bc", "controller": "fanuc", "origin": (1, 2, 3), "tool_length": 120, "work_offset": "G55",
     "work_zero": (0, 0, 5),
@@ -28,19 +30,25 @@ def shared(obj):
             tuple(obj.WorkZero)]  # fmt: skip
 
 
-def test_a_path_takes_what_its_setup_says_and_makes_the_same_program_as_with_the_values_themselves(doc, ball, setup, anew):
+def test_a_path_takes_what_its_setup_says_and_makes_the_same_program_as_with_the_values_themselves(
+    doc, ball, setup, anew
+):
     path = app.create_toolpath(doc, ball, setup=setup, **OWN)
     assert shared(path) == shared(setup) == ["fork_head_bc", "fanuc", (1, 2, 3), False, 120, "G55", (0, 0, 5)]
     anew()
     alone = app.create_toolpath(doc, ball, setup=None, **OWN, **GIVEN)
-    assert alone.Setup is None and results.nc_of(path) == results.nc_of(alone) and path.State == ["Up-to-date"]
+    assert (
+        alone.Setup is None and results.nc_of(path) == results.nc_of(alone) and path.State == ["Up-to-date"]
+    )
 
 
 def test_the_only_setup_is_taken_unless_something_of_the_kind_is_given(doc, ball, setup):
     assert app.create_toolpath(doc, ball, **OWN).Setup is setup
     assert app.create_toolpath(doc, ball, **OWN, machine="trunnion_ac").Setup is None
     other = app.create_setup(doc)
-    assert other.Machine == "trunnion_ac" and app.create_toolpath(doc, ball, **OWN).Setup is None, "which of the two?"
+    assert other.Machine == "trunnion_ac" and app.create_toolpath(doc, ball, **OWN).Setup is None, (
+        "which of the two?"
+    )
 
 
 def test_a_change_of_the_setup_is_a_change_of_its_paths(doc, ball, setup):
@@ -80,7 +88,9 @@ def test_it_survives_the_file_and_a_copy(doc, ball, setup, reopen):
     name = path.Name
     new = reopen(doc)
     path, setup = new.getObject(name), new.Setup
-    assert path.Setup is setup and shared(path) == shared(setup) and "ReadOnly" in path.getEditorMode("Machine")
+    assert (
+        path.Setup is setup and shared(path) == shared(setup) and "ReadOnly" in path.getEditorMode("Machine")
+    )
     setup.ToolLength = 130
     assert path.ToolLength.Value == 130
     copy = new.copyObject(path, False)

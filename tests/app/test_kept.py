@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the fixture ``kept`` spares the other tests: the same thing computed twice. Another one is computed, and so is everything in
-tests that do not ask for the fixture, or that mark it ``anew``."""
+"""What the fixture ``kept`` spares the other tests: the same thing computed twice. Another one is computed,
+and so is everything in tests that do not ask for the fixture, or that mark it ``anew``."""
 
 from pathlib import Path
 
@@ -23,7 +23,9 @@ def computed(anew, monkeypatch):
     said = []
     for module, name in ((job, "prove"), (study, "try_reach")):
         act = getattr(module, name)
-        monkeypatch.setattr(module, name, lambda *given, act=act, name=name: (said.append(name), act(*given))[1])
+        monkeypatch.setattr(
+            module, name, lambda *given, act=act, name=name: (said.append(name), act(*given))[1]
+        )
     return said
 
 
@@ -45,11 +47,15 @@ def test_what_a_fingerprint_forgets_is_computed_all_the_same(computed, kept, doc
     """A fault that other tests look for must not be hidden by what is kept."""
     monkeypatch.setattr(results.Task, "fingerprint", "always the same")
     mesh = app.tessellate(ball, linear_deflection=0.3)
-    nc = [results.nc_of(app.create_toolpath(doc, mesh, **{**SETTINGS, "stepover": step})) for step in (8.0, 9.0)]
+    nc = [
+        results.nc_of(app.create_toolpath(doc, mesh, **{**SETTINGS, "stepover": step})) for step in (8.0, 9.0)
+    ]
     assert computed == ["prove"] * 2 and nc[0] != nc[1]
 
 
-def test_a_map_of_what_is_reached_is_kept_and_one_of_other_places_is_not(computed, kept, doc, ball, monkeypatch):
+def test_a_map_of_what_is_reached_is_kept_and_one_of_other_places_is_not(
+    computed, kept, doc, ball, monkeypatch
+):
     monkeypatch.setattr(reach_map, "PLACES", 60)
     mesh = app.tessellate(ball, linear_deflection=0.3)
     first, again = (reach.found_of(app.reach_map(mesh, **REACH)) for _ in range(2))
@@ -67,6 +73,8 @@ def test_without_the_fixture_everything_is_computed(computed, doc, ball):
     assert computed == ["prove"] * 2
 
 
-@pytest.mark.parametrize("name", ["app/test_long_work.py", "gui/test_long_work.py", "app/test_spreading.py", "app/test_batch.py"])
+@pytest.mark.parametrize(
+    "name", ["app/test_long_work.py", "gui/test_long_work.py", "app/test_spreading.py", "app/test_batch.py"]
+)
 def test_tests_of_long_work_threads_and_processes_keep_nothing(name):
     assert '"kept"' not in (TESTS / name).read_text(encoding="utf-8")

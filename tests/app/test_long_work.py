@@ -19,7 +19,8 @@ from freecad_fiveaxis.core.base.progress import silent
 
 
 class Dialog:
-    """Hears like the window's dialog; at its ``stop_after``-th turn it is cancelled, or calls ``then``. ``turns``: how many it had."""
+    """Hears like the window's dialog; at its ``stop_after``-th turn it is cancelled, or calls ``then``.
+    ``turns``: how many it had."""
 
     def __init__(self, stop_after=10**9, then=None):
         self.heard, self.threads, self.turns = [], set(), 0
@@ -77,7 +78,10 @@ def test_without_a_window_nobody_listens():
 def test_the_innermost_listener_hears():
     heard = []
     with long_work.reporting(lambda *told: heard.append(("outer", *told))):
-        with long_work.reporting(lambda *told: heard.append(("inner", *told))), long_work.listening() as listen:
+        with (
+            long_work.reporting(lambda *told: heard.append(("inner", *told))),
+            long_work.listening() as listen,
+        ):
             listen("a", 0.5)
         long_work.progress()("b", 1.0)
     assert heard == [("inner", "a", 0.5), ("outer", "b", 1.0)] and long_work.progress() is silent
@@ -119,7 +123,9 @@ def test_the_core_works_in_a_thread_and_the_dialog_in_the_one_that_asked():
 
 
 def test_a_listener_without_a_window_is_told_in_the_same_thread():
-    assert long_work.run(lambda told: threading.current_thread(), lambda *told: None) is threading.main_thread()
+    assert (
+        long_work.run(lambda told: threading.current_thread(), lambda *told: None) is threading.main_thread()
+    )
 
 
 def test_what_the_work_raises_reaches_the_caller():
@@ -143,8 +149,11 @@ def test_a_stop_gives_the_thread_back_while_the_work_goes_on(work, freed):
     assert not still_at_work()
 
 
-def test_work_that_says_nothing_ends_by_a_stop_with_a_message_and_not_a_word_on_the_console(freed, monkeypatch):
-    """What stops it raises the bare class; made without a message that was a TypeError, in red, seldom enough to pass by."""
+def test_work_that_says_nothing_ends_by_a_stop_with_a_message_and_not_a_word_on_the_console(
+    freed, monkeypatch
+):
+    """What stops it raises the bare class; made without a message that was a TypeError, in red, seldom enough
+    to pass by."""
     on_the_console = []
     monkeypatch.setattr(threading, "excepthook", on_the_console.append)
     for _ in range(20):
@@ -189,7 +198,11 @@ def test_a_recompute_that_nobody_listens_to_is_shown_by_the_window(doc, ball, mo
     monkeypatch.setattr(long_work, "windows", [lambda: long_work.reporting(dialog)])
     path.Stepover = 3
     doc.recompute()
-    assert "Up-to-date" in path.State and dict(dialog.heard)["deviation"] == 1.0 and long_work.progress() is silent
+    assert (
+        "Up-to-date" in path.State
+        and dict(dialog.heard)["deviation"] == 1.0
+        and long_work.progress() is silent
+    )
 
 
 def test_a_stopped_recompute_keeps_the_last_result_and_says_that_it_is_old(doc, ball, monkeypatch):
@@ -216,7 +229,9 @@ def test_a_document_that_is_closed_under_the_work_stops_it(doc, ball):
         results.result_of(path, dialog)
 
 
-@pytest.mark.parametrize("make", [app.create_toolpath, lambda doc, ball, **_: app.setup_map(doc.Toolpath)], ids=["path", "map"])
+@pytest.mark.parametrize(
+    "make", [app.create_toolpath, lambda doc, ball, **_: app.setup_map(doc.Toolpath)], ids=["path", "map"]
+)
 def test_what_was_being_made_goes_with_a_document_that_is_closed(doc, ball, make):
     app.create_toolpath(doc, ball, **FAST)
     name = doc.Name

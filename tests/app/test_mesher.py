@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A file is meshed as a batch asks for it: STEP, BREP and documents, by the functions that the FreeCAD beside it runs."""
+"""A file is meshed as a batch asks for it: STEP, BREP and documents, by the functions that the FreeCAD beside
+it runs."""
 
 import json
 import os
@@ -27,7 +28,10 @@ def meshed(folder, path, named="", linear=solids.LINEAR):
 def jig(tmp_path):
     """A document with a box in a group that stands elsewhere, made into a cut, and a pin."""
     doc = FreeCAD.newDocument()
-    box, _, hole = (doc.addObject(f"Part::{kind}", name) for kind, name in (("Box", "Box"), ("Cylinder", "Pin"), ("Box", "Hole")))
+    box, _, hole = (
+        doc.addObject(f"Part::{kind}", name)
+        for kind, name in (("Box", "Box"), ("Cylinder", "Pin"), ("Box", "Hole"))
+    )
     box.Length, box.Width, box.Height = 20, 16, 12
     hole.Length, hole.Width, hole.Height = 5, 5, 30
     cut = doc.addObject("Part::Cut", "Cut")
@@ -50,18 +54,27 @@ def test_step_and_brep_are_meshed_within_the_deflection(tmp_path):
         made, mesh = meshed(tmp_path, tmp_path / f"ball.{ending}", linear=0.05)
         assert made == {"facets": mesh.CountFacets} and mesh.isSolid()
         centres = [facet.InCircle[0] for facet in mesh.Facets]
-        assert all(10 - 3 * 0.05 < (centre[0] ** 2 + centre[1] ** 2 + centre[2] ** 2) ** 0.5 < 10.001 for centre in centres)
+        assert all(
+            10 - 3 * 0.05 < (centre[0] ** 2 + centre[1] ** 2 + centre[2] ** 2) ** 0.5 < 10.001
+            for centre in centres
+        )
         assert mesh.Volume == pytest.approx(ball.Volume, rel=0.02)
 
 
 def test_of_a_document_the_solid_that_is_named_stands_where_it_stands(tmp_path, jig):
     for named in ("Blade 2", "Cut"):
         made, mesh = meshed(tmp_path, jig, named)
-        assert mesh.BoundBox.XMin == pytest.approx(100) and mesh.Volume == pytest.approx(20 * 16 * 12 - 5 * 5 * 12)
+        assert mesh.BoundBox.XMin == pytest.approx(100) and mesh.Volume == pytest.approx(
+            20 * 16 * 12 - 5 * 5 * 12
+        )
     for named in ("", "Nobody"):
         made, mesh = meshed(tmp_path, jig, named)
-        assert mesh is None and "Blade 2" in made["error"] and "Pin" in made["error"], "neither box is: the cut is made of them"
-    assert not FreeCAD.listDocuments() or all(doc.FileName != str(jig) for doc in FreeCAD.listDocuments().values())
+        assert mesh is None and "Blade 2" in made["error"] and "Pin" in made["error"], (
+            "neither box is: the cut is made of them"
+        )
+    assert not FreeCAD.listDocuments() or all(
+        doc.FileName != str(jig) for doc in FreeCAD.listDocuments().values()
+    )
 
 
 def test_a_file_that_holds_no_solid_says_so(tmp_path):
@@ -76,4 +89,6 @@ def test_the_words_of_both_sides_are_the_same():
     ours = solids.FOLDER, solids.TASK, solids.MESH, solids.OUTCOME, solids.DOCUMENT
     assert ours == (mesher.FOLDER, mesher.TASK, mesher.STL, mesher.OUTCOME, mesher.DOCUMENT)
     assert os.path.samefile(mesher.__file__, solids.script()) and solids.NAMES == meshing.NAMES
-    assert (solids.LINEAR, solids.ANGULAR) == (tessellation.LINEAR, tessellation.ANGULAR), "as the window meshes"
+    assert (solids.LINEAR, solids.ANGULAR) == (tessellation.LINEAR, tessellation.ANGULAR), (
+        "as the window meshes"
+    )

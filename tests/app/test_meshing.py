@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Large solids are meshed by a process of their own: the same mesh, while the window is handled, and it can be stopped."""
+"""Large solids are meshed by a process of their own: the same mesh, while the window is handled, and it can
+be stopped."""
 
 import math
 import os
@@ -18,7 +19,8 @@ pytestmark = pytest.mark.skipif(not meshing.command(), reason="there is no FreeC
 
 
 class Dialog:
-    """Hears like the window's dialog; stops the work at its ``stop_after``-th turn. ``turns``: how many it had."""
+    """Hears like the window's dialog; stops the work at its ``stop_after``-th turn. ``turns``: how many it
+    had."""
 
     def __init__(self, stop_after=10**9):
         self.turns, self.stop_after = 0, stop_after
@@ -39,7 +41,9 @@ def rounded(corner):
 
 def spline():
     """A block under a wave."""
-    points = [[FreeCAD.Vector(5 * i, 5 * j, 10 + 3 * math.sin(i) * math.cos(j)) for j in range(6)] for i in range(6)]
+    points = [
+        [FreeCAD.Vector(5 * i, 5 * j, 10 + 3 * math.sin(i) * math.cos(j)) for j in range(6)] for i in range(6)
+    ]
     surface = Part.BSplineSurface()
     surface.interpolate(points)
     return surface.toShape().extrude(FreeCAD.Vector(0, 0, -20))
@@ -54,7 +58,9 @@ def inside_out():
 
 
 def scattered():
-    return Part.makeCompound([rounded((0, 0, 0)), rounded((20, 0.1, 1 / 3)), Part.makeCone(5, 1, 9, FreeCAD.Vector(-20, 0, 0))])
+    return Part.makeCompound(
+        [rounded((0, 0, 0)), rounded((20, 0.1, 1 / 3)), Part.makeCone(5, 1, 9, FreeCAD.Vector(-20, 0, 0))]
+    )
 
 
 @pytest.mark.parametrize("make", [lambda: rounded((1 / 3, 0, 0)), spline, pipe, inside_out, scattered])
@@ -86,7 +92,9 @@ def test_an_invalid_solid_is_refused_by_the_process_too(doc, monkeypatch):
         with pytest.raises(SelectionError, match="invalid"), long_work.reporting(told):
             app.tessellate(obj)
 
-    sheet = Part.makePolygon([FreeCAD.Vector(*at) for at in ((0, 0, 0), (9, 9, 0), (9, 0, 0), (0, 9, 0), (0, 0, 0))])
+    sheet = Part.makePolygon(
+        [FreeCAD.Vector(*at) for at in ((0, 0, 0), (9, 9, 0), (9, 0, 0), (0, 9, 0), (0, 0, 0))]
+    )
     obj = doc.addObject("Part::Feature", "Twisted")
     obj.Shape = Part.Face(sheet).extrude(FreeCAD.Vector(0, 0, 5))
     assert not obj.Shape.isValid()
@@ -108,14 +116,18 @@ def test_where_the_process_fails_the_solid_is_meshed_here(monkeypatch):
 def test_esc_ends_the_process_and_leaves_nothing(doc, monkeypatch, tmp_path):
     started = []
     begin = meshing.subprocess.Popen
-    monkeypatch.setattr(meshing.subprocess, "Popen", lambda *a, **k: started.append(begin(*a, **k)) or started[-1])
+    monkeypatch.setattr(
+        meshing.subprocess, "Popen", lambda *a, **k: started.append(begin(*a, **k)) or started[-1]
+    )
     monkeypatch.setattr(meshing.tempfile, "tempdir", str(tmp_path))
     ball, dialog = doc.addObject("Part::Sphere", "Ball"), Dialog(stop_after=20)
     ball.Radius = 300
     doc.recompute()
     with pytest.raises(Cancelled), long_work.reporting(dialog):
         app.tessellate(ball, linear_deflection=0.001, angular_deflection=1)
-    assert dialog.turns == 20, "the window had its turns while the other process worked, and none after the stop"
+    assert dialog.turns == 20, (
+        "the window had its turns while the other process worked, and none after the stop"
+    )
     assert [one.Name for one in doc.Objects] == ["Ball"]
     end = time.monotonic() + 60
     while time.monotonic() < end and (started[0].returncode is None or os.listdir(tmp_path)):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC files: whole or not at all, never over a user's file unasked, and marked when the toolpath has changed."""
+"""NC files: whole or not at all, never over a user's file unasked, and marked when the toolpath has
+changed."""
 
 import os
 
@@ -37,7 +38,11 @@ def test_a_users_file_is_left_alone(toolpath, tmp_path):
     with pytest.raises(FileError, match=r"mine\.ngc exists"):
         app.post_process(toolpath, path)
     assert path.read_text() == "my work of weeks"
-    assert not [obj for obj in toolpath.Document.Objects if isinstance(obj.Proxy if hasattr(obj, "Proxy") else None, NCOutput)]
+    assert not [
+        obj
+        for obj in toolpath.Document.Objects
+        if isinstance(obj.Proxy if hasattr(obj, "Proxy") else None, NCOutput)
+    ]
 
 
 def test_a_users_file_is_replaced_where_asked(toolpath, tmp_path):
@@ -184,7 +189,9 @@ def test_it_survives_saving_and_opening(toolpath, tmp_path):
     try:
         (obj,) = [one for one in again.Objects if isinstance(getattr(one, "Proxy", None), NCOutput)]
         assert obj.UpToDate and obj.File == str(nc) and "Touched" not in obj.State
-        assert app.post_process(obj.Path, nc) is obj  # it still is ours, and the same solid and settings make the same bytes
+        assert (
+            app.post_process(obj.Path, nc) is obj
+        )  # it still is ours, and the same solid and settings make the same bytes
         assert obj.UpToDate
     finally:
         FreeCAD.closeDocument(again.Name)
@@ -206,7 +213,9 @@ def test_undo_takes_the_object_back_in_one_step(toolpath, tmp_path):
 def test_the_program_and_its_reports_are_written_all_or_none(toolpath, tmp_path):
     path, page = tmp_path / "dome.ngc", tmp_path / "dome.html"
     with pytest.raises(FileError, match="gone"):
-        app.post_process(toolpath, path, also={str(page): b"page", str(tmp_path / "gone" / "dome.json"): b"{}"})
+        app.post_process(
+            toolpath, path, also={str(page): b"page", str(tmp_path / "gone" / "dome.json"): b"{}"}
+        )
     assert os.listdir(tmp_path) == []
     app.post_process(toolpath, path, also={str(page): b"page"})
     assert path.read_bytes() == nc_of(toolpath) and page.read_bytes() == b"page"

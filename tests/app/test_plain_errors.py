@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors of a recompute: those that were foreseen are printed without a trace, and nothing else changes for anybody."""
+"""Errors of a recompute: those that were foreseen are printed without a trace, and nothing else changes for
+anybody."""
 
 import gc
 import sys

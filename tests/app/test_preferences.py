@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The user's preferences without a window: defaults, units, folders, colours; and the form shows the same defaults."""
+"""The user's preferences without a window: defaults, units, folders, colours; and the form shows the same
+defaults."""
 
 import math
 import xml.etree.ElementTree as ET
@@ -96,7 +97,10 @@ def test_the_form_has_a_widget_for_every_key_with_the_same_default():
         told = {one.get("name"): one for one in widgets[key].findall("property")}
         if widgets[key].get("class").startswith("Gui::"):
             assert told["prefEntry"].findtext("cstring") == key
-            assert "BaseApp/Preferences/" + told["prefPath"].findtext("cstring") == preferences.GROUP.split(":")[1]
+            assert (
+                "BaseApp/Preferences/" + told["prefPath"].findtext("cstring")
+                == preferences.GROUP.split(":")[1]
+            )
         if isinstance(default, float):
             a_minute = 60 if key == "Feed" else 1
             assert float(told["value"].findtext("double")) == pytest.approx(default * a_minute, rel=1e-12)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""app.preview_passes: the passes of a part or a tool path, about its work zero, with the document as it was."""
+"""app.preview_passes: the passes of a part or a tool path, about its work zero, with the document as it
+was."""
 
 import numpy as np
 import pytest
@@ -21,10 +22,16 @@ def test_a_solid_and_its_path_have_the_same_passes_and_the_document_stays(doc, b
     path = app.create_toolpath(doc, ball, **FAST, **ABOUT, **UNCURED)
     nc = results.nc_of(path)
     again = app.preview_passes(path)
-    assert (again.point == found.point).all() and (again.polyline == found.polyline).all() and again.passes == path.Passes
+    assert (
+        (again.point == found.point).all()
+        and (again.polyline == found.polyline).all()
+        and again.passes == path.Passes
+    )
     made = results.result_of(path).draft.path
     cut = made.contact[made.motion == Motion.CUT]
-    assert cKDTree(again.point).query(cut)[0].max() < 1e-6, "each contact is where a pass crosses an edge of a facet"
+    assert cKDTree(again.point).query(cut)[0].max() < 1e-6, (
+        "each contact is where a pass crosses an edge of a facet"
+    )
     assert cKDTree(again.point + (0, 0, 0.01)).query(cut)[0].max() > 1e-4, "the comparison can fail"
     assert again.time == pytest.approx(again.length / path.Feed.Value)
     assert results.nc_of(path) == nc and path.State == ["Up-to-date"]
@@ -36,14 +43,18 @@ def test_other_settings_of_a_path_and_another_mesh_are_not_kept(doc, ball):
     given = {**FAST, "max_axis_angle": 50, "cutter": "ball:6"}
     finer = app.preview_passes(path, **{**given, "stepover": 2, "linear_deflection": 0.02})
     assert finer.passes > 1.7 * usual.passes and len(finer.point) > 2 * len(usual.point)
-    assert path.Mesh.LinearDeflection.Value == 0.1 and path.Stepover.Value == 4 and path.State == ["Up-to-date"]
+    assert (
+        path.Mesh.LinearDeflection.Value == 0.1 and path.Stepover.Value == 4 and path.State == ["Up-to-date"]
+    )
     ball.Shape = ball.Shape.copy().scale(0.5)
     shrunk = app.preview_passes(path)
     assert np.ptp(shrunk.point[:, 0]) < 0.6 * np.ptp(usual.point[:, 0]), "of the solid as it is now"
 
 
 def test_faces_and_those_to_avoid_count(doc, ball):
-    top = next(f"Face{at + 1}" for at, one in enumerate(ball.Shape.Faces) if one.Surface.TypeId == "Part::GeomSphere")
+    top = next(
+        f"Face{at + 1}" for at, one in enumerate(ball.Shape.Faces) if one.Surface.TypeId == "Part::GeomSphere"
+    )
     whole = app.preview_passes(ball, **FAST)
     assert app.preview_passes((ball, [top]), **FAST).passes == whole.passes
     with pytest.raises(FiveAxisError):

@@ -32,9 +32,15 @@ def test_every_option_but_files_to_write_or_to_select_has_a_property_with_its_gr
     for cls, leaf in option_fields(MILL):
         kind = leaf.metadata["kind"]
         if cls is OutputSettings or kind in ("path", "paths"):
-            assert properties.property_name(leaf.name) not in {one.name for one in properties.setting_properties(MILL)}
+            assert properties.property_name(leaf.name) not in {
+                one.name for one in properties.setting_properties(MILL)
+            }
             continue
-        names = [one.name for one in properties.CUTTER] if kind == "cutter" else [properties.property_name(leaf.name)]
+        names = (
+            [one.name for one in properties.CUTTER]
+            if kind == "cutter"
+            else [properties.property_name(leaf.name)]
+        )
         for name in names:
             assert path.getGroupOfProperty(name) == properties.group_of(cls, leaf) in GROUPS
             if kind != "cutter":
@@ -121,7 +127,9 @@ def test_choices_are_those_of_the_core(path):
 
 def test_nothing_given_is_0_or_the_machines_own(path):
     settings = convert.settings_of(path, MILL, "x")
-    assert settings.machine.controller is None and settings.machine.origin is None and settings.head.tool is None
+    assert (
+        settings.machine.controller is None and settings.machine.origin is None and settings.head.tool is None
+    )
     path.OriginFromMachine = False
     assert convert.settings_of(path, MILL, "x").machine.origin == (0.0, 0.0, 0.0)
 
@@ -176,8 +184,14 @@ def test_a_cutters_sizes_have_units(path):
     ("values", "says"),
     [
         ({"CutterKind": "bull", "CutterCorner": 6}, "corner radius is 6 mm; give 0 to 5 mm"),
-        ({"CutterKind": "lollipop", "CutterNeck": 10}, "neck is 10 mm; give 0.001 mm or more, and less than 10 mm"),
-        ({"CutterKind": "barrel", "CutterFlank": 4}, "flank radius is 4 mm; give more than 5 mm, half the diameter"),
+        (
+            {"CutterKind": "lollipop", "CutterNeck": 10},
+            "neck is 10 mm; give 0.001 mm or more, and less than 10 mm",
+        ),
+        (
+            {"CutterKind": "barrel", "CutterFlank": 4},
+            "flank radius is 4 mm; give more than 5 mm, half the diameter",
+        ),
         ({"CutterKind": "taperball", "CutterTaper": 70}, "taper is 70 deg; give 0 to 60 deg"),
         ({"CutterKind": "taperball", "CutterLength": 2}, "the taper begins"),
         ({"Holder": "40"}, "diameter x length"),
@@ -229,13 +243,19 @@ def test_the_tool_that_is_drawn_is_the_body_that_is_checked(path, text):
     convert.put_options(path, MILL, {"cutter": text, "shank": "8x20,12x30", "holder": "40x25"})
     drawn, settings = convert.tool_of(path), convert.settings_of(path, MILL, "x")
     assert drawn.body == options.tool_body(settings) and drawn.cutter == settings.cutter.cutter
-    assert drawn.body != options.tool_body(build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text}))
+    assert drawn.body != options.tool_body(
+        build_settings(MILL, "x", {"machine": "trunnion_ac", "cutter": text})
+    )
 
 
 def test_an_audit_draws_shank_and_holder_too(doc, tmp_path):
     (tmp_path / "x.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
-    made = app.audit(doc, tmp_path / "x.ngc", "trunnion_ac", cutter="bull:10:2", holder="2inx1in", shank="8x20")
-    assert (made.Holder, made.Shank, made.CutterKind) == ("50.8x25.4", "8x20", "bull") and made.State == ["Up-to-date"]
+    made = app.audit(
+        doc, tmp_path / "x.ngc", "trunnion_ac", cutter="bull:10:2", holder="2inx1in", shank="8x20"
+    )
+    assert (made.Holder, made.Shank, made.CutterKind) == ("50.8x25.4", "8x20", "bull") and made.State == [
+        "Up-to-date"
+    ]
     assert convert.tool_of(made).body == body_of(Cutter(10.0, corner=2.0), [(8, 20)], [(50.8, 25.4)])
 
 
@@ -271,10 +291,15 @@ def test_choices_of_an_older_document_are_renewed_and_its_own_is_kept(path):
     path.ToolAxis = ["old_way", "facet_mean"]
     path.ToolAxis = "old_way"
     properties.add_missing(path, properties.setting_properties(MILL))
-    assert path.getEnumerationsOfProperty("ToolAxis") == [*STRATEGIES, "old_way"] and path.ToolAxis == "old_way"
+    assert (
+        path.getEnumerationsOfProperty("ToolAxis") == [*STRATEGIES, "old_way"] and path.ToolAxis == "old_way"
+    )
     path.ToolAxis = "fixed"
     properties.add_missing(path, properties.setting_properties(MILL))
-    assert path.getEnumerationsOfProperty("ToolAxis") == [*STRATEGIES, "old_way"][: len(STRATEGIES)] and path.ToolAxis == "fixed"
+    assert (
+        path.getEnumerationsOfProperty("ToolAxis") == [*STRATEGIES, "old_way"][: len(STRATEGIES)]
+        and path.ToolAxis == "fixed"
+    )
 
 
 def test_files_that_settings_name_are_part_of_what_a_result_is_of(tmp_path):
@@ -283,7 +308,9 @@ def test_files_that_settings_name_are_part_of_what_a_result_is_of(tmp_path):
     from freecad_fiveaxis.core.pipeline.settings import RECOVER, build_settings
 
     (tmp_path / "a.ngc").write_text("G1 X1")
-    settings = build_settings(RECOVER, "a.apt", {"program": str(tmp_path / "a.ngc"), "machine": "trunnion_ac"})
+    settings = build_settings(
+        RECOVER, "a.apt", {"program": str(tmp_path / "a.ngc"), "machine": "trunnion_ac"}
+    )
     before = results.Task(settings, b"").fingerprint
     assert results.Task(settings, b"").fingerprint == before
     (tmp_path / "a.ngc").write_text("G1 X2")
@@ -317,7 +344,10 @@ def test_the_editor_shows_feeds_in_mm_per_minute(path):
 def test_both_feeds_are_one_whichever_is_set(undoable, feed):
     path = undoable
     path.FeedPerMinute = feed
-    assert path.Feed.Value * 60 == pytest.approx(feed, rel=1e-10) == path.FeedPerMinute and "Touched" in path.State
+    assert (
+        path.Feed.Value * 60 == pytest.approx(feed, rel=1e-10) == path.FeedPerMinute
+        and "Touched" in path.State
+    )
     path.PlungeFeed = f"{feed / 2:.17g} mm/min"
     assert path.PlungeFeedPerMinute == pytest.approx(feed / 2, rel=1e-10)
     assert feeds_of(path)[0] == feeds_of(path)[1]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The reach map on the document side: the numbers of the command line, areas in closed form, and it follows its part."""
+"""The reach map on the document side: the numbers of the command line, areas in closed form, and it follows
+its part."""
 
 import json
 import math
@@ -42,23 +43,29 @@ def slot(doc):
 
 def floor(obj):
     """The object, and the name of its face at z = 10, the slot's floor."""
-    (name,) = [f"Face{at}" for at, face in enumerate(obj.Shape.Faces, 1) if abs(face.CenterOfMass.z - 10.0) < 1e-6]
+    (name,) = [
+        f"Face{at}" for at, face in enumerate(obj.Shape.Faces, 1) if abs(face.CenterOfMass.z - 10.0) < 1e-6
+    ]
     return obj, [name]
 
 
 def test_the_holder_keeps_the_tool_from_the_floor_of_a_slot_that_is_narrower_than_it(doc, slot):
-    """A tool that sticks out 20 mm does not get to the floor 30 mm deep below a holder of 40 mm, save beside the open ends, where
-    it leans out; and near the walls not even the ball does."""
+    """A tool that sticks out 20 mm does not get to the floor 30 mm deep below a holder of 40 mm, save beside
+    the open ends, where it leans out; and near the walls not even the ball does."""
     made = app.reach_map(floor(slot), **TOOL)
     whole = 14.0 * 160.0
     assert made.WholeArea.Value == pytest.approx(whole)
     held, tight = made.HolderInTheWay.Value, made.TighterThanCutter.Value
     ends = 2 * 14.0 * 25.0
     assert whole - ends - 2 * 3.5 * 160.0 < held <= whole - 2 * 2.0 * 160.0 + 1.0
-    assert tight == pytest.approx(2 * 3.0 * 160.0, rel=0.4) and made.ReachableArea.Value + held + tight == pytest.approx(whole)
+    assert tight == pytest.approx(
+        2 * 3.0 * 160.0, rel=0.4
+    ) and made.ReachableArea.Value + held + tight == pytest.approx(whole)
     assert made.StickOut.Value == 30.0 - 20.0 and made.StickOutArea.Value >= reach.ENOUGH * held
     assert "stick out 10 mm farther and it reaches" in made.Advice and "mm²" in made.Advice
-    assert "holder in the way" in made.Verdict and made.ReachableShare == pytest.approx(100 * made.ReachableArea.Value / whole)
+    assert "holder in the way" in made.Verdict and made.ReachableShare == pytest.approx(
+        100 * made.ReachableArea.Value / whole
+    )
     assert made.State == ["Up-to-date"] and made.UpToDate and not reach.out_of_date(made)
 
 
@@ -82,7 +89,9 @@ def test_the_numbers_are_those_of_the_command_line(slot, tmp_path):
     assert made.ReachableShare == pytest.approx(100.0 * told["reachable_share"], rel=1e-12)
     keys = {"TighterThanCutter": "tighter_than_cutter", "BeyondMachine": "beyond_machine", "BelowTable": "below_table",
             "ShankInTheWay": "shank", "HolderInTheWay": "holder"}  # fmt: skip
-    assert {name: getattr(made, name).Value for name in keys} == {name: told["by_reason"][key] for name, key in keys.items()}
+    assert {name: getattr(made, name).Value for name in keys} == {
+        name: told["by_reason"][key] for name, key in keys.items()
+    }
     assert {"longer": made.StickOut.Value, "area": made.StickOutArea.Value} in told["stick_out"]
     other = app.reach_map(mesh, **{**TOOL, "cutter": "ball:6:30"})
     assert other.HolderInTheWay.Value != told["by_reason"]["holder"], "another tool has other numbers"
@@ -94,9 +103,16 @@ def test_a_toolpath_gives_its_machine_tool_part_and_fixtures(doc, slot):
     clamp.Placement.Base = FreeCAD.Vector(-7, 70, 10)
     doc.recompute()
     settings = {"machine": "trunnion_bc", "cutter": "ball:6:60", "holder": "30x30", "work_zero": (1, 2, 3)}
-    path = app.create_toolpath(doc, floor(slot), **settings, passes="planes", stepover=6, gouge="off", linearize="off")
+    path = app.create_toolpath(
+        doc, floor(slot), **settings, passes="planes", stepover=6, gouge="off", linearize="off"
+    )
     free = app.reach_map(path)
-    assert (free.Machine, free.Holder, free.CutterLength.Value, tuple(free.WorkZero)) == ("trunnion_bc", "30x30", 60, (1, 2, 3))
+    assert (free.Machine, free.Holder, free.CutterLength.Value, tuple(free.WorkZero)) == (
+        "trunnion_bc",
+        "30x30",
+        60,
+        (1, 2, 3),
+    )
     assert free.Mesh is path.Mesh and free.WholeArea.Value == pytest.approx(14.0 * 160.0)
     path.Fixtures = [clamp]
     held = app.reach_map(path)
@@ -106,12 +122,18 @@ def test_a_toolpath_gives_its_machine_tool_part_and_fixtures(doc, slot):
 
 
 def test_an_axis_that_may_lean_less_reaches_less(slot):
-    sides = [f"Face{at}" for at, face in enumerate(slot.Shape.Faces, 1) if abs(abs(face.CenterOfMass.x) - 30.0) < 1e-6]
+    sides = [
+        f"Face{at}"
+        for at, face in enumerate(slot.Shape.Faces, 1)
+        if abs(abs(face.CenterOfMass.x) - 30.0) < 1e-6
+    ]
     mesh = app.tessellate(slot, faces=sides)
     tool = {"machine": "trunnion_ac", "cutter": "ball:6:60", "table_height": -1000}
     assert app.reach_map(mesh, **tool).ReachableShare > 99.0
     upright = app.reach_map(mesh, **tool, largest_axis_angle=5)
-    assert upright.ReachableArea.Value == 0.0 and upright.BeyondMachine.Value == pytest.approx(2 * 40.0 * 160.0)
+    assert upright.ReachableArea.Value == 0.0 and upright.BeyondMachine.Value == pytest.approx(
+        2 * 40.0 * 160.0
+    )
     found = reach.found_of(app.reach_map(mesh, **tool, largest_axis_angle=60))
     _, axis = reach.axis_field(found)
     assert len(axis) and (axis[:, 2] >= math.cos(math.radians(60.0)) - 1e-9).all()
@@ -126,7 +148,11 @@ def test_the_map_follows_its_part_and_says_when_it_is_old(doc, slot):
     made.Holder = ""
     assert "recompute" in reach.out_of_date(made)
     doc.recompute()
-    assert not reach.out_of_date(made) and made.HolderInTheWay.Value == 0.0 < before and "stick out" not in made.Advice
+    assert (
+        not reach.out_of_date(made)
+        and made.HolderInTheWay.Value == 0.0 < before
+        and "stick out" not in made.Advice
+    )
     slot.Shape = slot_shape(80.0)
     doc.recompute()
     assert made.UpToDate and made.WholeArea.Value == pytest.approx(slot.Shape.Area, rel=1e-5)
@@ -134,7 +160,10 @@ def test_the_map_follows_its_part_and_says_when_it_is_old(doc, slot):
 
 def test_a_reopened_map_keeps_its_numbers_and_finds_its_places_when_asked(slot, reopen, anew):
     made = app.reach_map(floor(slot), **TOOL, work_zero=(1, 2, 3), largest_axis_angle=120)
-    kept = {name: made.getPropertyByName(name) for name in ("Verdict", "Advice", "UpToDate", "Fingerprint", "LargestAxisAngle")}
+    kept = {
+        name: made.getPropertyByName(name)
+        for name in ("Verdict", "Advice", "UpToDate", "Fingerprint", "LargestAxisAngle")
+    }
     areas = {name: getattr(made, name).Value for name in reach.AREAS.values()}
     places = reach.found_of(made).chart.obstacle
     anew()
@@ -158,7 +187,13 @@ def test_a_deleted_solid_and_a_deleted_mesh_are_told(doc, slot):
 
 def test_what_cannot_be_leaves_nothing_behind(anew, doc, slot):
     names = [one.Name for one in doc.Objects]
-    wrong = ({"cutter": "ball:-6"}, {"machine": "no_such"}, {"wings": 2}, {"fixtures": [slot]}, {"holder": "40"})
+    wrong = (
+        {"cutter": "ball:-6"},
+        {"machine": "no_such"},
+        {"wings": 2},
+        {"fixtures": [slot]},
+        {"holder": "40"},
+    )
     for settings in wrong:
         with pytest.raises(FiveAxisError):
             app.reach_map(slot, **{**TOOL, **settings})

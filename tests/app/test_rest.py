@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The map of rest material: its numbers are the core's and those of closed forms, and it follows its toolpath."""
+"""The map of rest material: its numbers are the core's and those of closed forms, and it follows its
+toolpath."""
 
 import FreeCAD
 import numpy as np
@@ -13,7 +14,14 @@ from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, Settings
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.pipeline.settings import MILL, build_settings
 
-GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
+GROOVE = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:10",
+    "stepover": 1,
+    "direction": 90,
+    "tool_axis": "fixed",
+    "tolerance": 0.02,
+}
 """Passes along the groove, the tool upright."""
 
 pytestmark = pytest.mark.usefixtures("kept")
@@ -21,7 +29,8 @@ pytestmark = pytest.mark.usefixtures("kept")
 
 @pytest.fixture
 def groove(doc):
-    """A block of 48 x 16 mm whose top has a V groove of 90 deg along Y, 6 mm deep, its bottom at x = 0, z = 0."""
+    """A block of 48 x 16 mm whose top has a V groove of 90 deg along Y, 6 mm deep, its bottom at x = 0, z =
+    0."""
     profile = [(-24, 6), (-6, 6), (0, 0), (6, 6), (24, 6), (24, -8), (-24, -8), (-24, 6)]
     obj = doc.addObject("Part::Feature", "Groove")
     obj.Shape = Part.Face(Part.makePolygon([(x, 0, z) for x, z in profile])).extrude(FreeCAD.Vector(0, 16, 0))
@@ -35,12 +44,17 @@ def top(obj):
 
 
 def test_a_ball_leaves_the_bottom_of_a_groove_that_is_too_narrow_for_it(doc, groove):
-    """A ball of radius R in a V of half angle a stays R (1 / sin a - 1) away from its bottom, where it enters neither wall."""
+    """A ball of radius R in a V of half angle a stays R (1 / sin a - 1) away from its bottom, where it enters
+    neither wall."""
     path = app.create_toolpath(doc, top(groove), **GROOVE, gouge="lift")
     made = app.left_map(path)
-    assert made.LargestUndercut.Value == pytest.approx(5.0 * (np.sqrt(2.0) - 1.0), rel=0.12)  # samples lie beside the bottom
+    assert made.LargestUndercut.Value == pytest.approx(
+        5.0 * (np.sqrt(2.0) - 1.0), rel=0.12
+    )  # samples lie beside the bottom
     assert made.LargestOvercut.Value <= 0.02 and made.OvercutArea.Value == 0.0
-    bare = np.sqrt((5.0 + made.Allowed.Value) ** 2 - 5.0**2)  # from where the ball touches to where more than allowed is left
+    bare = np.sqrt(
+        (5.0 + made.Allowed.Value) ** 2 - 5.0**2
+    )  # from where the ball touches to where more than allowed is left
     assert made.UncutArea.Value == pytest.approx(2.0 * (5.0 - bare) * 16.0, rel=0.03)
     assert "is left, at most" in made.Verdict and made.State == ["Up-to-date"] and made.UpToDate
 
@@ -79,10 +93,14 @@ def test_a_path_has_one_map_that_follows_it(doc, groove):
 
 
 def test_documents_and_macros_of_earlier_versions_find_what_they_name(doc, groove):
-    """Documents have the proxy's path and the property ``Left``; macros the option ``left`` and the heights in ``app.left``."""
+    """Documents have the proxy's path and the property ``Left``; macros the option ``left`` and the heights
+    in ``app.left``."""
     path = app.create_toolpath(doc, top(groove), **GROOVE, left="on")
     assert path.Left == "on" and "Rest" not in path.PropertiesList
-    assert path.Proxy.last.result.draft.settings.gouge.rest == "on" and convert.options_of(path, MILL)["rest"] == "on"
+    assert (
+        path.Proxy.last.result.draft.settings.gouge.rest == "on"
+        and convert.options_of(path, MILL)["rest"] == "on"
+    )
     made = app.left_map(path)
     assert f"{type(made.Proxy).__module__}.{type(made.Proxy).__name__}" == "freecad_fiveaxis.app.left.LeftMap"
     assert left.heights_of(made).left is rest.heights_of(made).rest
@@ -96,11 +114,21 @@ def test_an_option_under_both_its_names_makes_no_path(doc, groove):
 
 def test_a_reopened_map_keeps_its_numbers_and_finds_its_heights_when_asked(doc, groove, reopen, anew):
     made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE, work_zero=(1, 2, 3)))
-    numbers = made.LargestUndercut.Value, made.LargestOvercut.Value, made.UncutArea.Value, made.MachinedArea.Value
+    numbers = (
+        made.LargestUndercut.Value,
+        made.LargestOvercut.Value,
+        made.UncutArea.Value,
+        made.MachinedArea.Value,
+    )
     height = rest.heights_of(made).rest.height
     anew()
     again = reopen(doc).LeftMap
-    kept = again.LargestUndercut.Value, again.LargestOvercut.Value, again.UncutArea.Value, again.MachinedArea.Value
+    kept = (
+        again.LargestUndercut.Value,
+        again.LargestOvercut.Value,
+        again.UncutArea.Value,
+        again.MachinedArea.Value,
+    )
     assert again.Proxy.last is None and kept == pytest.approx(numbers, rel=1e-12) and again.Verdict
     assert rest.out_of_date(again) == "" and type(again.Proxy) is left.LeftMap
     np.testing.assert_array_equal(rest.heights_of(again).rest.height, height)
@@ -138,7 +166,11 @@ def test_a_map_without_a_path_is_told(doc, groove):
     made = app.left_map(app.create_toolpath(doc, top(groove), **GROOVE))
     doc.removeObject(made.Path.Name)
     doc.recompute()
-    assert "Invalid" in made.State and "was deleted" in made.getStatusString() and "was deleted" in rest.out_of_date(made)
+    assert (
+        "Invalid" in made.State
+        and "was deleted" in made.getStatusString()
+        and "was deleted" in rest.out_of_date(made)
+    )
 
 
 # ------------------------------------------------------------------------------------------------ faces
@@ -148,7 +180,9 @@ def test_a_map_without_a_path_is_told(doc, groove):
 def step(doc):
     """A block of 40 x 30 x 10 mm, and on its half beyond x = 20 a step of another 30 mm."""
     obj = doc.addObject("Part::Feature", "Step")
-    obj.Shape = Part.makeBox(40, 30, 10).fuse(Part.makeBox(20, 30, 30, FreeCAD.Vector(20, 0, 10))).removeSplitter()
+    obj.Shape = (
+        Part.makeBox(40, 30, 10).fuse(Part.makeBox(20, 30, 30, FreeCAD.Vector(20, 0, 10))).removeSplitter()
+    )
     doc.recompute()
     return obj
 
@@ -161,7 +195,14 @@ def face_at(obj, **where):
     raise AssertionError(where)
 
 
-FACES = {"machine": "trunnion_ac", "cutter": "ball:6:12", "passes": "planes", "stepover": 2, "gouge": "report", "clearance": 10}
+FACES = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:6:12",
+    "passes": "planes",
+    "stepover": 2,
+    "gouge": "report",
+    "clearance": 10,
+}
 
 
 def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is_selected(doc, step):
@@ -169,7 +210,10 @@ def test_a_wall_that_is_not_selected_stops_the_holder_and_the_map_covers_what_is
     path = app.create_toolpath(doc, (step, chosen), **FACES, holder="40x30", rest="on")
     result = results.result_of(path)
     mesh, keep = result.draft.mesh, result.draft.keep
-    assert 0 < keep.sum() < len(keep) and set(np.round(mesh.vertex[mesh.face[keep]][..., 2].ravel(), 6)) == {10.0, 40.0}
+    assert 0 < keep.sum() < len(keep) and set(np.round(mesh.vertex[mesh.face[keep]][..., 2].ravel(), 6)) == {
+        10.0,
+        40.0,
+    }
     (first, *_) = [one for one in result.findings if one.code == "holder-collision"]
     assert first.place[0] >= 20.0 - 1e-6 and first.value > 1.0, "the wall beyond x = 20 stops the holder"
     made = app.left_map(path)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A path's part in another unit: the copy is the part times the factor, stands where it stood, and its faces are the same."""
+"""A path's part in another unit: the copy is the part times the factor, stands where it stood, and its faces
+are the same."""
 
 import FreeCAD
 import Mesh
@@ -56,7 +57,9 @@ def test_a_solid_in_metres_is_milled_a_thousand_times_as_large_where_it_stood(do
     doc.recompute()
     assert not suspected(path) and path.Blocks > 20
     normal = results.result_of(path).draft.mesh.normal[results.result_of(path).draft.keep]
-    np.testing.assert_allclose(normal, np.tile([0.0, 0.0, 1.0], (len(normal), 1)), atol=1e-6)  # the top, and only the top
+    np.testing.assert_allclose(
+        normal, np.tile([0.0, 0.0, 1.0], (len(normal), 1)), atol=1e-6
+    )  # the top, and only the top
 
 
 def test_a_mesh_in_inches_is_milled_in_millimetres(doc):

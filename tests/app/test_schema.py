@@ -41,7 +41,10 @@ def old(doc, ball):
 
 
 def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
-    before = {name: old.Toolpath.getPropertyByName(name) for name in ("Stepover", "Feed", "Machine", "Blocks", "Findings")}
+    before = {
+        name: old.Toolpath.getPropertyByName(name)
+        for name in ("Stepover", "Feed", "Machine", "Blocks", "Findings")
+    }
     new = reopen(old)
     for name, lacked in LACKED.items():
         assert set(lacked) <= set(new.getObject(name).PropertiesList)
@@ -51,7 +54,9 @@ def test_a_document_of_version_0_opens_and_nothing_is_lost(old, reopen):
     assert (path.CutterKind, path.Holder, path.OriginFromMachine) == ("ball", "", True)
     assert tuple(path.WorkZero) == (0, 0, 0) and new.Tessellation.AngularDeflection.Value == 15
     assert path.getGroupOfProperty("MaxBound") == "Result" and path.getEditorMode("MaxBound") == ["ReadOnly"]
-    assert "recompute" in results.out_of_date(path)  # a result without a fingerprint: nobody knows what it is of
+    assert "recompute" in results.out_of_date(
+        path
+    )  # a result without a fingerprint: nobody knows what it is of
 
 
 def test_it_is_recomputed_to_the_same_program(old, reopen, anew):
@@ -60,7 +65,11 @@ def test_it_is_recomputed_to_the_same_program(old, reopen, anew):
     new = reopen(old)
     new.Toolpath.touch()
     new.recompute()
-    assert new.Toolpath.Blocks == blocks and results.out_of_date(new.Toolpath) == "" and new.Toolpath.MaxBound > 0
+    assert (
+        new.Toolpath.Blocks == blocks
+        and results.out_of_date(new.Toolpath) == ""
+        and new.Toolpath.MaxBound > 0
+    )
     again = reopen(new)
     assert results.out_of_date(again.Toolpath) == "" and list(again.Markers.Labels)
 
@@ -74,7 +83,12 @@ def test_version_1_had_no_cure_and_gets_every_one(doc, ball, reopen, anew):
     path.SchemaVersion = 1
     anew()
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (5, "off", "report", "facet_mean")
+    assert (path.SchemaVersion, path.Linearize, path.Singularity, path.ToolAxis) == (
+        5,
+        "off",
+        "report",
+        "facet_mean",
+    )
     assert (path.MaxTilt.Value, path.MaxAxisChange.Value) == pytest.approx((5, 2))
     path.Document.recompute()
     assert path.Blocks == blocks
@@ -89,7 +103,9 @@ def test_until_it_is_computed_again_an_older_document_shows_the_tips_deviation(d
     tip = path.MaxSegmentDeviation.Value, path.MaxBound.Value
     assert path.removeProperty("MaxSurfaceDeviation") and path.removeProperty("MaxSurfaceBound")
     path = reopen(doc).Toolpath
-    assert path.MaxSurfaceDeviation == path.MaxSurfaceBound == 0 and results.judged_of(path) == pytest.approx(tip)
+    assert path.MaxSurfaceDeviation == path.MaxSurfaceBound == 0 and results.judged_of(path) == pytest.approx(
+        tip
+    )
 
 
 def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen, anew):
@@ -110,7 +126,17 @@ def test_version_2_knew_three_controllers_and_no_guided_tip(doc, ball, reopen, a
     assert path.State == ["Up-to-date"] and path.GuidedBlocks > 0 and b"LN X" in results.nc_of(path)
 
 
-VERSION_4 = ("CutterKind", "CutterCorner", "CutterTaper", "CutterNeck", "CutterFlank", "Gouge", "Shank", "Holder", "Links")
+VERSION_4 = (
+    "CutterKind",
+    "CutterCorner",
+    "CutterTaper",
+    "CutterNeck",
+    "CutterFlank",
+    "Gouge",
+    "Shank",
+    "Holder",
+    "Links",
+)
 """What version 3 had not."""
 
 
@@ -133,7 +159,12 @@ def test_version_3_had_a_holder_of_one_cylinder_and_ball_cutters_only(doc, ball,
     of_version_3(path, *sizes)
     anew()
     path = reopen(doc).Toolpath
-    assert (path.SchemaVersion, path.CutterKind, path.CutterDiameter.Value, path.CutterLength.Value) == (5, "ball", 6, 30)
+    assert (path.SchemaVersion, path.CutterKind, path.CutterDiameter.Value, path.CutterLength.Value) == (
+        5,
+        "ball",
+        6,
+        30,
+    )
     assert (path.Holder, path.Shank, path.Gouge) == (text, "", "off")
     assert results.nc_of(path) == nc, "a holder that was only drawn changes no program"
     assert path.HolderDiameter.Value == sizes[0] and "Hidden" in path.getEditorMode("HolderDiameter")
@@ -141,7 +172,9 @@ def test_version_3_had_a_holder_of_one_cylinder_and_ball_cutters_only(doc, ball,
     path.Document.recompute()
     assert path.State == ["Up-to-date"]
     again = reopen(path.Document).Toolpath
-    assert (again.Holder, again.CutterKind) == (text, "bull") and "Hidden" in again.getEditorMode("HolderLength")
+    assert (again.Holder, again.CutterKind) == (text, "bull") and "Hidden" in again.getEditorMode(
+        "HolderLength"
+    )
 
 
 def test_an_audit_of_version_3_keeps_the_holder_that_is_drawn(doc, reopen, tmp_path):
@@ -154,7 +187,12 @@ def test_an_audit_of_version_3_keeps_the_holder_that_is_drawn(doc, reopen, tmp_p
 def test_the_groups_of_an_older_document_get_the_names_of_the_trade(doc, ball, reopen):
     path = app.create_toolpath(doc, ball, **{**FAST, "stepover": 8})
     before = {name: path.getPropertyByName(name) for name in ("Spindle", "Clearance", "Feed")}
-    for name, group in (("Linearize", "Cure"), ("Spindle", "Head"), ("Clearance", "Link"), ("WorkZero", "Machine")):
+    for name, group in (
+        ("Linearize", "Cure"),
+        ("Spindle", "Head"),
+        ("Clearance", "Link"),
+        ("WorkZero", "Machine"),
+    ):
         path.setGroupOfProperty(name, group)
     again = reopen(doc).Toolpath
     groups = [again.getGroupOfProperty(name) for name in ("Linearize", "Spindle", "Clearance", "WorkZero")]
@@ -196,12 +234,18 @@ def test_the_proxies_are_found_under_their_names_and_save_nothing(doc, ball, reo
     marks = app.annotate(path)
     (tmp_path / "a.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z10 A0 C0 F100\nX10 A1\n")
     judged = app.audit(doc, tmp_path / "a.ngc", "trunnion_ac")
-    paths = [f"{type(one.Proxy).__module__}.{type(one.Proxy).__name__}" for one in (path.Mesh, path, marks, judged)]
+    paths = [
+        f"{type(one.Proxy).__module__}.{type(one.Proxy).__name__}" for one in (path.Mesh, path, marks, judged)
+    ]
     start = "freecad_fiveaxis.app."
     assert paths == [
-        start + name for name in ("tessellation.Tessellation", "toolpath.Toolpath", "markers.Markers", "auditing.Audit")
+        start + name
+        for name in ("tessellation.Tessellation", "toolpath.Toolpath", "markers.Markers", "auditing.Audit")
     ]
-    assert all(one.Proxy.dumps() is None and one.Proxy.__getstate__() is None for one in (path.Mesh, path, marks, judged))
+    assert all(
+        one.Proxy.dumps() is None and one.Proxy.__getstate__() is None
+        for one in (path.Mesh, path, marks, judged)
+    )
     kind = type(judged.Proxy)
     again = reopen(doc).Audit
     assert type(again.Proxy) is kind and again.Blocks == 2
@@ -253,7 +297,9 @@ def test_a_path_of_version_4_goes_over_the_part_as_it_did(doc, ball, reopen):
 
 
 def test_a_path_of_before_the_strategies_keeps_planes_on_the_normals(doc, ball, reopen):
-    path = app.create_toolpath(doc, ball, machine="trunnion_ac", stepover=4, linear_deflection=0.1, direction=0)
+    path = app.create_toolpath(
+        doc, ball, machine="trunnion_ac", stepover=4, linear_deflection=0.1, direction=0
+    )
     nc = results.nc_of(path)
     assert (path.PassStrategy, path.ToolAxis) == ("planes", "facet_mean")
     assert path.removeProperty("PassStrategy")

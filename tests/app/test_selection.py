@@ -111,7 +111,9 @@ def test_other_shapes_are_told_what_to_select_instead(doc):
 
 
 def test_an_invalid_solid_is_told(doc):
-    square = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0), (0, 0, 0))]  # crosses itself
+    square = [
+        FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0), (0, 0, 0))
+    ]  # crosses itself
     shape = Part.Face(Part.makePolygon(square)).extrude(FreeCAD.Vector(0, 0, 5))
     assert not shape.isValid()
     with pytest.raises(SelectionError, match=r"Thing is invalid.*repair it"):
@@ -126,7 +128,10 @@ def test_an_empty_mesh_is_told(doc):
 def test_a_reversed_solid_is_milled_as_it_should_have_been(doc, ball):
     inside_out = feature(doc, half_ball().reversed())
     assert inside_out.Shape.Volume < 0
-    right, turned = app.tessellate(ball, linear_deflection=0.1), app.tessellate(inside_out, linear_deflection=0.1)
+    right, turned = (
+        app.tessellate(ball, linear_deflection=0.1),
+        app.tessellate(inside_out, linear_deflection=0.1),
+    )
     assert all(facet.Normal.dot(_centre(facet) - FreeCAD.Vector(0, 0, 5)) > 0 for facet in turned.Mesh.Facets)
     assert turned.Mesh.CountFacets == right.Mesh.CountFacets
 
@@ -140,7 +145,9 @@ def test_faces_are_known_again_on_the_solids_of_a_compound(doc):
     compound = feature(doc, Part.makeCompound([loose, Part.makeBox(10, 10, 10), half_ball().reversed()]))
     whole, rows = selection.solids(compound, ["Face2", "Face7"])
     assert rows == [0, 5] and len(whole.Solids) == 2
-    assert app.tessellate(compound).Mesh.Volume == pytest.approx(1000 + 2 / 3 * 3.14159 * 20**3, rel=0.01), "both outside out"
+    assert app.tessellate(compound).Mesh.Volume == pytest.approx(1000 + 2 / 3 * 3.14159 * 20**3, rel=0.01), (
+        "both outside out"
+    )
     with pytest.raises(SelectionError, match="no Face1 on a solid"):
         selection.solids(compound, ["Face1"])
     with pytest.raises(SelectionError, match="no Face99"):
@@ -175,7 +182,9 @@ def test_a_part_design_body_a_compound_and_a_mesh_are_milled(doc):
     body = doc.addObject("PartDesign::Body", "Body")
     prism = doc.addObject("PartDesign::AdditiveBox", "Box")
     body.addObject(prism)
-    compound = feature(doc, Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(5, 5, 5, FreeCAD.Vector(30, 0, 0))]))
+    compound = feature(
+        doc, Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(5, 5, 5, FreeCAD.Vector(30, 0, 0))])
+    )
     mesh = doc.addObject("Mesh::Feature", "Mesh")
     mesh.Mesh = Mesh.createBox(10, 10, 10)
     doc.recompute()
@@ -192,7 +201,9 @@ def test_a_mesh_that_was_moved_is_milled_where_it_is(doc, tmp_path):
     from freecad_fiveaxis.app import results
 
     result = results.result_of(
-        app.create_toolpath(doc, mesh, **{"machine": "trunnion_ac", "stepover": 4, "work_zero": (0, 0, 5), **PLAIN})
+        app.create_toolpath(
+            doc, mesh, **{"machine": "trunnion_ac", "stepover": 4, "work_zero": (0, 0, 5), **PLAIN}
+        )
     )
     assert result.draft.mesh.vertex.min(axis=0).tolist() == [2.0, -5.0, -10.0]
 
@@ -218,7 +229,9 @@ def test_the_property_of_a_mesh_is_never_read(doc, tmp_path):
     unread = Unread(mesh)
     assert selection.is_mesh(unread) and selection.pick([(unread, ())]) == (unread, ())
     mesh.Mesh.write(Filename=str(tmp_path / "mesh.stl"), Format="STL")
-    assert convert.stl_bytes(unread) == (tmp_path / "mesh.stl").read_bytes(), "the facets are the same, to the last bit"
+    assert convert.stl_bytes(unread) == (tmp_path / "mesh.stl").read_bytes(), (
+        "the facets are the same, to the last bit"
+    )
     assert signs.top_of([unread]) == mesh.Mesh.BoundBox.ZMax
     assert tessellation._copied(unread, ()).CountFacets == mesh.Mesh.CountFacets
 

@@ -39,7 +39,10 @@ def test_the_map_says_where_to_clamp_and_applying_it_lowers_the_deviation(path):
 
 def test_a_map_survives_and_is_out_of_date_only_when_its_path_is_another(path, reopen):
     made = app.setup_map(path, **SMALL, turns=1)
-    kept = {name: made.getPropertyByName(name) for name in ("Verdict", "Kinds", "Deviations", "Fingerprint", "UpToDate")}
+    kept = {
+        name: made.getPropertyByName(name)
+        for name in ("Verdict", "Kinds", "Deviations", "Fingerprint", "UpToDate")
+    }
     doc = reopen(path.Document)
     made = doc.SetupMap
     assert {name: made.getPropertyByName(name) for name in kept} == kept and made.Proxy.last is None
@@ -90,8 +93,12 @@ def test_the_page_replaces_nothing_unasked(path, tmp_path):
 def test_the_scale_runs_from_the_least_to_the_largest_deviation(path):
     made = app.setup_map(path, **SMALL)
     scale, values = setups.scale(made), list(made.Deviations)
-    assert scale.marks[0][1] == pytest.approx(min(values)) and scale.marks[-1][1] == pytest.approx(max(values))
-    assert scale.level[values.index(min(values))] == 0.0 and scale.level[values.index(max(values))] == pytest.approx(1.0)
+    assert scale.marks[0][1] == pytest.approx(min(values)) and scale.marks[-1][1] == pytest.approx(
+        max(values)
+    )
+    assert scale.level[values.index(min(values))] == 0.0 and scale.level[
+        values.index(max(values))
+    ] == pytest.approx(1.0)
     assert list(scale.good) == [value <= path.Tolerance.Value for value in values]
     made.Deviations = [0.5] * len(values)
     assert not setups.scale(made).level.any() and len(setups.scale(made).marks) == 1
@@ -105,11 +112,15 @@ def test_machines_are_compared_on_the_same_path(path, tmp_path):
     assert len(rows) == 2 * 2 * 2 and not any(row.problem for row in rows.values())
     path.Linearize, path.OriginFromMachine = "off", True
     path.recompute()
-    assert rows["trunnion_ac", "none", False].deviation == pytest.approx(path.MaxSurfaceDeviation.Value, abs=1e-12)
+    assert rows["trunnion_ac", "none", False].deviation == pytest.approx(
+        path.MaxSurfaceDeviation.Value, abs=1e-12
+    )
     assert rows["trunnion_ac", "none", False].blocks == path.Blocks
     path.Linearize = "on"
     path.recompute()
-    assert rows["trunnion_ac", "linearize", False].deviation == pytest.approx(path.MaxSurfaceDeviation.Value, abs=1e-12)
+    assert rows["trunnion_ac", "linearize", False].deviation == pytest.approx(
+        path.MaxSurfaceDeviation.Value, abs=1e-12
+    )
     file = tmp_path / "table.json"
     comparing.write(comparison, file)
     assert len(json.loads(file.read_text(encoding="utf-8"))["rows"]) == 8

@@ -150,7 +150,11 @@ def test_processes_give_the_same_reach_map(path, started, monkeypatch):
 def test_where_no_python_is_found_the_study_is_done_here(path, started, monkeypatch):
     """And the next time nobody is asked again."""
     monkeypatch.setattr(interpreters, "_proven", {})
-    monkeypatch.setattr(spreading, "Around", lambda home, program: replace(interpreters.Around(""), executables=(), prefixes=()))
+    monkeypatch.setattr(
+        spreading,
+        "Around",
+        lambda home, program: replace(interpreters.Around(""), executables=(), prefixes=()),
+    )
     rows = app.compare(path, ["trunnion_ac"], ["none"])
     assert rows[0].blocks == path.Blocks and not started
     with spreading.processes() as executor:

@@ -21,7 +21,9 @@ def corners(stl):
 
 
 def test_the_facets_keep_within_the_deflection(doc, ball):
-    coarse, fine = (app.tessellate(ball, linear_deflection=size, angular_deflection=60) for size in (0.5, 0.05))
+    coarse, fine = (
+        app.tessellate(ball, linear_deflection=size, angular_deflection=60) for size in (0.5, 0.05)
+    )
     for made, size in ((coarse, 0.5), (fine, 0.05)):
         middle = corners(convert.stl_bytes(made)).mean(axis=1)
         off = 20.0 - np.linalg.norm(middle[middle[:, 2] > 0.01], axis=1)
@@ -30,7 +32,9 @@ def test_the_facets_keep_within_the_deflection(doc, ball):
 
 
 def test_the_angular_deflection_is_in_degrees(doc, ball):
-    counts = [app.tessellate(ball, linear_deflection=10, angular_deflection=angle).Facets for angle in (30, "5 deg")]
+    counts = [
+        app.tessellate(ball, linear_deflection=10, angular_deflection=angle).Facets for angle in (30, "5 deg")
+    ]
     assert counts[1] > 10 * counts[0]
 
 
@@ -52,7 +56,11 @@ def test_a_toolpath_of_a_face_cuts_that_face_only(doc):
     both = doc.addObject("Part::Fuse", "Both")
     both.Base, both.Tool = box, step
     doc.recompute()
-    low = next(f"Face{i + 1}" for i, face in enumerate(both.Shape.Faces) if face.BoundBox.ZMin == face.BoundBox.ZMax == 5)
+    low = next(
+        f"Face{i + 1}"
+        for i, face in enumerate(both.Shape.Faces)
+        if face.BoundBox.ZMin == face.BoundBox.ZMax == 5
+    )
     path = app.create_toolpath(doc, (both, [low]), machine="trunnion_ac", cutter="ball:2", stepover=2)
     made = results.result_of(path).draft.path
     cut = made.tip[made.motion == Motion.CUT]
@@ -78,7 +86,10 @@ def test_facets_without_area_do_not_shift_the_chosen_ones():
 
 def test_the_stl_is_what_the_core_would_make_of_the_facets(doc, ball, tmp_path):
     made = app.tessellate(ball, tmp_path / "ball.stl", linear_deflection=0.1)
-    file, direct = read_stl(tmp_path / "ball.stl"), from_triangles(corners(convert.stl_bytes(made)).astype(np.float32))
+    file, direct = (
+        read_stl(tmp_path / "ball.stl"),
+        from_triangles(corners(convert.stl_bytes(made)).astype(np.float32)),
+    )
     np.testing.assert_array_equal(file.vertex[file.face], direct.vertex[direct.face])
     assert len(file.face) == made.Facets and not file.findings
     low, high = file.vertex.min(axis=0), file.vertex.max(axis=0)
@@ -106,7 +117,8 @@ def test_a_folder_that_is_not_there_is_told_before_the_work(doc, ball, tmp_path)
 
 
 @pytest.mark.parametrize(
-    "settings", [{"linear_deflection": -1}, {"angular_deflection": 0}, {"deflection": 1}, {"linear_deflection": "1 kg"}]
+    "settings",
+    [{"linear_deflection": -1}, {"angular_deflection": 0}, {"deflection": 1}, {"linear_deflection": "1 kg"}],
 )
 def test_bad_deflections_leave_nothing_behind(doc, ball, settings):
     with pytest.raises(SettingsError):
@@ -134,7 +146,8 @@ def test_it_can_be_stopped(doc, ball):
 
 
 def test_a_curved_solid_gets_no_more_facets_than_its_deflection_asks_for(doc):
-    """``shape.tessellate`` makes ten times as many of this ring, and takes ten times as long (benchmarks/freecad)."""
+    """``shape.tessellate`` makes ten times as many of this ring, and takes ten times as long
+    (benchmarks/freecad)."""
     obj = doc.addObject("Part::Torus", "Ring")
     obj.Radius1, obj.Radius2 = 15, 5
     doc.recompute()

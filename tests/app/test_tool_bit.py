@@ -18,17 +18,30 @@ from freecad_fiveaxis.core.tool import Cutter
 def bit_file(folder, shape="ballend.fcstd", **sizes):
     path = folder / "bit.fctb"
     parameter = {"Diameter": "6.0000 mm", "CuttingEdgeHeight": "40.0000 mm", "Length": "50.0000 mm"} | sizes
-    path.write_text(json.dumps({"version": 2, "name": "bit", "shape": shape, "parameter": parameter, "attribute": {}}))
+    path.write_text(
+        json.dumps({"version": 2, "name": "bit", "shape": shape, "parameter": parameter, "attribute": {}})
+    )
     return path
 
 
-@pytest.mark.parametrize("shape", ["ballend.fcstd", "Ballend", "/usr/share/Shape/ballend.fcstd", "C:\\Shape\\BallEnd.FCStd"])
+@pytest.mark.parametrize(
+    "shape", ["ballend.fcstd", "Ballend", "/usr/share/Shape/ballend.fcstd", "C:\\Shape\\BallEnd.FCStd"]
+)
 def test_a_ball_end_of_any_spelling_is_a_cutter(tmp_path, shape):
     assert cutter_of_file(bit_file(tmp_path, shape)) == Cutter(6.0, 40.0)
 
 
 @pytest.mark.parametrize(
-    ("text", "mm"), [("6.0000 mm", 6), ("0.25 in", 6.35), ('1/4"', 6.35), ("1 cm", 10), ("8", 8), (8.5, 8.5), ("6,5 mm", 6.5)]
+    ("text", "mm"),
+    [
+        ("6.0000 mm", 6),
+        ("0.25 in", 6.35),
+        ('1/4"', 6.35),
+        ("1 cm", 10),
+        ("8", 8),
+        (8.5, 8.5),
+        ("6,5 mm", 6.5),
+    ],
 )
 def test_sizes_are_texts_with_units_inches_too(tmp_path, text, mm):
     assert cutter_of_file(bit_file(tmp_path, Diameter=text)).diameter == pytest.approx(mm, abs=1e-9)
@@ -72,7 +85,9 @@ def test_a_bull_nose_has_its_corner_radius_or_its_flat(tmp_path, shape, sizes):
 @pytest.mark.parametrize("text", ["10.0000 °", "10 deg", 10])
 def test_the_angle_of_a_tapered_ball_nose_is_that_of_both_flanks(tmp_path, text):
     made = cutter_of_file(bit_file(tmp_path, "taperedballnose.fcstd", TaperAngle=text, TaperDiameter="12 mm"))
-    assert (made.diameter, made.length, made.ring) == (6.0, 40.0, 0.0) and math.degrees(made.taper) == pytest.approx(5.0)
+    assert (made.diameter, made.length, made.ring) == (6.0, 40.0, 0.0) and math.degrees(
+        made.taper
+    ) == pytest.approx(5.0)
 
 
 @pytest.mark.parametrize(
@@ -112,7 +127,9 @@ def test_without_a_cutting_edge_the_default_counts(tmp_path):
     assert cutter_of_file(path) == Cutter(6.0)
 
 
-@pytest.mark.parametrize("content", [b"", b"{", b"[]", b"\xff\xfe", b'{"shape": "ballend.fcstd"}', b"[" * 100_000])
+@pytest.mark.parametrize(
+    "content", [b"", b"{", b"[]", b"\xff\xfe", b'{"shape": "ballend.fcstd"}', b"[" * 100_000]
+)
 def test_a_file_that_is_no_tool_bit_is_said_so(tmp_path, content):
     path = tmp_path / "bit.fctb"
     path.write_bytes(content)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The toolpath object: parametric, saved and copied, undone in one step; the same bytes as the command line."""
+"""The toolpath object: parametric, saved and copied, undone in one step; the same bytes as the command
+line."""
 
 import os
 import subprocess
@@ -36,7 +37,9 @@ def command_line(*words):
 def own_command_line(*words):
     """Run the command line in a process of its own, with FreeCAD's own Python."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    done = subprocess.run([PYTHON, "-m", "freecad_fiveaxis", *map(str, words)], env=environment, capture_output=True, text=True)
+    done = subprocess.run(
+        [PYTHON, "-m", "freecad_fiveaxis", *map(str, words)], env=environment, capture_output=True, text=True
+    )
     assert done.returncode < 2, done.stderr
 
 
@@ -44,7 +47,10 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     told = summary(results.figures_of(path))
     assert path.State == ["Up-to-date"] and results.out_of_date(path) == ""
     shown = [path.Passes, path.Blocks, path.SingularBlocks, path.OverTolerance, path.WorstLine, path.Proven]
-    wanted = [told[name] for name in ("passes", "blocks", "singular_blocks", "over_tolerance", "worst_line", "proven")]
+    wanted = [
+        told[name]
+        for name in ("passes", "blocks", "singular_blocks", "over_tolerance", "worst_line", "proven")
+    ]
     assert shown == wanted and path.Passes == 10 and path.Blocks > 100
     assert path.MaxSegmentDeviation.Value == told["max_segment_deviation"] > 0
     assert path.MaxSurfaceDeviation.Value == told["max_surface_deviation"] > 0
@@ -54,7 +60,9 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     assert path.CutLength.Value == told["cut_length"] > 100
     assert getattr(path.Time, "Value", path.Time) == told["time_s"] > 1
     assert (
-        list(path.Findings) == [wording.localize(finding.text) for finding in results.figures_of(path).findings] and path.Findings
+        list(path.Findings)
+        == [wording.localize(finding.text) for finding in results.figures_of(path).findings]
+        and path.Findings
     )
 
 
@@ -69,7 +77,11 @@ def test_it_is_computed_and_shows_the_cores_figures(path):
     ],
 )  # fmt: skip
 def test_the_bytes_are_those_of_the_command_line(doc, ball, tmp_path, settings):
-    options = {name: value for name, value in {**FAST, **settings}.items() if value is not None and name != "linear_deflection"}
+    options = {
+        name: value
+        for name, value in {**FAST, **settings}.items()
+        if value is not None and name != "linear_deflection"
+    }
     path = app.create_toolpath(doc, ball, linear_deflection=0.1, **options)
     app.tessellate(path.Mesh, tmp_path / "part.stl")
     words = [word for name, value in options.items() for word in ("--" + name.replace("_", "-"), value)]
@@ -102,7 +114,8 @@ def test_the_same_solid_tessellated_again_gives_the_same_bytes(doc, ball, tmp_pa
 
 def test_the_work_zero_is_taken_off_the_mesh(doc, ball):
     plain, moved = (
-        results.result_of(app.create_toolpath(doc, ball, **FAST, work_zero=zero)).draft for zero in ((0, 0, 0), "2,4,20")
+        results.result_of(app.create_toolpath(doc, ball, **FAST, work_zero=zero)).draft
+        for zero in ((0, 0, 0), "2,4,20")
     )
     np.testing.assert_allclose(moved.mesh.vertex, plain.mesh.vertex - (2, 4, 20), atol=4e-6)
     np.testing.assert_allclose(moved.path.tip.min(axis=0), plain.path.tip.min(axis=0) - (2, 4, 20), atol=1e-3)
@@ -198,7 +211,9 @@ def test_a_deleted_base_is_told_and_undone(doc, ball):
     doc.commitTransaction()
     doc.recompute()
     assert "Invalid" in path.Mesh.State and "The part was deleted: undo that" in path.Mesh.getStatusString()
-    assert results.out_of_date(path).startswith("The part that Tessellation was made of was deleted: undo that")
+    assert results.out_of_date(path).startswith(
+        "The part that Tessellation was made of was deleted: undo that"
+    )
     doc.undo()
     doc.recompute()
     assert results.out_of_date(path) == "" and path.Mesh.State == ["Up-to-date"]
@@ -223,7 +238,12 @@ def test_it_survives_the_file(path, reopen, anew):
     anew()
     again = reopen(path.Document).Toolpath
     assert again.State == again.Mesh.State == ["Up-to-date"] and results.out_of_date(again) == ""
-    assert [again.Blocks, pytest.approx(again.MaxBound.Value), list(again.Findings), again.Fingerprint] == shown
+    assert [
+        again.Blocks,
+        pytest.approx(again.MaxBound.Value),
+        list(again.Findings),
+        again.Fingerprint,
+    ] == shown
     assert results.nc_of(again) == nc
     again.Stepover = 5
     again.Document.recompute()
@@ -246,7 +266,11 @@ def test_another_process_reads_the_file(path, tmp_path):
     )
     (tmp_path / "again.py").write_text(script)
     done = subprocess.run(
-        ["freecadcmd", str(tmp_path / "again.py")], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120
+        ["freecadcmd", str(tmp_path / "again.py")],
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=120,
     )
     assert (tmp_path / "again.ngc").exists(), done.stdout[-3000:] + done.stderr[-3000:]
     assert (tmp_path / "again.ngc").read_bytes() == nc
@@ -262,7 +286,9 @@ def test_a_copy_lives_on_its_own(path):
     deep = deep[-1] if isinstance(deep, (tuple, list)) else deep
     path.Document.recompute()
     assert deep.Mesh is not path.Mesh and deep.State == deep.Mesh.State == ["Up-to-date"]
-    assert deep.Blocks == pytest.approx(path.Blocks, rel=0.05)  # the copied solid is rounded to 15 decimals, as in a file
+    assert deep.Blocks == pytest.approx(
+        path.Blocks, rel=0.05
+    )  # the copied solid is rounded to 15 decimals, as in a file
 
 
 def test_several_documents_do_not_mix(path):
@@ -302,7 +328,9 @@ def test_undo_and_redo_take_one_step(doc, ball, anew):
     fewer = doc.Toolpath.Blocks
     doc.undo()
     doc.recompute()
-    assert doc.Toolpath.Stepover.Value == 4 and doc.Toolpath.Blocks > fewer and results.nc_of(doc.Toolpath) == nc
+    assert (
+        doc.Toolpath.Stepover.Value == 4 and doc.Toolpath.Blocks > fewer and results.nc_of(doc.Toolpath) == nc
+    )
 
 
 @pytest.mark.parametrize("stage", ["tessellate", "weld", "passes", "deviation"])
@@ -328,7 +356,9 @@ def test_stopped_in_a_recompute_the_object_keeps_its_result_says_so_and_can_go_o
     with long_work.reporting(stop):
         path.Document.recompute()
     assert "Invalid" in path.State and "Touched" in path.State and path.Blocks == blocks and not file.UpToDate
-    assert "stopped by the user" in path.getStatusString() and "stopped by the user" in results.out_of_date(path)
+    assert "stopped by the user" in path.getStatusString() and "stopped by the user" in results.out_of_date(
+        path
+    )
     path.Document.recompute()
     assert path.State == ["Up-to-date"] and path.Blocks > blocks and not results.out_of_date(path)
 
@@ -364,6 +394,10 @@ def test_by_default_the_path_keeps_its_tolerance_and_stays_out_of_the_part(doc, 
 
 def test_a_guided_tip_and_the_default_do_not_contradict_each_other(doc, ball):
     path = app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles")
-    assert path.GuidedBlocks > 0 and path.Light == "amber" and "the path between them is under RTCP" in path.Verdict
+    assert (
+        path.GuidedBlocks > 0
+        and path.Light == "amber"
+        and "the path between them is under RTCP" in path.Verdict
+    )
     with pytest.raises(FiveAxisError, match="give one"):
         app.create_toolpath(doc, ball, **FAST, controller="heidenhain", rtcp="angles", linearize="on")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths as a machinist reads them, whatever unit schema the user has: mm or inches, no exponent, no fraction, no other multiple."""
+"""Lengths as a machinist reads them, whatever unit schema the user has: mm or inches, no exponent, no
+fraction, no other multiple."""
 
 import re
 
@@ -24,10 +25,23 @@ def schema():
 @pytest.mark.parametrize("number", METRIC.values(), ids=METRIC)
 def test_metric(schema, number):
     schema(number)
-    texts = [units.length_text(mm) for mm in (0.0, 1e-5, 0.0001, 0.0123456, 0.01, 2.12642, 123.456789, 3000.0)]
-    assert texts == ["0 mm", "<0.0001 mm", "0.0001 mm", "0.0123 mm", "0.01 mm", "2.126 mm", "123.5 mm", "3000 mm"]
+    texts = [
+        units.length_text(mm) for mm in (0.0, 1e-5, 0.0001, 0.0123456, 0.01, 2.12642, 123.456789, 3000.0)
+    ]
+    assert texts == [
+        "0 mm",
+        "<0.0001 mm",
+        "0.0001 mm",
+        "0.0123 mm",
+        "0.01 mm",
+        "2.126 mm",
+        "123.5 mm",
+        "3000 mm",
+    ]
     assert (
-        units.area_text(12.5) == "12.5 mm²" and units.feed_text(1000.0) == "1000 mm/min" and units.angle_text(27.4156) == "27.42°"
+        units.area_text(12.5) == "12.5 mm²"
+        and units.feed_text(1000.0) == "1000 mm/min"
+        and units.angle_text(27.4156) == "27.42°"
     )
 
 
@@ -36,7 +50,11 @@ def test_imperial(schema, number):
     schema(number)
     texts = [units.length_text(mm) for mm in (0.0, 1e-5, 0.01, 25.4 * 0.00001, 9.525, 50.8, 2540.0)]
     assert texts == ["0 in", "<0.00001 in", "0.00039 in", "0.00001 in", "0.375 in", "2 in", "100 in"]
-    assert units.area_text(645.16) == "1 in²" and units.feed_text(1016.0) == "40 in/min" and units.angle_text(0.5) == "0.5°"
+    assert (
+        units.area_text(645.16) == "1 in²"
+        and units.feed_text(1016.0) == "40 in/min"
+        and units.angle_text(0.5) == "0.5°"
+    )
 
 
 @pytest.mark.parametrize(
@@ -85,5 +103,8 @@ def test_findings_and_errors_are_told_in_the_users_units(schema):
     said = say("The tool enters the part by {depth} at {count} places.", depth=Length(5.08), count=203)
     schema(3)
     assert wording.localize(said) == "The tool enters the part by 0.2 in at 203 places."
-    assert wording.localize(SettingsError(say("tolerance is {tolerance}", tolerance=Length(0.0)), 0.0)) == "tolerance is 0 in"
+    assert (
+        wording.localize(SettingsError(say("tolerance is {tolerance}", tolerance=Length(0.0)), 0.0))
+        == "tolerance is 0 in"
+    )
     assert wording.localize("C:{x}") == "C:{x}" and wording.localize(ValueError("plain")) == "plain"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""recover, prove-signs and import-machine for macros: no document, the same bytes as the command line, nothing replaced."""
+"""recover, prove-signs and import-machine for macros: no document, the same bytes as the command line,
+nothing replaced."""
 
 import json
 from dataclasses import replace
@@ -48,7 +49,9 @@ def test_a_recovered_machine_goes_to_the_user_s_folder_and_stands_in_the_list(pa
     before = [one.machine for one in machines.choices()]
     done = app.recover(*pair, origin=(10, -5, 20), machine="trunnion_ac")
     assert done.settings.recover.machine_file == str(folder / "ball.fcm") and (folder / "ball.fcm").exists()
-    assert [one.machine for one in machines.choices() if one.machine not in before] == [str(folder / "ball.fcm")]
+    assert [one.machine for one in machines.choices() if one.machine not in before] == [
+        str(folder / "ball.fcm")
+    ]
     found, truth = load_machine(str(folder / "ball.fcm")), load_machine("trunnion_ac")
     assert [axis.letter for axis in found.rotary] == [axis.letter for axis in truth.rotary]
     assert not any(one.code == "post-and-machine-differ" for one in done.findings)
@@ -58,7 +61,10 @@ def test_a_recovered_machine_goes_to_the_user_s_folder_and_stands_in_the_list(pa
 def test_it_is_the_file_that_the_command_line_writes(pair, folder, tmp_path):
     app.recover(*pair, tmp_path / "mine.fcm", origin=(10, -5, 20))
     (tmp_path / "cli").mkdir()
-    assert run("recover", *pair, "--origin", "10,-5,20", "-o", tmp_path / "cli" / "mine.fcm", "--quiet") == cli.DONE
+    assert (
+        run("recover", *pair, "--origin", "10,-5,20", "-o", tmp_path / "cli" / "mine.fcm", "--quiet")
+        == cli.DONE
+    )
     assert (tmp_path / "cli" / "mine.fcm").read_bytes() == (tmp_path / "mine.fcm").read_bytes()
 
 
@@ -97,7 +103,9 @@ def test_a_stopped_recovery_leaves_nothing(pair, folder):
     assert not folder.exists()
 
 
-@pytest.mark.parametrize(("controller", "suffix"), [("linuxcnc", ".ngc"), ("heidenhain", ".h"), ("siemens840d", ".mpf")])
+@pytest.mark.parametrize(
+    ("controller", "suffix"), [("linuxcnc", ".ngc"), ("heidenhain", ".h"), ("siemens840d", ".mpf")]
+)
 def test_the_proof_of_signs_is_what_the_command_line_makes(controller, suffix, tmp_path):
     nc, sheet = tmp_path / f"signs{suffix}", tmp_path / "signs.html"
     done = app.prove_signs(nc, "trunnion_bc", sheet, controller=controller, mark=(40, 25, 10), gap=30)
@@ -105,7 +113,9 @@ def test_the_proof_of_signs_is_what_the_command_line_makes(controller, suffix, t
     words = ("--machine", "trunnion_bc", "--controller", controller, "--mark", "40,25,10", "--gap", "30")
     other = tmp_path / f"cli{suffix}"
     assert run("prove-signs", *words, "-o", other, "--report", tmp_path / "cli.html", "--quiet") == cli.DONE
-    assert other.read_bytes() == nc.read_bytes() and (tmp_path / "cli.html").read_bytes() == sheet.read_bytes()
+    assert (
+        other.read_bytes() == nc.read_bytes() and (tmp_path / "cli.html").read_bytes() == sheet.read_bytes()
+    )
 
 
 def test_a_proof_replaces_nothing_unasked(tmp_path):
@@ -139,7 +149,9 @@ def test_a_machine_of_freecad_s_editor_is_imported(folder, tmp_path):
 
 
 def test_a_name_that_no_file_can_have_is_made_one_and_none_is_taken_twice(folder):
-    assert machines.free_file("a/b:c") == str(folder / "a_b_c.fcm") and machines.free_file("..") == str(folder / "machine.fcm")
+    assert machines.free_file("a/b:c") == str(folder / "a_b_c.fcm") and machines.free_file("..") == str(
+        folder / "machine.fcm"
+    )
     folder.mkdir()
     (folder / "a_b_c.fcm").write_text("")
     assert machines.free_file("a/b:c") == str(folder / "a_b_c-2.fcm")
@@ -152,7 +164,10 @@ def test_an_edited_machine_goes_to_the_user_s_folder_and_over_no_file(folder):
     assert machine is not None and not problems
     _, problems = editing.check(editing.open_draft("trunnion_ac"), names)
     assert ["a name of its own" in one.text for one in problems] == [True]
-    assert editing.write(draft) == str(folder / "mine.fcm") and load_machine(str(folder / "mine.fcm")).name == "mine"
+    assert (
+        editing.write(draft) == str(folder / "mine.fcm")
+        and load_machine(str(folder / "mine.fcm")).name == "mine"
+    )
     assert editing.write(draft) == str(folder / "mine-2.fcm"), "the next free name"
     with pytest.raises(FileError, match="exists already"):
         editing.write(draft, folder / "mine.fcm")

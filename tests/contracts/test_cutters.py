@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The contract of a cutter, held by every kind on offer: it touches at its contact and nowhere deeper, its body is what touches,
-its effective radius is that of what it sweeps, and its texts bring it back."""
+"""The contract of a cutter, held by every kind on offer: it touches at its contact and nowhere deeper, its
+body is what touches, its effective radius is that of what it sweeps, and its texts bring it back."""
 
 import math
 
@@ -19,7 +19,8 @@ every_kind = pytest.mark.parametrize("form", FORMS)
 
 
 def stands(cutter, count=400, seed=1):
-    """Contacts, unit normals, axes and feeds: the axis leans from the normal by anything that the flank allows."""
+    """Contacts, unit normals, axes and feeds: the axis leans from the normal by anything that the flank
+    allows."""
     rng = np.random.default_rng(seed)
     normal, side, feed = (v / np.linalg.norm(v, axis=1)[:, None] for v in rng.normal(size=(3, count, 3)))
     side = np.cross(normal, side)
@@ -60,14 +61,17 @@ def test_the_hub_is_shifted_from_where_one_corner_circle_would_stand(form):
     cutter = parse_cutter(form)
     contact, normal, axis, feed = stands(cutter)
     hub = contact + cutter.corner * normal + cutter.hub_shift(normal, axis, feed)
-    np.testing.assert_allclose(cutter.tip_at(hub, axis), cutter.tip_from_contact(contact, normal, axis, feed), atol=1e-9)
+    np.testing.assert_allclose(
+        cutter.tip_at(hub, axis), cutter.tip_from_contact(contact, normal, axis, feed), atol=1e-9
+    )
     assert cutter.touches_as_ball == (not np.any(cutter.hub_shift(normal, axis, feed)))
     assert (np.linalg.norm(contact - hub, axis=1) <= cutter.contact_reach + 1e-9).all()
 
 
 @every_kind
 def test_its_effective_radius_is_how_its_outline_bends_across_its_way(form):
-    """The support's second derivative at the contact, plus the support itself, is the radius of the shadow."""
+    """The support's second derivative at the contact, plus the support itself, is the radius of the
+    shadow."""
     cutter, step = parse_cutter(form), 1e-3
     contact, normal, axis, feed = stands(cutter, seed=2)
     across = np.cross(normal, feed)
@@ -77,7 +81,9 @@ def test_its_effective_radius_is_how_its_outline_bends_across_its_way(form):
     supports = []
     for turn in (-step, 0.0, step):
         way = -np.cos(turn) * normal + np.sin(turn) * across
-        supports.append(body_support(body, np.einsum("ij,ij->i", way, axis)) - np.einsum("ij,ij->i", way, centre))
+        supports.append(
+            body_support(body, np.einsum("ij,ij->i", way, axis)) - np.einsum("ij,ij->i", way, centre)
+        )
     bent = (supports[0] - 2.0 * supports[1] + supports[2]) / step**2
     told = cutter.effective_radius(normal, axis, across)
     inner = np.abs(bent - told) <= 1e-2 * told + 2e-3
@@ -93,7 +99,9 @@ def test_its_option_brings_it_back(form):
 @every_kind
 def test_a_cl_file_brings_it_back(form):
     cutter, none, one = parse_cutter(form), np.zeros(1, np.int64), np.zeros((1, 3))
-    path = CLPath(one, one + (0, 0, 1), np.zeros(1, np.int8), np.full(1, 500.0), one, one + (0, 0, 1), none, none, none)
+    path = CLPath(
+        one, one + (0, 0, 1), np.zeros(1, np.int8), np.full(1, 500.0), one, one + (0, 0, 1), none, none, none
+    )
     got = read_cl_file(write_apt(path, cutter, "A", head=ClHead(tool=1)).decode()).head.cutter
     for size in ("diameter", "corner", "taper", "neck", "flank"):
         assert getattr(got, size) == pytest.approx(getattr(cutter, size), abs=1e-4)

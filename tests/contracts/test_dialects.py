@@ -36,17 +36,29 @@ from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 EVERY = pytest.mark.parametrize("dialect", DIALECTS.values(), ids=DIALECTS)
-MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]
+MODES = [
+    (dialect, inverse)
+    for dialect in DIALECTS.values()
+    for inverse in (True, False)
+    if dialect.inverse_time or not inverse
+]
 EVERY_MODE = pytest.mark.parametrize(
     ("dialect", "inverse_time"), MODES, ids=[f"{d.name}-{'g93' if i else 'g94'}" for d, i in MODES]
 )
-needs_rs274 = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
+needs_rs274 = pytest.mark.skipif(
+    shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed"
+)
 
 
 def machine(first: str, second: str) -> Chain:
     direction = {"A": (1, 0, 0), "B": (0, 1, 0), "C": (0, 0, 1)}
-    linear = [Axis(name, False, "head", tuple(row), max_rate=10000.0) for name, row in zip("XYZ", np.eye(3), strict=True)]
-    rotary = [Axis(name, True, "table", direction[name], (0, 10, 20), max_rate=60.0) for name in (first, second)]
+    linear = [
+        Axis(name, False, "head", tuple(row), max_rate=10000.0)
+        for name, row in zip("XYZ", np.eye(3), strict=True)
+    ]
+    rotary = [
+        Axis(name, True, "table", direction[name], (0, 10, 20), max_rate=60.0) for name in (first, second)
+    ]
     return chain(Machine("any", (*rotary, *linear)), Setup())
 
 
@@ -59,10 +71,14 @@ def some_joints(kinematics: Chain, rows: int = 300, seed: int = 0) -> JointPath:
     step = random.normal(0, 1, (rows, 5)) * (2, 2, 2, 0.05, 0.05) * (random.random((rows, 5)) < 0.6)
     q = np.cumsum(step, axis=0) + (0, 0, 60, 0, 0)
     tip, axis = forward(kinematics, q)
-    motion = random.choice([Motion.RAPID, Motion.LINK, Motion.CUT, Motion.CUT, Motion.FILL], rows).astype(np.int8)
+    motion = random.choice([Motion.RAPID, Motion.LINK, Motion.CUT, Motion.CUT, Motion.FILL], rows).astype(
+        np.int8
+    )
     motion[0] = Motion.RAPID
     none = np.full(rows, -1)
-    path = CLPath(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 800.0), tip, axis, none, none, none)
+    path = CLPath(
+        tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 800.0), tip, axis, none, none, none
+    )
     return JointPath(path, np.arange(rows), q, np.zeros(rows, np.int8), np.ones(rows))
 
 
@@ -86,7 +102,9 @@ def test_every_word_is_read_back_exactly_as_it_was_rounded(dialect, inverse_time
     program = build_program(joints, kinematics, dialect, inverse_time)
     again = read_nc(write_nc(program, dialect, "part"), kinematics, dialect)
     assert np.array_equal(again.words, program.words)
-    assert np.array_equal(again.feed, program.feed) and np.array_equal(again.inverse_time, program.inverse_time)
+    assert np.array_equal(again.feed, program.feed) and np.array_equal(
+        again.inverse_time, program.inverse_time
+    )
     assert np.array_equal(again.line, program.line)
     assert np.array_equal(again.motion == Motion.RAPID, program.motion == Motion.RAPID)
     assert np.allclose(again.seconds, program.seconds, rtol=1e-12)
@@ -107,7 +125,9 @@ def test_one_changed_digit_is_seen_by_the_comparison(dialect) -> None:
 
 
 @EVERY_MODE
-def test_there_is_exactly_one_line_for_each_block_in_the_line_that_the_program_says(dialect, inverse_time) -> None:
+def test_there_is_exactly_one_line_for_each_block_in_the_line_that_the_program_says(
+    dialect, inverse_time
+) -> None:
     program = some_program(dialect, inverse_time)
     lines = write_nc(program, dialect, "part").decode("ascii").split(dialect.newline)
     number = r"\d+ " if dialect.number_all else ""
@@ -117,9 +137,13 @@ def test_there_is_exactly_one_line_for_each_block_in_the_line_that_the_program_s
 
 
 @EVERY_MODE
-def test_the_motion_word_stands_in_every_block_and_under_g93_an_f_in_every_feed_block(dialect, inverse_time) -> None:
+def test_the_motion_word_stands_in_every_block_and_under_g93_an_f_in_every_feed_block(
+    dialect, inverse_time
+) -> None:
     program = some_program(dialect, inverse_time)
-    for line, motion in zip(block_lines(write_nc(program, dialect, "part"), dialect), program.motion, strict=True):
+    for line, motion in zip(
+        block_lines(write_nc(program, dialect, "part"), dialect), program.motion, strict=True
+    ):
         rapid = motion == Motion.RAPID
         assert line.split()[0] == (dialect.rapid if rapid else dialect.straight)
         assert re.search(r" [XYZAC][+-]?\d", line)
@@ -144,11 +168,15 @@ def test_lines_are_short_ascii_without_minus_zero_and_numbers_have_points(dialec
     assert not re.search(r"\+-|-\+", text)
     blocks = [line.removesuffix(dialect.rapid_end) for line in block_lines(text.encode(), dialect)]
     assert all("." in word for line in blocks for word in line.split()[1:])
-    assert not dialect.plus or all(word[1] in "+-" for line in blocks for word in line.split()[1:] if word[0] != "F")
+    assert not dialect.plus or all(
+        word[1] in "+-" for line in blocks for word in line.split()[1:] if word[0] != "F"
+    )
 
 
 @EVERY
-@pytest.mark.parametrize("title", ["Düse (5)", "a)b(c;%", "\n\rM30", "LOGOPEN,/tmp/x", "日本", "", "x" * 500, "{title} {0}"])
+@pytest.mark.parametrize(
+    "title", ["Düse (5)", "a)b(c;%", "\n\rM30", "LOGOPEN,/tmp/x", "日本", "", "x" * 500, "{title} {0}"]
+)
 def test_no_title_becomes_an_instruction(dialect, title) -> None:
     program = some_program(dialect, True)
     text = write_nc(program, dialect, title)
@@ -161,7 +189,9 @@ def test_no_title_becomes_an_instruction(dialect, title) -> None:
 @EVERY
 def test_every_slot_of_the_templates_is_known_and_the_head_says_units_distance_and_feed_mode(dialect) -> None:
     lines = [*dialect.head, *dialect.tail, *dialect.high_speed[0], *dialect.high_speed[1]]
-    lines += [line for how in dialect.guides for line in (*dialect.guided(how).head, *dialect.guided(how).tail)]
+    lines += [
+        line for how in dialect.guides for line in (*dialect.guided(how).head, *dialect.guided(how).tail)
+    ]
     used = {name for line in lines for _, name, _, _ in string.Formatter().parse(line) if name}
     assert used <= set(SLOTS) and {"title", "tool", "offset", "spindle", "coolant"} <= used
     assert ("feed_mode" in used) == bool(dialect.inverse_time)
@@ -175,10 +205,16 @@ def test_options_change_what_the_head_says_but_no_line_of_a_block(dialect) -> No
     program = some_program(dialect, True)
     plain = write_nc(program, dialect, "part")
     offset = "G55" if re.fullmatch(dialect.work_offsets[0], "G55") else "G54"
-    full = write_nc(program, dialect, "part", PostOptions(tool=7, speed=12000, coolant=True, offset=offset, program=42))
+    full = write_nc(
+        program, dialect, "part", PostOptions(tool=7, speed=12000, coolant=True, offset=offset, program=42)
+    )
     head = full.decode().split(dialect.newline)[: len(dialect.head)]
     called = (dialect.tool_call.format(tool=7, speed=12000), dialect.tool_length.format(tool=7))
-    said = (called[0], called[1] if "{length}" in dialect.head else "", dialect.work_offset.format(offset=offset))
+    said = (
+        called[0],
+        called[1] if "{length}" in dialect.head else "",
+        dialect.work_offset.format(offset=offset),
+    )
     for expected in (*said, "S12000", "M3", "M8"):
         assert expected in " ".join(head)
     assert ("42" in " ".join(head)) == any("{program}" in line for line in dialect.head)
@@ -187,7 +223,15 @@ def test_options_change_what_the_head_says_but_no_line_of_a_block(dialect) -> No
 
 @pytest.mark.parametrize(
     "wrong",
-    [{"tool": 0}, {"tool": -1}, {"speed": -1.0}, {"speed": float("nan")}, {"offset": "G17"}, {"program": 0}, {"blend": -1.0}],
+    [
+        {"tool": 0},
+        {"tool": -1},
+        {"speed": -1.0},
+        {"speed": float("nan")},
+        {"offset": "G17"},
+        {"program": 0},
+        {"blend": -1.0},
+    ],
 )
 def test_options_out_of_range_are_refused(wrong) -> None:
     with pytest.raises(SettingsError):
@@ -223,7 +267,8 @@ def test_a_change_of_feed_mode_inside_a_program_is_written_and_read_back() -> No
 def test_an_unknown_controller_is_refused_with_the_names_that_are_known() -> None:
     assert find_dialect("LinuxCNC") is DIALECTS["linuxcnc"]
     with pytest.raises(
-        SettingsError, match=r"hal9000.*linuxcnc, fanuc, haas, siemens840d, heidenhain, heidenhain_m128, mach3, grbl"
+        SettingsError,
+        match=r"hal9000.*linuxcnc, fanuc, haas, siemens840d, heidenhain, heidenhain_m128, mach3, grbl",
     ):
         find_dialect("hal9000")
 
@@ -235,19 +280,30 @@ def test_an_unknown_controller_is_refused_with_the_names_that_are_known() -> Non
 )
 @pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
 @pytest.mark.parametrize(
-    "options", [PostOptions(), PostOptions(tool=3, speed=5000, coolant=True, blend=0.01)], ids=["plain", "full"]
+    "options",
+    [PostOptions(), PostOptions(tool=3, speed=5000, coolant=True, blend=0.01)],
+    ids=["plain", "full"],
 )
-def test_linuxcncs_own_interpreter_reads_the_very_same_words(dialect, inverse_time, options, tmp_path: Path) -> None:
+def test_linuxcncs_own_interpreter_reads_the_very_same_words(
+    dialect, inverse_time, options, tmp_path: Path
+) -> None:
     program = some_program(dialect, inverse_time)
     file = tmp_path / "part.ngc"
     file.write_bytes(write_nc(program, dialect, "part", options))
     run = subprocess.run(
-        ["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
+        ["rs274", "-g", str(file)],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=60,
+        stdin=subprocess.DEVNULL,
     )
     assert run.returncode == 0, run.stderr
     calls = re.findall(r"(STRAIGHT_FEED|STRAIGHT_TRAVERSE|SET_FEED_RATE)\(([^)]*)\)", run.stdout)
     moves = [(kind, numbers) for kind, numbers in calls if kind != "SET_FEED_RATE"]
-    words = np.array([[float(number) for number in numbers.split(",")] for _, numbers in moves])[:, [0, 1, 2, 5, 3]]
+    words = np.array([[float(number) for number in numbers.split(",")] for _, numbers in moves])[
+        :, [0, 1, 2, 5, 3]
+    ]
     assert [kind == "STRAIGHT_TRAVERSE" for kind, _ in moves] == (program.motion == Motion.RAPID).tolist()
     assert np.abs(words - program.words).max() < 1e-9
     rate = np.array(rates_of(calls))
@@ -278,7 +334,12 @@ def test_linuxcncs_interpreter_refuses_a_g93_block_without_f(tmp_path: Path) -> 
     file = tmp_path / "part.ngc"
     file.write_bytes(re.sub(rb"(\nG1[^\n]*) F[0-9.]+\n", rb"\1\n", text, count=1))
     run = subprocess.run(
-        ["rs274", "-g", str(file)], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
+        ["rs274", "-g", str(file)],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=60,
+        stdin=subprocess.DEVNULL,
     )
     assert run.returncode == 1
 
@@ -296,7 +357,9 @@ def test_the_high_speed_mode_is_switched_on_before_the_blocks_and_off_after_them
     at = next(k for k, line in enumerate(lines) if line.endswith(on[0]))
     last = max(k for k, line in enumerate(lines) if line.endswith(off[-1]))
     assert at < program.line[0] - 1 and last > program.line[-1] - 1
-    assert block_lines(text.encode(), fast) == block_lines(write_nc(some_program(dialect, False), dialect, "part"), dialect)
+    assert block_lines(text.encode(), fast) == block_lines(
+        write_nc(some_program(dialect, False), dialect, "part"), dialect
+    )
     for how in dialect.guides:
         head = fast.guided(how).head
         assert head.index(dialect.high_speed[0][0]) < head.index(dialect.guides[how].on[0])
@@ -312,7 +375,9 @@ def test_a_controller_without_a_high_speed_mode_or_without_rtcp_says_so() -> Non
 
 
 GUIDED = [(dialect, how) for dialect in DIALECTS.values() for how in dialect.guides]
-EVERY_GUIDE = pytest.mark.parametrize(("dialect", "how"), GUIDED, ids=[f"{d.name}-{how}" for d, how in GUIDED])
+EVERY_GUIDE = pytest.mark.parametrize(
+    ("dialect", "how"), GUIDED, ids=[f"{d.name}-{how}" for d, how in GUIDED]
+)
 TOOL = PostOptions(tool=1)
 
 
@@ -323,13 +388,17 @@ def posed(kinematics: Chain, words: np.ndarray) -> tuple[np.ndarray, np.ndarray]
 @EVERY_GUIDE
 @pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
 @pytest.mark.parametrize("letters", ["CA", "CB", "BA"])
-def test_every_guided_word_is_read_back_exactly_as_it_was_rounded(dialect, how, inverse_time, letters) -> None:
+def test_every_guided_word_is_read_back_exactly_as_it_was_rounded(
+    dialect, how, inverse_time, letters
+) -> None:
     kinematics, guided = machine(*letters), dialect.guided(how)
     joints = some_joints(kinematics)
     program = build_program(joints, kinematics, guided, inverse_time)
     again = read_nc(write_nc(program, guided, "part", TOOL), kinematics, guided)
     assert np.array_equal(again.guided.tip, program.guided.tip) and again.guided.on.all()
-    assert np.array_equal(again.feed, program.feed) and np.array_equal(again.inverse_time, program.inverse_time)
+    assert np.array_equal(again.feed, program.feed) and np.array_equal(
+        again.inverse_time, program.inverse_time
+    )
     assert np.array_equal(again.line, program.line)
     assert np.array_equal(again.motion == Motion.RAPID, program.motion == Motion.RAPID)
     assert [found.code for found in again.findings] == ["tip-guided-by-controller"]
@@ -357,7 +426,8 @@ def test_one_changed_digit_of_a_guided_program_is_seen(dialect, how) -> None:
 
 
 @pytest.mark.parametrize(
-    "machine_name", ["trunnion_ac", "head_b_table_c", "fork_head_bc", "nutating_table_b45", "linuxcnc_xyzbc_trt"]
+    "machine_name",
+    ["trunnion_ac", "head_b_table_c", "fork_head_bc", "nutating_table_b45", "linuxcnc_xyzbc_trt"],
 )
 def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machine_name) -> None:
     kinematics = chain(load_machine(machine_name), Setup((10.0, 20.0, 30.0), 100.0))
@@ -368,7 +438,9 @@ def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machin
     tip = np.cumsum(random.normal(0, 1, (rows, 3)), axis=0)
     motion, none = np.full(rows, Motion.CUT, np.int8), np.full(rows, -1)
     motion[0] = Motion.RAPID
-    path = CLPath(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 500.0), tip, axis, none, none, none)
+    path = CLPath(
+        tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 500.0), tip, axis, none, none, none
+    )
     joints = solve(path, kinematics, tip.min(axis=0), tip.max(axis=0), 5.0)
     told = {}
     for dialect, how in [(dialect, "") for dialect in DIALECTS.values()] + GUIDED:
@@ -380,7 +452,10 @@ def test_the_same_cl_path_through_every_dialect_and_back_is_the_same_path(machin
         off = np.linalg.norm(told[dialect.name, how][0] - joints.path.tip[program.row], axis=1).max()
         assert off <= (1e-4 if how else lever + 1e-4), (dialect.name, how)
         lean = np.linalg.norm(told[dialect.name, how][1] - joints.path.axis[program.row], axis=1).max()
-        assert lean <= (2e-7 if how == "vectors" else np.radians(10.0**-dialect.rotary_decimals)), (dialect.name, how)
+        assert lean <= (2e-7 if how == "vectors" else np.radians(10.0**-dialect.rotary_decimals)), (
+            dialect.name,
+            how,
+        )
     assert len(told) == len(DIALECTS) + len(GUIDED)
 
 
@@ -410,7 +485,9 @@ def test_modulo_words_are_0_to_360_and_read_back_by_the_shorter_way(dialect, how
     turns = [float(word) for word in re.findall(r" C(?:=DC\()?([+-]?[0-9.]+)", text.decode())]
     assert len(turns) > 300 and min(turns) >= 0.0 and max(turns) < 360.0
     again = read_nc(text, kinematics, dialect)
-    first = 360.0 * np.round((program.words[0, 3:] - again.words[0, 3:]) / 360.0)  # where the axis came from is not known
+    first = 360.0 * np.round(
+        (program.words[0, 3:] - again.words[0, 3:]) / 360.0
+    )  # where the axis came from is not known
     assert np.abs(again.words[:, 3:] + first - program.words[:, 3:]).max() < 1e-8
 
 
@@ -449,13 +526,17 @@ def test_a_controller_that_takes_no_shorter_way_gets_unwound_words_and_a_warning
     program = build_program(some_joints(kinematics), kinematics, dialect, True)
     assert program.wrap == ("unwound", "unwound")
     assert [found.code for found in program.findings].count("wrap-not-written") == 2
-    assert np.array_equal(read_nc(write_nc(program, dialect, "part"), kinematics, dialect).words, program.words)
+    assert np.array_equal(
+        read_nc(write_nc(program, dialect, "part"), kinematics, dialect).words, program.words
+    )
 
 
 @pytest.mark.rs274
 @needs_rs274
 @pytest.mark.parametrize("inverse_time", [True, False], ids=["g93", "g94"])
-def test_linuxcncs_interpreter_reads_the_guided_words_with_the_switches_remapped(inverse_time, tmp_path: Path) -> None:
+def test_linuxcncs_interpreter_reads_the_guided_words_with_the_switches_remapped(
+    inverse_time, tmp_path: Path
+) -> None:
     dialect = DIALECTS["linuxcnc"].guided("angles")
     program = build_program(some_joints(LINKS), LINKS, dialect, inverse_time)
     (tmp_path / "part.ngc").write_bytes(write_nc(program, dialect, "part", TOOL))
@@ -473,12 +554,19 @@ def test_linuxcncs_interpreter_reads_the_guided_words_with_the_switches_remapped
     )
     assert run.returncode == 0, run.stderr
     moves = re.findall(r"STRAIGHT_(?:FEED|TRAVERSE)\(([^)]*)\)", run.stdout)
-    words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[:, [0, 1, 2, 5, 3]]
+    words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[
+        :, [0, 1, 2, 5, 3]
+    ]
     assert np.abs(words[:, :3] - program.guided.tip).max() < 1e-9
     assert np.abs(words[:, 3:] - program.words[:, 3:]).max() < 1e-9
 
 
-STARTS = [SafeStart(BY_MACHINE, -1.5), SafeStart(BY_REFERENCE), SafeStart(BY_CLEARANCE), SafeStart(BY_NOTHING)]
+STARTS = [
+    SafeStart(BY_MACHINE, -1.5),
+    SafeStart(BY_REFERENCE),
+    SafeStart(BY_CLEARANCE),
+    SafeStart(BY_NOTHING),
+]
 EVERY_START = pytest.mark.parametrize("start", STARTS, ids=[start.retract for start in STARTS])
 EVERY_FORM = pytest.mark.parametrize(
     ("dialect", "how"), [(dialect, "") for dialect in DIALECTS.values()] + GUIDED,
@@ -504,13 +592,21 @@ def test_a_safe_start_is_read_over_and_the_blocks_stay_what_they_are(dialect, ho
     else:
         assert np.abs(again.words[own] - program.words).max() < 1e-8
     assert [found.code for found in again.findings] == (["tip-guided-by-controller"] if how else [])
-    others, plane = again.words[~own], start.retract == BY_CLEARANCE and not (how and by_reference(dialect, start))
-    assert len(others) == ((1 if by_tip and how else 2) if plane else 0) and (np.abs(others[:, 2] - PLANE) < 1e-6).all()
+    others, plane = (
+        again.words[~own],
+        start.retract == BY_CLEARANCE and not (how and by_reference(dialect, start)),
+    )
+    assert (
+        len(others) == ((1 if by_tip and how else 2) if plane else 0)
+        and (np.abs(others[:, 2] - PLANE) < 1e-6).all()
+    )
 
 
 @EVERY_FORM
 @EVERY_START
-def test_a_safe_start_retracts_turns_goes_over_and_only_then_guides_and_ends_with_the_retract(dialect, how, start) -> None:
+def test_a_safe_start_retracts_turns_goes_over_and_only_then_guides_and_ends_with_the_retract(
+    dialect, how, start
+) -> None:
     begun = with_start(dialect, start)
     begun = begun.guided(how) if how else begun
     turn, over = (f"{dialect.rapid} {{{slot}}}{dialect.rapid_end}" for slot in ("rotaries", "over"))
@@ -518,12 +614,17 @@ def test_a_safe_start_retracts_turns_goes_over_and_only_then_guides_and_ends_wit
         assert turn not in begun.head and over not in begun.head and begun.head.count("{cutter}") == 1
         return
     plane = f"{dialect.rapid} {{height}}{dialect.rapid_end}"
-    up = {BY_MACHINE: tuple(line.format(z=_minus(dialect)) for line in dialect.machine_retract), BY_CLEARANCE: (plane,)}
+    up = {
+        BY_MACHINE: tuple(line.format(z=_minus(dialect)) for line in dialect.machine_retract),
+        BY_CLEARANCE: (plane,),
+    }
     reference = start.retract == BY_REFERENCE or (how and by_reference(dialect, start))
     first = (dialect.reference_return if reference else up[start.retract])[0]
     order = [begun.head.index(line) for line in (first, turn, over)]
     assert order == sorted(order) and first in begun.tail
-    assert (begun.head.index("{tool}") > order[0]) == (first != plane)  # a plane above the part needs the tool's length
+    assert (begun.head.index("{tool}") > order[0]) == (
+        first != plane
+    )  # a plane above the part needs the tool's length
     if how:
         guide = begun.guide
         assert order[2] < begun.head.index(guide.on[0]) and begun.head.index(guide.off[0]) < order[0]
@@ -543,16 +644,25 @@ def test_linuxcncs_interpreter_takes_every_safe_start_and_end(name, start, tmp_p
     program = build_program(some_joints(LINKS), LINKS, dialect, False)
     (tmp_path / "a.ngc").write_bytes(write_nc(program, dialect, "part", height=PLANE))
     run = subprocess.run(
-        ["rs274", "-g", "a.ngc"], capture_output=True, text=True, cwd=tmp_path, timeout=60, stdin=subprocess.DEVNULL
+        ["rs274", "-g", "a.ngc"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        timeout=60,
+        stdin=subprocess.DEVNULL,
     )
     assert run.returncode == 0, run.stderr
     moves = re.findall(r"STRAIGHT_(?:FEED|TRAVERSE)\(([^)]*)\)", run.stdout)
-    words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[:, [0, 1, 2, 5, 3]]
+    words = np.array([[float(number) for number in numbers.split(",")] for numbers in moves])[
+        :, [0, 1, 2, 5, 3]
+    ]
     before = {BY_MACHINE: 3, BY_REFERENCE: 4, BY_CLEARANCE: 3, BY_NOTHING: 0}[start.retract]
     assert np.abs(words[before : before + len(program.words)] - program.words).max() < 1e-9
     driven = np.abs(np.diff(words[: before + 1], axis=0)) > 0.0
     groups = np.stack([driven[:, 2], driven[:, 3:].any(axis=1), driven[:, :2].any(axis=1)], axis=1)
     assert (groups.sum(axis=1) <= 1).all()
     last = words[-1]
-    assert last[2] == {BY_MACHINE: -1.5, BY_REFERENCE: 0.0, BY_CLEARANCE: PLANE}.get(start.retract, program.words[-1, 2])
+    assert last[2] == {BY_MACHINE: -1.5, BY_REFERENCE: 0.0, BY_CLEARANCE: PLANE}.get(
+        start.retract, program.words[-1, 2]
+    )
     assert np.array_equal(last[[0, 1, 3, 4]], program.words[-1, [0, 1, 3, 4]])

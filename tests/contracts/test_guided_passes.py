@@ -1,12 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes that are led: from one guide to another, or by an axis. By closed forms, and by a ball that follows them."""
+"""Passes that are led: from one guide to another, or by an axis. By closed forms, and by a ball that follows
+them."""
 
 import math
 from functools import lru_cache
 
 import numpy as np
 import pytest
-from test_pass_strategies import FLAT_STEP, SCALLOP, ball, box, grid, passes, plate, region, rest_heights, samples, turned
+from test_pass_strategies import (
+    FLAT_STEP,
+    SCALLOP,
+    ball,
+    box,
+    grid,
+    passes,
+    plate,
+    region,
+    rest_heights,
+    samples,
+    turned,
+)
 
 from freecad_fiveaxis.core import cli
 from freecad_fiveaxis.core.base.errors import SettingsError
@@ -43,7 +56,10 @@ def welded_ring():
     """A level ring about the origin, 4 to 10 mm from it."""
     turn, radius = np.meshgrid(np.linspace(0, 2 * math.pi, 97), np.linspace(4.0, 10.0, 13), indexing="ij")
     whole, count = grid(np.stack([radius * np.cos(turn), radius * np.sin(turn), 0 * turn], axis=-1)), 96 * 13
-    return from_faces(np.asarray(whole.vertex)[:count], np.where(whole.face >= count, whole.face - count, whole.face)[:, ::-1])
+    return from_faces(
+        np.asarray(whole.vertex)[:count],
+        np.where(whole.face >= count, whole.face - count, whole.face)[:, ::-1],
+    )
 
 
 def curve(path, points):
@@ -55,7 +71,9 @@ def curve(path, points):
 
 
 def test_the_names_of_strategies_over_the_surface_are_those_that_say_so_themselves():
-    assert sorted(name for name, one in PASS_STRATEGIES.items() if one.over_surface) == sorted(settings.OVER_SURFACE)
+    assert sorted(name for name, one in PASS_STRATEGIES.items() if one.over_surface) == sorted(
+        settings.OVER_SURFACE
+    )
 
 
 @pytest.mark.parametrize("strategy", [MORPH, RADIAL], ids=["morph", "radial"])
@@ -64,9 +82,12 @@ def test_where_levels_are_spread_evenly_over_the_range_the_widest_place_keeps_to
     assert highest(strategy, wedge()) <= 1.25 * SCALLOP
     counted = even_steps.count_in_steps
     for module in ("morph_passes", "radial_passes"):
-        monkeypatch.setattr(f"freecad_fiveaxis.core.passes.{module}.count_in_steps", lambda *given: 0.4 * counted(*given))
+        monkeypatch.setattr(
+            f"freecad_fiveaxis.core.passes.{module}.count_in_steps", lambda *given: 0.4 * counted(*given)
+        )
     monkeypatch.setattr(
-        "freecad_fiveaxis.core.passes.scallop_passes._gaps", lambda surface, *_: np.zeros(len(surface.copy.mesh.face), bool)
+        "freecad_fiveaxis.core.passes.scallop_passes._gaps",
+        lambda surface, *_: np.zeros(len(surface.copy.mesh.face), bool),
     )
     with pytest.raises(AssertionError):
         highest(strategy, wedge())
@@ -91,7 +112,9 @@ def test_passes_of_a_wedge_fan_out_from_side_to_side():
 
 
 def test_passes_from_side_to_side_run_along_the_direction():
-    along, across = (passes(MORPH, plate(), options=options(direction=angle)) for angle in (0.0, 0.5 * math.pi))
+    along, across = (
+        passes(MORPH, plate(), options=options(direction=angle)) for angle in (0.0, 0.5 * math.pi)
+    )
     for contact, k, side in ((along, 0, 16.0), (across, 1, 20.0)):
         way = contact.point[1::2] - contact.point[::2]
         assert np.abs(way[:, k]).sum() > 0.99 * np.linalg.norm(way, axis=1).sum()
@@ -156,7 +179,9 @@ def test_round_an_island_passes_part_and_meet_again():
 
 
 def test_a_closed_surface_without_guides_is_refused_with_the_remedy():
-    with pytest.raises(SettingsError, match="has no border to lead passes from or to; give two guides by --from and --to"):
+    with pytest.raises(
+        SettingsError, match="has no border to lead passes from or to; give two guides by --from and --to"
+    ):
         MORPH.check(region(ball()), options())
     with pytest.raises(SettingsError, match="has no border"):
         MORPH.check(region(ball()), options(source=(0.0, 0.0, -6.0)))
@@ -186,7 +211,10 @@ def test_radial_passes_of_a_ring_point_at_the_axis_and_stand_a_step_apart_at_its
     x, y, _ = contact.point.T
     angle = np.arctan2(y, x)
     numbers = np.unique(contact.pass_)
-    off = max(np.abs(np.sin(angle[contact.pass_ == number] - angle[contact.pass_ == number][0])).max() for number in numbers)
+    off = max(
+        np.abs(np.sin(angle[contact.pass_ == number] - angle[contact.pass_ == number][0])).max()
+        for number in numbers
+    )
     assert off < 0.01
     assert len(numbers) == 2 * math.ceil(math.pi * 10.0 / FLAT_STEP * math.cos(math.pi / 96))
     assert highest(RADIAL, welded_ring()) <= 1.2 * SCALLOP
@@ -229,14 +257,17 @@ def test_radial_passes_turn_with_the_part_about_any_axis():
 
 @pytest.mark.parametrize(
     ("given", "told"),
-    [({"axis": (0.0, 0.0, 0.0)}, "--pass-axis 0,0,0 has no direction"), ({"centre": "left"}, "neither middle nor X,Y,Z")],
+    [
+        ({"axis": (0.0, 0.0, 0.0)}, "--pass-axis 0,0,0 has no direction"),
+        ({"centre": "left"}, "neither middle nor X,Y,Z"),
+    ],
 )
 def test_an_axis_that_is_none_is_refused(given, told):
     with pytest.raises(SettingsError, match=told):
         RADIAL.check(region(plate()), options(**given))
 
 
-# ------------------------------------------------------------------------------------------------ on the command line
+# ---------------------------------------------------------------------------------------- on the command line
 
 
 @pytest.mark.parametrize(
@@ -249,10 +280,24 @@ def test_an_axis_that_is_none_is_refused(given, told):
         (["--passes", "radial", "--pass-centre", "here"], "--pass-centre 'here' is neither middle"),
     ],
 )  # fmt: skip
-def test_the_command_line_makes_a_program_or_says_in_one_line_why_not(tmp_path, monkeypatch, capsys, words, told):
+def test_the_command_line_makes_a_program_or_says_in_one_line_why_not(
+    tmp_path, monkeypatch, capsys, words, told
+):
     monkeypatch.chdir(tmp_path)
     write_stl(plate(), tmp_path / "part.stl")
-    given = ["mill", "part.stl", "--machine", "trunnion_ac", "--scallop", "0.1", "--cutter", "ball:6", "-o", "out.ngc", "--quiet"]
+    given = [
+        "mill",
+        "part.stl",
+        "--machine",
+        "trunnion_ac",
+        "--scallop",
+        "0.1",
+        "--cutter",
+        "ball:6",
+        "-o",
+        "out.ngc",
+        "--quiet",
+    ]
     code = cli.main([*given, *words])
     if told is None:
         assert code in (0, 1) and (tmp_path / "out.ngc").exists()

@@ -85,7 +85,9 @@ def test_inverse_of_forward_holds_the_branch(name):
     kinematics = chain(load_machine(name), Setup((35.0, -20.0, 80.0), 120.0))
     rng = np.random.default_rng(21)
     q = np.column_stack([rng.uniform(-300, 300, (ROWS, 3)), rng.uniform(-3.1, 3.1, (ROWS, 2))])
-    q[: ROWS // 2, 4] = rng.choice([-1, 1], ROWS // 2) * 10.0 ** rng.uniform(-15, -3, ROWS // 2)  # next to the pole
+    q[: ROWS // 2, 4] = rng.choice([-1, 1], ROWS // 2) * 10.0 ** rng.uniform(
+        -15, -3, ROWS // 2
+    )  # next to the pole
     both, _ = inverse(kinematics, *forward(kinematics, q))
     back = both[branch_of(kinematics, q[:, 4]), np.arange(ROWS)]
     np.testing.assert_allclose(back, q, rtol=0, atol=CLOSE)

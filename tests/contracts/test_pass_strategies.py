@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every pass strategy promises: a finite field, ascending levels, passes on the region only, no place higher than the scallop,
-and passes that turn with the part; and that what cannot be used is refused before any long work."""
+"""What every pass strategy promises: a finite field, ascending levels, passes on the region only, no place
+higher than the scallop, and passes that turn with the part; and that what cannot be used is refused before
+any long work."""
 
 import itertools
 import json
@@ -41,19 +42,24 @@ OPTIONS = PassOptions(scallop=SCALLOP)
 
 
 def turned(angle):
-    return np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1.0]])
+    return np.array(
+        [[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1.0]]
+    )
 
 
 def grid(point):
     """Two facets for each square of points (n, m, 3)."""
     row = np.arange(point.shape[0] * point.shape[1]).reshape(point.shape[:2])
     a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
-    return from_faces(point.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
+    return from_faces(
+        point.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    )
 
 
 @lru_cache
 def slope(turn=0.0):
-    """A wavy slope, 26 x 18 mm, steep enough for level planes and of no regular pattern; turned about Z by ``turn`` rad."""
+    """A wavy slope, 26 x 18 mm, steep enough for level planes and of no regular pattern; turned about Z by
+    ``turn`` rad."""
     x, y = np.meshgrid(np.linspace(-13, 13, 40), np.linspace(-9, 9, 28), indexing="ij")
     aside = np.random.default_rng(5).uniform(-0.08, 0.08, (2, *x.shape))
     x, y = x + aside[0], y + aside[1]
@@ -69,7 +75,10 @@ def ball(radius=6.0, rows=20, columns=30, centre=(0.0, 0.0, 0.0)):
     vertex = np.concatenate([[[0, 0, 1], [0, 0, -1]], np.concatenate([ring, upright], axis=2).reshape(-1, 3)])
     row = 2 + np.arange((rows - 1) * columns).reshape(rows - 1, columns)
     after = np.roll(row, -1, axis=1)
-    caps = [np.stack([np.full(columns, k), one, two], axis=1) for k, one, two in ((0, row[0], after[0]), (1, after[-1], row[-1]))]
+    caps = [
+        np.stack([np.full(columns, k), one, two], axis=1)
+        for k, one, two in ((0, row[0], after[0]), (1, after[-1], row[-1]))
+    ]
     a, b, c, d = (part.ravel() for part in (row[:-1], row[1:], after[1:], after[:-1]))
     face = np.concatenate([*caps, np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     return from_faces(radius * vertex + np.asarray(centre), face)
@@ -110,7 +119,9 @@ def rest_heights(mesh, contact, point):
     start, end = start[same], end[same]
     pieces = np.ceil(np.linalg.norm(end - start, axis=1) / 0.05).astype(int) + 1
     row = np.repeat(np.arange(len(start)), pieces)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[
+        row
+    ]
     centre = start[row] + share[:, None] * (end - start)[row]
     return cKDTree(centre).query(point)[0] - RADIUS
 
@@ -120,7 +131,7 @@ def strategy(request):
     return PASS_STRATEGIES[request.param]
 
 
-# ------------------------------------------------------------------------------------------------ every strategy
+# --------------------------------------------------------------------------------------------- every strategy
 
 
 def test_the_field_is_finite_and_its_levels_ascend(strategy):
@@ -143,7 +154,9 @@ def test_passes_are_on_the_region_only(strategy):
     for k in range(3):  # inside the facet: to the left of each of its sides
         side = corner[:, (k + 1) % 3] - corner[:, k]
         assert (np.cross(side, point - corner[:, k]) * contact.normal).sum(axis=1).min() > -1e-7
-    if strategy.field(region(mesh, keep), OPTIONS).surface is not None:  # the others pass over what is not cut
+    if (
+        strategy.field(region(mesh, keep), OPTIONS).surface is not None
+    ):  # the others pass over what is not cut
         assert keep[contact.face].all()
 
 
@@ -171,10 +184,14 @@ def test_no_place_inside_the_region_is_higher_than_the_scallop(strategy):
     mesh = slope()
     point, _ = samples(mesh, np.arange(len(mesh.face)))
     inside = (np.abs(point[:, 0]) < 12.0) & (np.abs(point[:, 1]) < 8.0)
-    below = PassOptions(scallop=SCALLOP, axis=(1.0, 0.0, 0.0), centre=(0.0, 0.0, -60.0))  # all of the slope faces away from that
+    below = PassOptions(
+        scallop=SCALLOP, axis=(1.0, 0.0, 0.0), centre=(0.0, 0.0, -60.0)
+    )  # all of the slope faces away from that
     given = below if strategy is PASS_STRATEGIES["rotary"] else OPTIONS
     stays = rest_heights(mesh, passes(strategy, mesh, options=given), point[inside])
-    assert np.quantile(stays, 0.98) <= 1.02 * SCALLOP and stays.max() <= 2.2 * SCALLOP  # twice, where fronts meet
+    assert (
+        np.quantile(stays, 0.98) <= 1.02 * SCALLOP and stays.max() <= 2.2 * SCALLOP
+    )  # twice, where fronts meet
     assert stays.max() > 0.3 * SCALLOP
     assert stays.min() > -0.01  # facets are chords of the slope, the ball stands on both
 
@@ -200,27 +217,39 @@ def test_spirals_leave_no_more_than_the_loops_that_they_stand_for(name):
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("name", "most"), [("planes", 1.0), ("scallop", 3.5)])  # in corners where fronts meet
+@pytest.mark.parametrize(
+    ("name", "most"), [("planes", 1.0), ("scallop", 3.5)]
+)  # in corners where fronts meet
 @pytest.mark.parametrize("degrees", [43.0, 46.0])
 def test_divided_by_slope_no_place_is_higher_than_with_the_worse_of_both_alone(name, most, degrees):
-    """The wavy slope leans by 42 to 49 deg. Without the level planes, the same comparison fails on the steep part."""
+    """The wavy slope leans by 42 to 49 deg. Without the level planes, the same comparison fails on the steep
+    part."""
     mesh = slope()
     point, _ = samples(mesh, np.arange(len(mesh.face)))
     point = point[(np.abs(point[:, 0]) < 12.0) & (np.abs(point[:, 1]) < 8.0)]
     division = Division(math.radians(degrees), PASS_STRATEGIES["zlevel"], PASS_STRATEGIES[name], "zigzag")
     both, _ = lay_by_slope(region(mesh), OPTIONS, division)
     stays = rest_heights(mesh, both, point)
-    worst = max(rest_heights(mesh, passes(PASS_STRATEGIES[one], mesh), point).max() for one in ("zlevel", name))
+    worst = max(
+        rest_heights(mesh, passes(PASS_STRATEGIES[one], mesh), point).max() for one in ("zlevel", name)
+    )
     assert np.quantile(stays, 0.98) <= 1.02 * SCALLOP and stays.max() <= max(1.02 * worst, most * SCALLOP)
-    level = np.array([np.ptp(both.point[both.polyline == one, 2]) < 1e-6 for one in range(both.polyline.max() + 1)])
+    level = np.array(
+        [np.ptp(both.point[both.polyline == one, 2]) < 1e-6 for one in range(both.polyline.max() + 1)]
+    )
     assert level.sum() > 20 and (~level).sum() > 5
-    assert rest_heights(mesh, take_lines(both, np.flatnonzero(~level[both.polyline])), point).max() > 5.0 * SCALLOP
+    assert (
+        rest_heights(mesh, take_lines(both, np.flatnonzero(~level[both.polyline])), point).max()
+        > 5.0 * SCALLOP
+    )
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("turn", [0.7, 2.5])
 def test_passes_turn_with_the_part(strategy, turn):
-    here, there = (passes(strategy, slope(angle), options=PassOptions(angle, None, SCALLOP)) for angle in (0.0, turn))
+    here, there = (
+        passes(strategy, slope(angle), options=PassOptions(angle, None, SCALLOP)) for angle in (0.0, turn)
+    )
     length = [np.linalg.norm(one.point[1::2] - one.point[::2], axis=1).sum() for one in (here, there)]
     assert length[1] == pytest.approx(length[0], rel=1e-3)
     off = cKDTree(here.point @ turned(turn).T).query(there.point)[0]
@@ -228,7 +257,9 @@ def test_passes_turn_with_the_part(strategy, turn):
 
 
 def test_passes_that_stay_behind_would_be_noticed(strategy):
-    here, there = (passes(strategy, slope(angle), options=PassOptions(angle, None, SCALLOP)) for angle in (0.0, 0.7))
+    here, there = (
+        passes(strategy, slope(angle), options=PassOptions(angle, None, SCALLOP)) for angle in (0.0, 0.7)
+    )
     assert np.quantile(cKDTree(here.point).query(there.point)[0], 0.99) > 0.02
 
 
@@ -239,7 +270,13 @@ def test_every_strategy_says_in_one_line_what_it_does(strategy):
 
 def test_a_check_that_lets_pass_does_none_of_the_work_of_the_field(strategy):
     told = []
-    where = Region(slope(), np.ones(len(slope().face), bool), RADIUS, STEP, progress=lambda stage, share: told.append(stage))
+    where = Region(
+        slope(),
+        np.ones(len(slope().face), bool),
+        RADIUS,
+        STEP,
+        progress=lambda stage, share: told.append(stage),
+    )
     strategy.check(where, OPTIONS)
     assert not told
     strategy.field(where, OPTIONS)
@@ -267,7 +304,8 @@ def test_planes_of_an_upright_normal_are_those_of_their_direction():
     planes, mesh = find_pass_strategy("planes"), slope()
     normal = (-math.sin(0.4), math.cos(0.4), 0.0)
     one, two = (
-        passes(planes, mesh, options=options) for options in (PassOptions(0.4, 1.0), PassOptions(0.0, 1.0, normal=normal))
+        passes(planes, mesh, options=options)
+        for options in (PassOptions(0.4, 1.0), PassOptions(0.0, 1.0, normal=normal))
     )
     np.testing.assert_allclose(two.point, one.point, atol=1e-9)
     np.testing.assert_array_equal(two.face, one.face)
@@ -311,7 +349,7 @@ def test_a_field_that_is_no_number_is_refused():
         slice_field(slope(), np.full(len(slope().vertex), np.nan), [0.0])
 
 
-# ------------------------------------------------------------------------------------------------ constant scallop
+# ------------------------------------------------------------------------------------------- constant scallop
 
 CONSTANT = PASS_STRATEGIES["scallop"]
 FLAT_STEP = flat_interval(RADIUS, AIM * SCALLOP)
@@ -326,7 +364,8 @@ def field_of(mesh, keep=None, options=OPTIONS):
 
 
 def highest(mesh, keep=None, options=OPTIONS, count=4000):
-    """The height that stays on the region, hardly more anywhere: 0.99 of all; nowhere more than what counts as a gap."""
+    """The height that stays on the region, hardly more anywhere: 0.99 of all; nowhere more than what counts
+    as a gap."""
     rows = np.arange(len(mesh.face)) if keep is None else np.flatnonzero(keep)
     stays = rest_heights(mesh, passes(CONSTANT, mesh, keep, options), samples(mesh, rows, count)[0])
     assert np.quantile(stays, 0.999) < 2.5 * SCALLOP
@@ -351,7 +390,9 @@ def test_a_closed_surface_begins_at_its_lowest_place_and_is_covered():
 
 def test_pieces_have_sources_of_their_own_and_follow_one_another():
     one, two = ball(4.0, 50, 72), ball(2.5, 32, 48, centre=(20.0, 0.0, 0.0))
-    both = from_faces(np.concatenate([one.vertex, two.vertex]), np.concatenate([one.face, two.face + len(one.vertex)]))
+    both = from_faces(
+        np.concatenate([one.vertex, two.vertex]), np.concatenate([one.face, two.face + len(one.vertex)])
+    )
     found = field_of(both)
     piece = [found.value[found.surface.component == number] for number in (0, 1)]
     assert min(len(np.unique(np.floor(part))) for part in piece) > 8 and piece[0].max() < piece[1].min() + 1.0
@@ -368,7 +409,9 @@ def test_facets_far_longer_than_the_step_are_cut_as_any_others():
     assert np.abs(found.value[main] - rim).max() < 0.5
     contact = passes(CONSTANT, mesh, top)
     assert set(contact.face) == set(np.flatnonzero(top))
-    assert len(contact.face) < 4000  # straight inside a facet: hardly more segments than the passes have corners
+    assert (
+        len(contact.face) < 4000
+    )  # straight inside a facet: hardly more segments than the passes have corners
     assert highest(mesh, top) < 1.2 * SCALLOP
 
 
@@ -388,7 +431,10 @@ def test_slivers_carry_the_field_too():
     contact = passes(CONSTANT, mesh)
     length = np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1).sum()
     even = grid(
-        np.stack([*np.meshgrid(np.linspace(0, 12, 25), np.linspace(0, 15, 31), indexing="ij"), np.zeros((25, 31))], axis=-1)
+        np.stack(
+            [*np.meshgrid(np.linspace(0, 12, 25), np.linspace(0, 15, 31), indexing="ij"), np.zeros((25, 31))],
+            axis=-1,
+        )
     )
     same = passes(CONSTANT, even)
     assert length < 1.1 * np.linalg.norm(same.point[1::2] - same.point[::2], axis=1).sum()
@@ -404,7 +450,9 @@ def test_a_strip_narrower_than_the_steps_is_cut(width):
 
 def rib(length, width, turn=0.0):
     """A strip of two rows of vertices, all of them on its border."""
-    x, y = np.meshgrid(np.linspace(0, length, int(length / 0.6) + 1), [-0.5 * width, 0.5 * width], indexing="ij")
+    x, y = np.meshgrid(
+        np.linspace(0, length, int(length / 0.6) + 1), [-0.5 * width, 0.5 * width], indexing="ij"
+    )
     return grid(np.stack([x, y, 0 * x], axis=-1) @ turned(turn).T)
 
 
@@ -419,7 +467,9 @@ def test_a_strip_whose_vertices_all_lie_on_the_border_gets_its_pass(width, turn)
 
 
 def test_a_strip_without_vertices_inside_would_get_none(monkeypatch):
-    monkeypatch.setattr(refine, "_split_across", lambda vertex, face, label: (vertex, face, label, np.arange(len(face))))
+    monkeypatch.setattr(
+        refine, "_split_across", lambda vertex, face, label: (vertex, face, label, np.arange(len(face)))
+    )
     assert not len(passes(CONSTANT, rib(20.0, 0.9 * FLAT_STEP)).point)
 
 
@@ -441,11 +491,14 @@ def fan(slivers):
     """A flat cone of slivers that meet at its tip."""
     turn, row = np.linspace(0, 2 * np.pi, slivers, endpoint=False), np.arange(slivers)
     rim = np.stack([6 * np.cos(turn), 6 * np.sin(turn), 0 * turn], axis=1)
-    return from_faces(np.concatenate([[[0, 0, 0.5]], rim]), np.stack([0 * row, 1 + row, 1 + (row + 1) % slivers], axis=1))
+    return from_faces(
+        np.concatenate([[[0, 0, 0.5]], rim]), np.stack([0 * row, 1 + row, 1 + (row + 1) % slivers], axis=1)
+    )
 
 
 def test_samples_of_passes_do_not_grow_with_the_slivers_at_a_tip(monkeypatch):
-    """Each place near the tip is as far from all of them, so that a search of the nearest looks at every one."""
+    """Each place near the tip is as far from all of them, so that a search of the nearest looks at every
+    one."""
     counts, thinned = [], scallop_passes._thinned
 
     def counted(point, normal, step):
@@ -493,7 +546,8 @@ def test_a_source_counts_as_off_the_surface_by_its_distance_from_the_facets():
 
 
 def test_behind_an_edge_over_which_the_ball_rolls_as_much_is_cut():
-    """A roof: a pass on one side does nothing for the other. Where edges were not looked at, four times as much would stay."""
+    """A roof: a pass on one side does nothing for the other. Where edges were not looked at, four times as
+    much would stay."""
     x, y = np.meshgrid(np.linspace(-5.13, 5.31, 30), np.linspace(0, 8, 25), indexing="ij")
     mesh = grid(np.stack([x, y, -np.abs(x - 0.1)], axis=-1))
     assert highest(mesh) < 1.6 * SCALLOP
@@ -519,7 +573,10 @@ def test_facets_that_no_pass_touches_are_told():
 
 def test_facets_between_two_passes_are_not_told():
     fine = grid(
-        np.stack([*np.meshgrid(np.linspace(0, 9, 91), np.linspace(0, 9, 91), indexing="ij"), np.zeros((91, 91))], axis=-1)
+        np.stack(
+            [*np.meshgrid(np.linspace(0, 9, 91), np.linspace(0, 9, 91), indexing="ij"), np.zeros((91, 91))],
+            axis=-1,
+        )
     )
     where = region(fine)
     found = CONSTANT.field(where, OPTIONS)
@@ -534,7 +591,9 @@ def test_level_planes_say_what_they_leave():
     level = PASS_STRATEGIES["zlevel"]
     found = level.field(region(mesh, keep), OPTIONS)
     contact = cut(region(mesh, keep), found, "zigzag")
-    (warning,) = [one for one in level.untouched(region(mesh, keep), OPTIONS, found, contact.face) if one.unit == "mm2"]
+    (warning,) = [
+        one for one in level.untouched(region(mesh, keep), OPTIONS, found, contact.face) if one.unit == "mm2"
+    ]
     assert warning.value == pytest.approx(600.0) and warning.code == "side-not-machined"
 
 
@@ -581,14 +640,26 @@ def no_axis_field(monkeypatch):
 
 @pytest.mark.parametrize("tool_axis", ["auto", "facet_mean"])
 @pytest.mark.parametrize(("words", "said"), BAD)
-def test_what_cannot_be_used_is_one_line_and_no_file(stl, no_axis_field, words, said, tool_axis, monkeypatch, capsys):
+def test_what_cannot_be_used_is_one_line_and_no_file(
+    stl, no_axis_field, words, said, tool_axis, monkeypatch, capsys
+):
     """And it is refused before the field of axes is computed, where the tool axis is auto."""
     monkeypatch.chdir(stl)
     (stl / "far.csv").write_text("0,0,0\n0,0,90\n")
     (stl / "words.csv").write_text("X,Y,Z\n1,two,3\n4,5,6\n")
     (stl / "one.csv").write_text("0,0,0\n")
     write_stl(ball(centre=(500.0, 0.0, 0.0)), stl / "elsewhere.stl")
-    given = ["mill", "part.stl", "--machine", "trunnion_ac", "--tool-axis", tool_axis, "-o", "out.ngc", "--quiet"]
+    given = [
+        "mill",
+        "part.stl",
+        "--machine",
+        "trunnion_ac",
+        "--tool-axis",
+        tool_axis,
+        "-o",
+        "out.ngc",
+        "--quiet",
+    ]
     assert cli.main([*given, *words]) == 2
     told = capsys.readouterr().err
     assert said in told and told.count("\n") == 1
@@ -598,11 +669,16 @@ def test_what_cannot_be_used_is_one_line_and_no_file(stl, no_axis_field, words, 
 def test_what_can_be_used_comes_to_the_field_of_axes(stl, no_axis_field, monkeypatch):
     monkeypatch.chdir(stl)
     with pytest.raises(Begun):
-        job.make(build_settings("mill", "part.stl", {"machine": "trunnion_ac", "tool_axis": "auto", "passes": "scallop"}))
+        job.make(
+            build_settings(
+                "mill", "part.stl", {"machine": "trunnion_ac", "tool_axis": "auto", "passes": "scallop"}
+            )
+        )
 
 
 def test_what_no_axis_leans_over_does_not_count():
-    """The underside of a block, but for axes that may point up; its walls for axes a little off +Z as well."""
+    """The underside of a block, but for axes that may point up; its walls for axes a little off +Z as
+    well."""
     up = box((30.0, 20.0, 8.0)).normal[:, 2]
     for most, counts in ((90.0, up > -0.5), (180.0, up > -2.0), (30.0, up > -0.5)):
         np.testing.assert_array_equal(facets_under_axes(box((30.0, 20.0, 8.0)), math.radians(most)), counts)
@@ -616,4 +692,6 @@ def test_the_options_are_those_of_job_files_too(stl, monkeypatch):
     (stl / "job.json").write_text(json.dumps(job))
     assert cli.main(["run", str(stl / "job.json"), "--quiet"]) in (0, 1)
     inputs = json.loads((stl / "a.json").read_text())["inputs"]
-    assert (inputs["passes"], inputs["plane_normal"]) == ("scallop", None) and inputs["from"].endswith("curve.csv")
+    assert (inputs["passes"], inputs["plane_normal"]) == ("scallop", None) and inputs["from"].endswith(
+        "curve.csv"
+    )

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes around and along a rotary axis, and the tool that points at it: by closed forms, by a ball that follows them, and by the
-program read back."""
+"""Passes around and along a rotary axis, and the tool that points at it: by closed forms, by a ball that
+follows them, and by the program read back."""
 
 import math
 import re
@@ -35,7 +35,8 @@ FOUR_AXES = str(Path(__file__).parents[2] / "examples" / "mill_xyza.fcm")
 
 
 def profile(radius, columns=96, rows=8, length=LENGTH):
-    """The closed solid about X from 0 to ``length`` with this radius (angle from Y, x), faces at both ends."""
+    """The closed solid about X from 0 to ``length`` with this radius (angle from Y, x), faces at both
+    ends."""
     turn, along = np.arange(columns) * 2.0 * math.pi / columns, np.linspace(0.0, length, rows + 1)
     angle, x = np.meshgrid(turn, along, indexing="ij")
     far = radius(angle, x) + 0.0 * angle
@@ -43,7 +44,10 @@ def profile(radius, columns=96, rows=8, length=LENGTH):
     after = np.roll(ring, -1, axis=0)
     a, b, c, d = ring[:, :-1], ring[:, 1:], after[:, 1:], after[:, :-1]
     low, high = (np.broadcast_to((end, 0.0, 0.0), (columns, 3)) for end in (0.0, length))
-    ends = [np.stack([low, after[:, 0], ring[:, 0]], axis=1), np.stack([high, ring[:, -1], after[:, -1]], axis=1)]
+    ends = [
+        np.stack([low, after[:, 0], ring[:, 0]], axis=1),
+        np.stack([high, ring[:, -1], after[:, -1]], axis=1),
+    ]
     sides = [np.stack(one, axis=2).reshape(-1, 3, 3) for one in ((a, c, b), (a, d, c))]
     return from_triangles(np.concatenate([*sides, *ends]))
 
@@ -92,21 +96,26 @@ def settings_of(source, **given):
     return build_settings("mill", source, plain | given)
 
 
-# ------------------------------------------------------------------------------------------------ where the passes lie
+# --------------------------------------------------------------------------------------- where the passes lie
 
 
 @pytest.mark.parametrize("name", SHAPES)
 @pytest.mark.parametrize("by", ["around", "along"])
 def test_no_more_than_the_scallop_stays_where_a_ball_follows_the_passes(name, by):
     mesh = shape(name)
-    stays = rest_heights(mesh, laid(ROTARY, mesh, options=options(by=by)), samples(mesh, np.flatnonzero(side_of(mesh)))[0])
+    stays = rest_heights(
+        mesh, laid(ROTARY, mesh, options=options(by=by)), samples(mesh, np.flatnonzero(side_of(mesh)))[0]
+    )
     assert np.quantile(stays, 0.98) <= 1.2 * SCALLOP and stays.max() <= 2.0 * SCALLOP
 
 
 def test_twice_the_step_would_leave_more():
     mesh = shape("cam")
     contact = laid(ROTARY, mesh, options=options(scallop=4.0 * SCALLOP))
-    assert np.quantile(rest_heights(mesh, contact, samples(mesh, np.flatnonzero(side_of(mesh)))[0]), 0.9) > 1.2 * SCALLOP
+    assert (
+        np.quantile(rest_heights(mesh, contact, samples(mesh, np.flatnonzero(side_of(mesh)))[0]), 0.9)
+        > 1.2 * SCALLOP
+    )
 
 
 def test_around_a_cylinder_there_is_a_ring_each_step_of_a_flat():
@@ -118,7 +127,9 @@ def test_around_a_cylinder_there_is_a_ring_each_step_of_a_flat():
     for number in range(rings):
         rows = contact.pass_ == number
         way = contact.point[rows][1::2] - contact.point[rows][::2]
-        assert np.linalg.norm(way, axis=1).sum() == pytest.approx(96 * 2.0 * 5.0 * math.sin(math.pi / 96), rel=1e-4)
+        assert np.linalg.norm(way, axis=1).sum() == pytest.approx(
+            96 * 2.0 * 5.0 * math.sin(math.pi / 96), rel=1e-4
+        )
 
 
 def test_along_a_cylinder_lines_lie_the_angle_of_a_step_apart():
@@ -126,7 +137,12 @@ def test_along_a_cylinder_lines_lie_the_angle_of_a_step_apart():
     way = contact.point[1::2] - contact.point[::2]
     assert np.abs(way[:, 0]).sum() > 0.999 * np.linalg.norm(way, axis=1).sum()
     numbers = np.unique(contact.pass_)
-    angle = np.array([np.angle(np.exp(1j * np.arctan2(*contact.point[contact.pass_ == n][:, (2, 1)].T)).mean()) for n in numbers])
+    angle = np.array(
+        [
+            np.angle(np.exp(1j * np.arctan2(*contact.point[contact.pass_ == n][:, (2, 1)].T)).mean())
+            for n in numbers
+        ]
+    )
     apart = np.diff(np.unwrap(angle))
     np.testing.assert_allclose(apart, apart[0], rtol=0.02)
     assert abs(apart[0]) * len(numbers) == pytest.approx(2.0 * math.pi, rel=0.02)
@@ -139,7 +155,9 @@ def test_the_ends_have_no_pass_and_are_told_with_their_area():
     contact = cut(region(mesh), found, "zigzag")
     told = {one.code: one for one in ROTARY.untouched(region(mesh), given, found, contact.face)}
     area = 96 * 25.0 * math.sin(2.0 * math.pi / 96)
-    assert told["facets-across-axis"].value == pytest.approx(area, rel=1e-6) and set(told) == {"facets-across-axis"}
+    assert told["facets-across-axis"].value == pytest.approx(area, rel=1e-6) and set(told) == {
+        "facets-across-axis"
+    }
 
 
 @pytest.mark.parametrize("by", ["around", "along"])
@@ -182,7 +200,14 @@ def test_a_part_that_only_faces_the_axis_is_refused():
 
 def machine(*axes):
     return Machine(
-        "m", (*axes, *(Axis(a, False, "head", way, low=-500, high=500) for a, way in zip("XYZ", (X, Y, Z), strict=True)))
+        "m",
+        (
+            *axes,
+            *(
+                Axis(a, False, "head", way, low=-500, high=500)
+                for a, way in zip("XYZ", (X, Y, Z), strict=True)
+            ),
+        ),
     )
 
 
@@ -203,7 +228,9 @@ def test_the_axis_is_the_machines_own_or_the_parts_longest_side(axes, about, thr
 
 
 def test_a_head_has_a_direction_and_no_line_in_the_part():
-    axes = (*(Axis(a, False, "head", way, low=-500, high=500) for a, way in zip("XYZ", (X, Y, Z), strict=True)),)
+    axes = (
+        *(Axis(a, False, "head", way, low=-500, high=500) for a, way in zip("XYZ", (X, Y, Z), strict=True)),
+    )
     head = Machine("h", (*axes, Axis("B", True, "head", Y)))
     assert own_axis(chain(head, Setup(tool_length=100.0))) == (Y, None)
 
@@ -242,11 +269,15 @@ def test_the_tool_points_at_the_axis_and_one_rotary_word_turns(name):
     blocks = [line for line in result.draft.nc.decode().splitlines() if line.startswith(("G0 ", "G1 "))]
     assert all(set(re.findall("[A-Z]", line)) <= set("GXYZAF") for line in blocks)
     assert result.deviation.bound.max() <= 0.01
-    assert not [one for one in result.findings if one.severity.name == "ERROR" or one.code == "retract-below-part"]
+    assert not [
+        one for one in result.findings if one.severity.name == "ERROR" or one.code == "retract-below-part"
+    ]
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize(("name", "by"), [("cylinder", "around"), ("cam", "around"), ("flat", "along"), ("cone", "along")])
+@pytest.mark.parametrize(
+    ("name", "by"), [("cylinder", "around"), ("cam", "around"), ("flat", "along"), ("cone", "along")]
+)
 def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(name, by):
     built = made(name, by).draft
     read = read_nc(built.nc, built.kinematics, built.dialect)
@@ -257,7 +288,8 @@ def test_what_is_posted_is_read_again_and_the_rotary_word_never_jumps_in_a_pass(
 
 
 def test_a_spiral_around_a_cylinder_is_the_helix_of_the_closed_form():
-    """One pass: a ring, turns of one step each, and a ring; the rotary word only rises, one turn for each of them."""
+    """One pass: a ring, turns of one step each, and a ring; the rotary word only rises, one turn for each of
+    them."""
     rings = int(made("cylinder").draft.contact.pass_.max()) + 1
     built = made("cylinder", spiral="on").draft
     path = built.path
@@ -278,7 +310,10 @@ def test_a_spiral_around_a_cylinder_is_the_helix_of_the_closed_form():
 
 def test_turns_beyond_the_limits_are_wound_back_and_told(tmp_path, stl):
     limited = Axis("A", True, "table", X, low=-3.0 * math.pi, high=3.0 * math.pi, max_rate=60.0)
-    linear = (Axis(a, False, "head", way, low=-500, high=500, max_rate=9000) for a, way in zip("XYZ", (X, Y, Z), strict=True))
+    linear = (
+        Axis(a, False, "head", way, low=-500, high=500, max_rate=9000)
+        for a, way in zip("XYZ", (X, Y, Z), strict=True)
+    )
     save_machine(Machine("few_turns", (limited, *linear), safe_start=SafeStart("none")), tmp_path / "few.fcm")
     result = job.run(settings_of(stl("cylinder"), machine=str(tmp_path / "few.fcm"), spiral="on"))
     words = result.draft.program.words[:, 3]
@@ -298,7 +333,9 @@ def test_a_cutter_without_a_ball_end_leaves_no_more_than_the_scallop_on_a_cone(s
 
 
 def test_a_machine_of_five_axes_turns_the_part_about_its_longest_side(stl):
-    result = job.run(settings_of(stl("cylinder"), machine="fork_head_bc", tool_length=100.0, max_axis_angle=90))
+    result = job.run(
+        settings_of(stl("cylinder"), machine="fork_head_bc", tool_length=100.0, max_axis_angle=90)
+    )
     rows = np.flatnonzero(result.draft.path.motion == Motion.CUT)
     assert np.abs(result.draft.path.axis[rows, 0]).max() < 1e-9
     assert (result.draft.path.axis[rows, 2] > -1e-3).all()
@@ -337,7 +374,9 @@ def test_linuxcnc_reads_a_helix_of_many_turns(tmp_path):
     built = made("cylinder", spiral="on").draft
     nc = tmp_path / "out.ngc"
     nc.write_bytes(built.nc)
-    told = subprocess.run(["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=120, check=True).stdout
+    told = subprocess.run(
+        ["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=120, check=True
+    ).stdout
     moves = [line for line in told.splitlines() if "STRAIGHT_FEED" in line]
     last = [float(word) for word in moves[-1].split("(")[1].rstrip(")").split(",")]
     feeds = built.program.words[built.program.motion != int(Motion.RAPID)]

@@ -26,7 +26,9 @@ def path(turn):
     vertex = np.stack([x, y, 2 * np.sin(x / 6) * np.cos(y / 7) - 0.01 * x * x], axis=-1).reshape(-1, 3)
     row = np.arange(18 * 18).reshape(18, 18)
     a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
-    mesh = from_faces(vertex @ turned(turn).T, np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
+    mesh = from_faces(
+        vertex @ turned(turn).T, np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    )
     contact = slice_mesh(mesh, np.array([-13.1, -4.7, 3.3, 11.9]), 0.2 + turn)
     return close_gaps(contact, mesh, 3.0, 0.05)
 

@@ -26,13 +26,21 @@ def parts(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def milled(parts):
-    """Results by part, machine and controller, each made once; without a cure, unless the options ask for one."""
+    """Results by part, machine and controller, each made once; without a cure, unless the options ask for
+    one."""
     made = {}
 
     def mill(part, machine, controller="linuxcnc", **options):
         key = (part, machine, controller, *sorted(options.items()))
         if key not in made:
-            given = {"machine": machine, "controller": controller, "stepover": 5, "tool_length": 120, **UNCURED, **options}
+            given = {
+                "machine": machine,
+                "controller": controller,
+                "stepover": 5,
+                "tool_length": 120,
+                **UNCURED,
+                **options,
+            }
             made[key] = job.run(build_settings("mill", str(parts / f"{part}.stl"), given))
         return made[key]
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes over the example dome near its top, machines of every kind for them, and the least that a first rotary word has to turn
-on a pass, by dynamic programming: for the tests of deform."""
+"""Passes over the example dome near its top, machines of every kind for them, and the least that a first
+rotary word has to turn on a pass, by dynamic programming: for the tests of deform."""
 
 from __future__ import annotations
 
@@ -24,9 +24,12 @@ parts = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(parts)
 
 HALF = 0.5**0.5
-_X, _Y, _Z = (Axis(letter, False, "head", tuple(row)) for letter, row in zip("XYZ", np.eye(3).tolist(), strict=True))
+_X, _Y, _Z = (
+    Axis(letter, False, "head", tuple(row)) for letter, row in zip("XYZ", np.eye(3).tolist(), strict=True)
+)
 NUTATING_HEAD = Machine(
-    "nutating_head", (_X, _Y, _Z, Axis("C", True, "head", (0, 0, 1)), Axis("B", True, "head", (0, HALF, HALF), (0, 0, 200)))
+    "nutating_head",
+    (_X, _Y, _Z, Axis("C", True, "head", (0, 0, 1)), Axis("B", True, "head", (0, HALF, HALF), (0, 0, 200))),
 )
 BOTH_WAYS = ("fork_head_bc", "head_b_table_c", "trunnion_ac", "trunnion_bc")
 """Machines of orthogonal rotary axes whose second one leans 60 deg to both sides."""
@@ -39,8 +42,18 @@ def kinematics_of(name):
 
 
 @lru_cache(maxsize=64)
-def dome_passes(name, stepover=0.5, direction=0.0, strategy="facet_mean", lead=0.0, tilt=0.0, half_width=8.0, order="zigzag"):
-    """Offset path, axes and chain: the passes within ``half_width`` mm of the top of the dome, in the order of the cut."""
+def dome_passes(
+    name,
+    stepover=0.5,
+    direction=0.0,
+    strategy="facet_mean",
+    lead=0.0,
+    tilt=0.0,
+    half_width=8.0,
+    order="zigzag",
+):
+    """Offset path, axes and chain: the passes within ``half_width`` mm of the top of the dome, in the order
+    of the cut."""
     mesh, kinematics = from_faces(*parts.dome()), kinematics_of(name)
     keep, _ = facets_within_limits(mesh, kinematics, np.radians(61.0), None)
     planes, _ = prepare_planes(mesh, direction, 5.0, stepover=stepover, scallop=None, least=0.05, keep=keep)()
@@ -51,7 +64,8 @@ def dome_passes(name, stepover=0.5, direction=0.0, strategy="facet_mean", lead=0
 
 
 def meridian_angles(kinematics, word, axis):
-    """How far (n, w) rad axes (n, 3) are from the circles on which the second rotary axis moves the tool at first words (w,)."""
+    """How far (n, w) rad axes (n, 3) are from the circles on which the second rotary axis moves the tool at
+    first words (w,)."""
     first, second = kinematics.direction[3], kinematics.direction[4]
     along = first * (first @ second)
     across, aside = second - along, np.cross(first, second)
@@ -60,8 +74,9 @@ def meridian_angles(kinematics, word, axis):
 
 
 def least_turn(kinematics, axis, change, steps=720):
-    """The least that the first word turns, rad, on any way that keeps its meridian within ``change`` of the axes (n, 3): dynamic
-    programming over ``steps`` words a turn, so at most two steps a row too little or too much."""
+    """The least that the first word turns, rad, on any way that keeps its meridian within ``change`` of the
+    axes (n, 3): dynamic programming over ``steps`` words a turn, so at most two steps a row too little or too
+    much."""
     word = 2 * np.pi * np.arange(steps) / steps
     allowed = meridian_angles(kinematics, word, axis) <= change
     ramp = 2 * np.pi / steps * np.arange(3 * steps)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The engines that the same work is given to, and who has them: of other packages, what is not installed is skipped.
+"""The engines that the same work is given to, and who has them: of other packages, what is not installed is
+skipped.
 
 apart     an engine whose workers are other processes: they see nothing of what a test patches here.
 """
@@ -75,7 +76,8 @@ def mpi():
 
 
 def mpi_environment():
-    """The environment in which MPI begins processes. Skips where it cannot: it would take this process along."""
+    """The environment in which MPI begins processes. Skips where it cannot: it would take this process
+    along."""
     pytest.importorskip("mpi4py")
     beside = os.path.dirname(sys.executable)
     more = {
@@ -87,7 +89,9 @@ def mpi_environment():
     if shutil.which("mpiexec", path=more["PATH"]) is None:
         pytest.skip("no mpiexec here")
     try:
-        tried = subprocess.run([sys.executable, "-c", SPAWN], env=os.environ | more, capture_output=True, timeout=120, text=True)
+        tried = subprocess.run(
+            [sys.executable, "-c", SPAWN], env=os.environ | more, capture_output=True, timeout=120, text=True
+        )
         said = tried.stdout.strip()
     except subprocess.TimeoutExpired:
         said = "it hangs"

@@ -8,7 +8,8 @@ from freecad_fiveaxis.core.tool.body import depth_of
 
 
 def prism(profile, length=40.0):
-    """The closed part of a profile (k, 2) of y and z, counter-clockwise seen against x, from x = -length/2 to length/2."""
+    """The closed part of a profile (k, 2) of y and z, counter-clockwise seen against x, from x = -length/2 to
+    length/2."""
     profile = np.asarray(profile, float)
     k = len(profile)
     ends = [np.column_stack([np.full(k, x), profile]) for x in (-0.5 * length, 0.5 * length)]
@@ -44,7 +45,9 @@ def _ears(profile):
 def v_groove(half_angle, depth=10.0, side=30.0):
     """A block with a V groove along x, its bottom at y = z = 0."""
     reach = depth * np.tan(half_angle)
-    return prism([(-side, -20), (side, -20), (side, depth), (reach, depth), (0, 0), (-reach, depth), (-side, depth)])
+    return prism(
+        [(-side, -20), (side, -20), (side, depth), (reach, depth), (0, 0), (-reach, depth), (-side, depth)]
+    )
 
 
 def round_groove(radius, steps=64, side=20.0, length=40.0):
@@ -60,14 +63,17 @@ def step(height=6.0):
 
 
 def shelf(gap=12.0, roof=4.0, back=15.0, length=40.0):
-    """A floor at z = 0 from y = -25, a wall at y = ``back``, and a roof from y = 0 on, ``gap`` mm over the floor and ``roof`` mm
-    thick."""
+    """A floor at z = 0 from y = -25, a wall at y = ``back``, and a roof from y = 0 on, ``gap`` mm over the
+    floor and ``roof`` mm thick."""
     wall, top = back + 5.0, gap + roof
-    return prism([(-25, -5), (wall, -5), (wall, top), (0, top), (0, gap), (back, gap), (back, 0), (-25, 0)], length)
+    return prism(
+        [(-25, -5), (wall, -5), (wall, top), (0, top), (0, gap), (back, gap), (back, 0), (-25, 0)], length
+    )
 
 
 def corner(side=20.0, thick=10.0):
-    """Three walls that meet at 0 and stand along the positive axes: an inner corner, open towards (1, 1, 1)."""
+    """Three walls that meet at 0 and stand along the positive axes: an inner corner, open towards (1, 1,
+    1)."""
     cells = [np.array([x, y, z]) for x in (0, 1) for y in (0, 1) for z in (0, 1) if (x, y, z) != (1, 1, 1)]
     width = np.array([thick, side])
     quads = []
@@ -118,7 +124,9 @@ def relief(height, side=40.0, cells=80, floor=-12.0):
 
 def bowl_block(radius=15.0, **more):
     """:func:`bowl` as a closed block."""
-    return relief(lambda x, y: -np.sqrt(np.maximum(radius**2 - x**2 - y**2, (0.5 * radius) ** 2)), floor=-20.0, **more)
+    return relief(
+        lambda x, y: -np.sqrt(np.maximum(radius**2 - x**2 - y**2, (0.5 * radius) ** 2)), floor=-20.0, **more
+    )
 
 
 def knob_in_corner(radius=7.0, at=4.0, wall=9.0, **more):
@@ -137,7 +145,9 @@ def blade_beside_hub(hub=8.0, gap=5.0, tall=9.0, **more):
     def height(x, y):
         away, turn = np.hypot(x, y), np.arctan2(y, x)
         blade = (np.abs(away - hub - gap - 1.2) < 1.2) & (np.abs(turn) < 1.2)
-        return np.maximum(np.where(away < hub, 11.0 - 0.05 * away**2, 0.0), np.where(blade, tall - 1.5 * np.abs(turn), 0.0))
+        return np.maximum(
+            np.where(away < hub, 11.0 - 0.05 * away**2, 0.0), np.where(blade, tall - 1.5 * np.abs(turn), 0.0)
+        )
 
     return relief(height, **more)
 
@@ -164,11 +174,15 @@ def sampled_depth(body, points, swept, block, samples=41):
     pose = swept.pose(np.full(samples, block), np.linspace(0.0, 1.0, samples))
     low, high = pose.tip.min(axis=1) - body.reach, pose.tip.max(axis=1) + body.reach
     points = points[((points >= low) & (points <= high)).all(axis=1)]
-    return max(depth_of(body, tip, axis, points).max(initial=0.0) for tip, axis in zip(pose.tip.T, pose.axis.T, strict=True))
+    return max(
+        depth_of(body, tip, axis, points).max(initial=0.0)
+        for tip, axis in zip(pose.tip.T, pose.axis.T, strict=True)
+    )
 
 
 def brute_distance(mesh, place):
-    """The distance of one place from all facets: over the facet's plane where the foot lies inside, else from its three edges."""
+    """The distance of one place from all facets: over the facet's plane where the foot lies inside, else from
+    its three edges."""
     corner = mesh.vertex[mesh.face]
     a = corner[:, 0]
     normal = np.cross(corner[:, 1] - a, corner[:, 2] - a)

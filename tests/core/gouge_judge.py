@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A judge of entries that shares nothing with the check: libigl's distances to the mesh, and the machine's forward kinematics of
-interpolated words.
+"""A judge of entries that shares nothing with the check: libigl's distances to the mesh, and the machine's
+forward kinematics of interpolated words.
 
-entry     how deep a point of the part is in the cutter. A point x of the cutter that lies ``a`` below its skin and ``b`` from
-          the part tells of an entry of at least ``a - b``, and of the whole of it where x lies behind the deepest point. So the
-          points on the axis and on the cones to it from the bottom's edge (or the corner's ring) and from the rim, where all ways
-          inward end, tell all of it.
-dug       how deep a point of the cutter's skin is in the part: what is taken off too deep. On smooth surfaces it is the entry.
+entry     how deep a point of the part is in the cutter. A point x of the cutter that lies ``a`` below its
+          skin and ``b`` from the part tells of an entry of at least ``a - b``, and of the whole of it where x
+          lies behind the deepest point. So the points on the axis and on the cones to it from the bottom's
+          edge (or the corner's ring) and from the rim, where all ways inward end, tell all of it.
+dug       how deep a point of the cutter's skin is in the part: what is taken off too deep. On smooth surfaces
+          it is the entry.
 
 How deep a point lies below the cutter's skin is measured against the outline of tests/core/cutter_body.py.
 """
@@ -39,13 +40,19 @@ class Cloud:
 
 
 def cloud(cutter, rings=4):
-    """The points where all ways inward end: on the axis, and on the cones to it from the bottom's edge and from the rim."""
+    """The points where all ways inward end: on the axis, and on the cones to it from the bottom's edge and
+    from the rim."""
     step = cutter.radius / rings
     reach = np.linspace(cutter.ring, 0.0, int(np.ceil(cutter.ring / step)) + 1)
     height = cutter.corner + (cutter.ring - reach)
     up = np.arange(height[-1] + step, max(cutter.length - cutter.radius, height[-1] + step), step)
-    top = np.linspace(0.0, cutter.radius, rings + 1)[:-1]  # and where the end on top and the flank are equally near
-    reach, height = np.concatenate([reach, 0.0 * up, top]), np.concatenate([height, up, cutter.length - cutter.radius + top])
+    top = np.linspace(0.0, cutter.radius, rings + 1)[
+        :-1
+    ]  # and where the end on top and the flank are equally near
+    reach, height = (
+        np.concatenate([reach, 0.0 * up, top]),
+        np.concatenate([height, up, cutter.length - cutter.radius + top]),
+    )
     return _turned(cutter, reach, height, step)
 
 
@@ -74,7 +81,8 @@ def poses(kinematics, words, blocks, u, back=0.0):
 
 
 def spread(blocks, count):
-    """Blocks and u (n,): of each of these blocks (b,) ``count`` (b,) places, evenly spread, both ends among them."""
+    """Blocks and u (n,): of each of these blocks (b,) ``count`` (b,) places, evenly spread, both ends among
+    them."""
     block, last = np.repeat(blocks, count), np.repeat(count - 1, count)
     return block, (np.arange(len(block)) - np.repeat(np.cumsum(count) - count, count)) / last
 
@@ -92,7 +100,8 @@ _TREES = WeakKeyDictionary()
 
 
 def distances(mesh, points, signed=False):
-    """Distances (n,) mm of points (n, 3) from the mesh; inside negative where ``signed`` (by winding numbers: gaps do not matter)."""
+    """Distances (n,) mm of points (n, 3) from the mesh; inside negative where ``signed`` (by winding numbers:
+    gaps do not matter)."""
     igl, face = libigl(), np.asarray(mesh.face, np.int64)
     if signed:
         kind = igl.SignedDistanceType.SIGNED_DISTANCE_TYPE_FAST_WINDING_NUMBER
@@ -106,9 +115,9 @@ def distances(mesh, points, signed=False):
 def entries(mesh, tip, axis, inner):
     """The entry (n,) mm at each of these poses (n, 3), negative where the cutter stays off by more.
 
-    Of each cell of points one is asked first. No other tells of more than what it lies below the skin and away from that one, less
-    that one's distance: cells that cannot exceed what is found at their pose are left out. The result is that of all points, to
-    the last digits.
+    Of each cell of points one is asked first. No other tells of more than what it lies below the skin and
+    away from that one, less that one's distance: cells that cannot exceed what is found at their pose are
+    left out. The result is that of all points, to the last digits.
     """
     first, cell, apart = _cells(inner)
     most = np.full(len(first), -np.inf)
@@ -116,7 +125,9 @@ def entries(mesh, tip, axis, inner):
     off = _distances_at(mesh, inner.point[first], tip, axis)
     best = (inner.below[first] - off).max(axis=1)
     pose, point = np.nonzero(((most - off) > best[:, None])[:, cell] & (apart > 0.0))
-    np.maximum.at(best, pose, inner.below[point] - distances(mesh, _each(inner.point[point], tip[pose], axis[pose])))
+    np.maximum.at(
+        best, pose, inner.below[point] - distances(mesh, _each(inner.point[point], tip[pose], axis[pose]))
+    )
     return best
 
 
@@ -126,8 +137,8 @@ def dug(mesh, tip, axis, outer):
 
 
 def _cells(points):
-    """A point (c,) of each cell, and the cell (k,) of each point and how far (k,) mm it is from that one. Cells are cubes, CELL of
-    the most that a point lies below the skin wide."""
+    """A point (c,) of each cell, and the cell (k,) of each point and how far (k,) mm it is from that one.
+    Cells are cubes, CELL of the most that a point lies below the skin wide."""
     cube = np.floor(points.point / (CELL * points.below.max())).astype(int)
     _, first, cell = np.unique(cube, axis=0, return_index=True, return_inverse=True)
     cell = cell.reshape(-1)
@@ -146,8 +157,8 @@ def _each(points, tip, axis):
 
 @dataclass(frozen=True)
 class Verdict:
-    """``entry`` (b,) mm of each block, found at a few places in it; ``worst`` mm, of the worst blocks found at many; ``dug`` mm,
-    what the skin digs into the part in those, which is worked out for who asks."""
+    """``entry`` (b,) mm of each block, found at a few places in it; ``worst`` mm, of the worst blocks found
+    at many; ``dug`` mm, what the skin digs into the part in those, which is worked out for who asks."""
 
     entry: np.ndarray
     worst: float
@@ -170,4 +181,6 @@ def judged(mesh, cutter, kinematics, words, blocks, back=0.0, finest=33, deepest
     top = np.argsort(-entries(mesh, tip, axis, cloud(cutter, rings=8)))[:8]
     fine = entries(mesh, tip[top], axis[top], cloud(cutter, rings=32))
     most = np.maximum.reduceat(entry, np.cumsum(count) - count)
-    return Verdict(most, float(max(fine.max(), entry.max())), lambda: dug(mesh, tip[top], axis[top], skin(cutter)))
+    return Verdict(
+        most, float(max(fine.max(), entry.max())), lambda: dug(mesh, tip[top], axis[top], skin(cutter))
+    )

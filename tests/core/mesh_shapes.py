@@ -34,7 +34,14 @@ def sphere(radius=10.0, rows=12, columns=20, centre=(0.0, 0.0, 0.0)):
     turn = np.linspace(0.0, 2.0 * np.pi, columns + 1)
     sine = np.sin(polar)
     sine[[0, -1]] = 0.0
-    p = np.stack([np.outer(sine, np.cos(turn)), np.outer(sine, np.sin(turn)), np.outer(np.cos(polar), np.ones(columns + 1))], -1)
+    p = np.stack(
+        [
+            np.outer(sine, np.cos(turn)),
+            np.outer(sine, np.sin(turn)),
+            np.outer(np.cos(polar), np.ones(columns + 1)),
+        ],
+        -1,
+    )
     p[:, -1] = p[:, 0]
     a, b, c, d = p[:-1, :-1], p[1:, :-1], p[1:, 1:], p[:-1, 1:]
     upper, lower = np.stack([a, b, d], 2).reshape(-1, 3, 3), np.stack([b, c, d], 2).reshape(-1, 3, 3)
@@ -44,8 +51,11 @@ def sphere(radius=10.0, rows=12, columns=20, centre=(0.0, 0.0, 0.0)):
 
 
 def field(n, height, spacing=1.0):
-    """An open height field of 2 n n facets over the square from 0 to n spacing; ``height`` is a function of x and y."""
+    """An open height field of 2 n n facets over the square from 0 to n spacing; ``height`` is a function of x
+    and y."""
     x, y = np.meshgrid(spacing * np.arange(n + 1.0), spacing * np.arange(n + 1.0), indexing="ij")
     p = np.stack([x, y, height(x, y)], -1)
     a, b, c, d = p[:-1, :-1], p[1:, :-1], p[1:, 1:], p[:-1, 1:]
-    return np.concatenate([np.stack([a, b, c], 2).reshape(-1, 3, 3), np.stack([a, c, d], 2).reshape(-1, 3, 3)])
+    return np.concatenate(
+        [np.stack([a, b, c], 2).reshape(-1, 3, 3), np.stack([a, c, d], 2).reshape(-1, 3, 3)]
+    )

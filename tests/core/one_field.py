@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs that differ only in what comes after the field of tool axes find it once: it is most of what such a run takes."""
+"""Runs that differ only in what comes after the field of tool axes find it once: it is most of what such a
+run takes."""
 
 import pickle
 
@@ -7,7 +8,8 @@ from freecad_fiveaxis.core.pipeline import mill_context
 
 
 def keep_fields(monkeypatch, kept=None):
-    """Let `mill` take the field found before for the same part, facets and tool. ``kept``: where fields of other tests are too."""
+    """Let `mill` take the field found before for the same part, facets and tool. ``kept``: where fields of
+    other tests are too."""
     found, kept = mill_context.find_axis_field, {} if kept is None else kept
 
     def find(mesh, facets, reacher, *more):

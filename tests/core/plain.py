@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What tests ask for that look at something else than passes and tool axes: parallel planes, the tool on the facets' normals, as
-Lin & Ye. That is quick, and known in closed form."""
+"""What tests ask for that look at something else than passes and tool axes: parallel planes, the tool on the
+facets' normals, as Lin & Ye. That is quick, and known in closed form."""
 
 from freecad_fiveaxis.core.pipeline import settings
 

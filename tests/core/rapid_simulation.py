@@ -7,7 +7,8 @@ from freecad_fiveaxis.core.tool.body import depth_of
 
 
 def simulated(words, body, there, points, seed, blocks=None, ways=12, steps=25):
-    """The deepest entry (m,) mm over ways of random rates, and starts and stops, of each axis; ``blocks``: all."""
+    """The deepest entry (m,) mm over ways of random rates, and starts and stops, of each axis; ``blocks``:
+    all."""
     rng, deepest = np.random.default_rng(seed), np.zeros(len(words) - 1)
     for block in range(len(words) - 1) if blocks is None else blocks:
         time = np.linspace(0.0, 1.0, steps)[None, :, None]

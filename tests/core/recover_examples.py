@@ -12,7 +12,9 @@ SETUP = Setup((10.0, -5.0, 20.0), 80.0)
 TABLE_2 = (
     np.array([[75.2110, -51.4295, 228.6808], [74.5130, -50.5510, 228.6857]]),
     np.array([[0.0095944, 0.0159479, 0.9998268], [0.0175393, 0.0107682, 0.9997882]]),
-    np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]]),
+    np.array(
+        [[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]]
+    ),
 )
 """So et al. 2008, Table 2: tips, axes, words X Y Z C A."""
 
@@ -21,7 +23,9 @@ def cl_path(tip, axis):
     """A path of cutting rows."""
     axis = axis / np.linalg.norm(axis, axis=1)[:, None]
     nothing = np.full(len(tip), -1)
-    return CLPath(tip, axis, np.zeros(len(tip), np.int8), np.full(len(tip), 100.0), tip, axis, nothing, nothing, nothing)
+    return CLPath(
+        tip, axis, np.zeros(len(tip), np.int8), np.full(len(tip), 100.0), tip, axis, nothing, nothing, nothing
+    )
 
 
 def program(letters, words):
@@ -42,7 +46,8 @@ def poses(count, seed, lean=0.8, span=80.0):
 
 
 def posted(machine, count=50, seed=1, wrong=0.0, shift=(0.0,) * 5, setup=SETUP, **options):
-    """Path, program and the rows that are wrong; everything with 4 decimals. ``shift`` of the words, mm and deg."""
+    """Path, program and the rows that are wrong; everything with 4 decimals. ``shift`` of the words, mm and
+    deg."""
     kinematics = chain(load_machine(machine) if isinstance(machine, str) else machine, setup)
     tip, axis = poses(count, seed, **options)
     words = inverse(kinematics, tip, axis)[0][0].copy()
@@ -55,7 +60,8 @@ def posted(machine, count=50, seed=1, wrong=0.0, shift=(0.0,) * 5, setup=SETUP, 
 
 
 def line_errors(machine, truth, setup=SETUP):
-    """Distances (2,) mm of both rotary lines from the true ones; the machines must have the same signs and letters."""
+    """Distances (2,) mm of both rotary lines from the true ones; the machines must have the same signs and
+    letters."""
     one, two = chain(machine, setup), chain(truth, setup)
     assert (one.letters, one.slot) == (two.letters, two.slot)
     np.testing.assert_allclose(one.direction, two.direction, rtol=0, atol=1e-9)

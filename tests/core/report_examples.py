@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs with figures for the tests of the reports; the deviation by plain dense sampling, so that nothing else is needed."""
+"""Programs with figures for the tests of the reports; the deviation by plain dense sampling, so that nothing
+else is needed."""
 
 from __future__ import annotations
 
@@ -16,14 +17,28 @@ from freecad_fiveaxis.core.report.figures import Figures
 from freecad_fiveaxis.core.report.judgement import judge
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-X, Y, Z = (Axis(name, False, "head", tuple(row), max_rate=20e3) for name, row in zip("XYZ", np.eye(3).tolist(), strict=True))
+X, Y, Z = (
+    Axis(name, False, "head", tuple(row), max_rate=20e3)
+    for name, row in zip("XYZ", np.eye(3).tolist(), strict=True)
+)
 C = Axis("C", True, "table", (0, 0, 1), max_rate=math.radians(14400))
-A = Axis("A", True, "table", (1, 0, 0), (0, -49.934, 119.999), math.radians(-30), math.radians(120), math.radians(7200))
+A = Axis(
+    "A",
+    True,
+    "table",
+    (1, 0, 0),
+    (0, -49.934, 119.999),
+    math.radians(-30),
+    math.radians(120),
+    math.radians(7200),
+)
 B = Axis("B", True, "table", (0, 1, 0), (0, 0, 50))
 TRUNNION = Machine("mikron_ucp710", (C, A, X, Y, Z))
 TRUNNION_BC = Machine("trunnion_bc", (C, B, X, Y, Z))
 
-TABLE2 = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])
+TABLE2 = np.array(
+    [[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]]
+)
 """So et al. 2008, Table 2: the two NC rows of the MIKRON UCP-710."""
 
 
@@ -46,7 +61,13 @@ def sampled(kinematics: Chain, words: np.ndarray, steps: int = 401) -> tuple[Dev
     aside = np.arcsin(np.clip(np.abs(np.einsum("mki,mi->mk", axis, side)).max(axis=1), 0, 1))
     lean = np.arccos(np.clip((axis[:, 0] * axis[:, -1]).sum(axis=1), -1, 1))
     deviation = Deviation(
-        line.max(axis=1), u[line.argmax(axis=1)], worst, u[at], worst * 1.0001 + 1e-7 * (rows > 0), aside, tip[rows, at]
+        line.max(axis=1),
+        u[line.argmax(axis=1)],
+        worst,
+        u[at],
+        worst * 1.0001 + 1e-7 * (rows > 0),
+        aside,
+        tip[rows, at],
     )
     sine = np.linalg.norm(np.cross(axis, kinematics.direction[3]), axis=2).min(axis=1)
     turned = np.abs(inner - start)[:, 3:].max(axis=1)
@@ -54,13 +75,18 @@ def sampled(kinematics: Chain, words: np.ndarray, steps: int = 401) -> tuple[Dev
     return deviation, Singularity(sine, turned, lean, singular)
 
 
-def program_of(kinematics: Chain, words: np.ndarray, motion: np.ndarray | None = None, feed: float = 1000.0) -> Program:
-    """A program of rounded words with two lines before its first; the slowest axis or the feed gives the time."""
+def program_of(
+    kinematics: Chain, words: np.ndarray, motion: np.ndarray | None = None, feed: float = 1000.0
+) -> Program:
+    """A program of rounded words with two lines before its first; the slowest axis or the feed gives the
+    time."""
     count = len(words)
     motion = np.zeros(count, np.int8) if motion is None else motion
     inner = np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
     moved, tip = np.abs(np.diff(inner, axis=0)), forward(kinematics, inner)[0]
-    minutes = np.maximum((moved / kinematics.rate).max(axis=1), np.linalg.norm(np.diff(tip, axis=0), axis=1) / feed)
+    minutes = np.maximum(
+        (moved / kinematics.rate).max(axis=1), np.linalg.norm(np.diff(tip, axis=0), axis=1) / feed
+    )
     seconds = 60.0 * np.concatenate([[0.0], minutes])
     rapid = motion == Motion.RAPID
     return Program(
@@ -75,13 +101,20 @@ def program_of(kinematics: Chain, words: np.ndarray, motion: np.ndarray | None =
     )
 
 
-def figures_of(machine: Machine, words: np.ndarray, motion: np.ndarray | None = None, tolerance: float = 0.01, **more) -> Figures:
+def figures_of(
+    machine: Machine, words: np.ndarray, motion: np.ndarray | None = None, tolerance: float = 0.01, **more
+) -> Figures:
     """The whole record, judged."""
     kinematics = chain(machine, Setup())
     program = program_of(kinematics, words, motion)
     deviation, singularity = sampled(kinematics, program.words)
     found = judge(kinematics, program, deviation, singularity, tolerance)
-    given = {"title": "part.stl", "kind": "mill", "findings": found, "inputs": {"machine": machine.name}} | more
+    given = {
+        "title": "part.stl",
+        "kind": "mill",
+        "findings": found,
+        "inputs": {"machine": machine.name},
+    } | more
     return Figures(
         machine=machine,
         kinematics=kinematics,
@@ -113,7 +146,9 @@ def dome(machine: Machine = TRUNNION, passes: int = 20, points: int = 60, **more
     lifted = tip.copy()
     lifted[:, 2] += 10.0
     both = [np.concatenate([[lifted[i * points]], tip[i * points : (i + 1) * points]]) for i in range(passes)]
-    axes = [np.concatenate([[normal[i * points]], normal[i * points : (i + 1) * points]]) for i in range(passes)]
+    axes = [
+        np.concatenate([[normal[i * points]], normal[i * points : (i + 1) * points]]) for i in range(passes)
+    ]
     kinds = [np.concatenate([[Motion.RAPID], motion[i * points : (i + 1) * points]]) for i in range(passes)]
     q = inverse(kinematics, np.concatenate(both), np.concatenate(axes))[0][0]
     q[:, 3] = np.unwrap(q[:, 3])
@@ -122,7 +157,8 @@ def dome(machine: Machine = TRUNNION, passes: int = 20, points: int = 60, **more
 
 
 def by_hand(tolerance: float = 0.01, **more) -> Figures:
-    """Seven blocks whose figures are set by hand; two leave the tolerance of 0.01 mm, one is not proven, one rapid is far off."""
+    """Seven blocks whose figures are set by hand; two leave the tolerance of 0.01 mm, one is not proven, one
+    rapid is far off."""
     words = np.zeros((7, 5))
     words[:, 0] = np.arange(7.0)
     words[4:, 3] = 90.0
@@ -132,7 +168,9 @@ def by_hand(tolerance: float = 0.01, **more) -> Figures:
     segment = np.array([0.0, 0.005, 0.02, 0.5, 0.03, 0.0099, 0.01])
     bound = np.array([0.0, 0.006, 0.021, 0.51, 0.031, 0.0101, 0.01])
     place = np.column_stack([np.arange(7.0), np.full(7, 2.0), np.full(7, 3.0)])
-    deviation = Deviation(segment / 2, np.full(7, 0.25), segment, np.full(7, 0.5), bound, np.full(7, 0.001), place)
+    deviation = Deviation(
+        segment / 2, np.full(7, 0.25), segment, np.full(7, 0.5), bound, np.full(7, 0.001), place
+    )
     singular = np.array([False, False, False, True, True, False, False])
     singularity = Singularity(np.full(7, 0.1), np.full(7, 0.2), np.full(7, 0.01), singular)
     found = judge(kinematics, program, deviation, singularity, tolerance)

@@ -34,8 +34,8 @@ def write_roof(path, peak=16.0):
 
 
 def blank_pages():
-    """A context in which pages are blank: a page with its plots is nearly all that such a small job takes, and who does the jobs
-    does not depend on it."""
+    """A context in which pages are blank: a page with its plots is nearly all that such a small job takes,
+    and who does the jobs does not depend on it."""
     return patch.object(work, "as_html", lambda figures, progress: "<html></html>")
 
 
@@ -109,7 +109,11 @@ def die_first(mark, work, *given):
 
 def die_once(job, mark):
     """What a worker does that is killed in its first job named b."""
-    return die_first(mark, work_with_blank_pages, job) if os.path.basename(job.stem) == "b" else work_with_blank_pages(job)
+    return (
+        die_first(mark, work_with_blank_pages, job)
+        if os.path.basename(job.stem) == "b"
+        else work_with_blank_pages(job)
+    )
 
 
 def die_always(job):
@@ -134,7 +138,8 @@ class Dying(Inline):
 
 
 class Killing(Executor):
-    """A pool with a worker that is killed in the second task, the first time that it is given; without a ``mark``, each time."""
+    """A pool with a worker that is killed in the second task, the first time that it is given; without a
+    ``mark``, each time."""
 
     def __init__(self, pool, mark=""):
         self.pool, self.mark, self.count = pool, mark, 0

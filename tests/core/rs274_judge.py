@@ -13,7 +13,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-needs_rs274 = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
+needs_rs274 = pytest.mark.skipif(
+    shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed"
+)
 CALL = re.compile(
     r"\d+ N\S*\s+(USE_LENGTH_UNITS|SET_G92_OFFSET|STRAIGHT_FEED|STRAIGHT_TRAVERSE|ARC_FEED|SELECT_PLANE|PROGRAM_END)\(([^)]*)\)"
 )
@@ -22,8 +24,8 @@ ARC_AXES = {"XY": (0, 1, 2), "XZ": (2, 0, 1), "YZ": (1, 2, 0)}
 
 @dataclass
 class Judged:
-    """``ends`` (k, 6) X Y Z A B C of all moves up to the program's end, ``kinds`` of them (rapid, cut, arc), the refusal or ''; how
-    far the printed ends may be ``off``: four decimals of millimetres or of inches."""
+    """``ends`` (k, 6) X Y Z A B C of all moves up to the program's end, ``kinds`` of them (rapid, cut, arc),
+    the refusal or ''; how far the printed ends may be ``off``: four decimals of millimetres or of inches."""
 
     ends: np.ndarray
     kinds: list[str]
@@ -39,7 +41,10 @@ def judged(file: Path, timeout: float = 60) -> Judged:
         text=True,
         errors="replace",
         cwd=file.parent,
-        env={**os.environ, "HOME": str(file.parent)},  # it keeps its tools there, and two at a time spoil each other's
+        env={
+            **os.environ,
+            "HOME": str(file.parent),
+        },  # it keeps its tools there, and two at a time spoil each other's
         timeout=timeout,
         stdin=subprocess.DEVNULL,
     )
@@ -71,11 +76,16 @@ def _end(number: list[float], name: str, plane: str, scale: float) -> list[float
 
 def moving(ends: np.ndarray, off: float) -> np.ndarray:
     """The rows that differ from the one before."""
-    return np.flatnonzero(np.append(True, np.abs(np.diff(ends, axis=0)).max(axis=1) > off)) if len(ends) else np.arange(0)
+    return (
+        np.flatnonzero(np.append(True, np.abs(np.diff(ends, axis=0)).max(axis=1) > off))
+        if len(ends)
+        else np.arange(0)
+    )
 
 
 def difference(words: np.ndarray, said: Judged) -> str:
-    """Where the ends (m, 5) X Y Z A C of our blocks, arcs in chords, leave those of the judge; '' where they never do."""
+    """Where the ends (m, 5) X Y Z A C of our blocks, arcs in chords, leave those of the judge; '' where they
+    never do."""
     theirs, off = said.ends[:, [0, 1, 2, 3, 5]], said.off
     near = np.flatnonzero(np.abs(theirs[:12] - words[0]).max(axis=1) <= off)
     if not len(near):
@@ -90,4 +100,8 @@ def difference(words: np.ndarray, said: Judged) -> str:
         if kind != "arc" and np.abs(words[row + 1 : row + 1 + ahead[0]] - words[row]).max(initial=0.0) > off:
             return f"after block {row} at {words[row]} there are more moves before {end}"
         row += 1 + int(ahead[0])
-    return f"after block {row} the judge has no more moves" if np.abs(words[row:] - words[row]).max() > off else ""
+    return (
+        f"after block {row} the judge has no more moves"
+        if np.abs(words[row:] - words[row]).max() > off
+        else ""
+    )

@@ -17,8 +17,15 @@ RADIUS, CENTRE = 40.0, -10.0
 
 def cap(half_angle=50.0, rings=20, sectors=60):
     """An open cap of the sphere, its pole up."""
-    tilt, turn = np.radians(half_angle) * np.arange(rings + 1) / rings, 2.0 * np.pi * np.arange(sectors) / sectors
-    x, y, z = np.outer(np.sin(tilt), np.cos(turn)), np.outer(np.sin(tilt), np.sin(turn)), np.outer(np.cos(tilt), np.ones(sectors))
+    tilt, turn = (
+        np.radians(half_angle) * np.arange(rings + 1) / rings,
+        2.0 * np.pi * np.arange(sectors) / sectors,
+    )
+    x, y, z = (
+        np.outer(np.sin(tilt), np.cos(turn)),
+        np.outer(np.sin(tilt), np.sin(turn)),
+        np.outer(np.cos(tilt), np.ones(sectors)),
+    )
     here = RADIUS * np.stack([x, y, z], axis=-1) + (0.0, 0.0, CENTRE)
     there = np.roll(here, -1, axis=1)
     one = np.stack([here[:-1], here[1:], there[1:]], axis=2).reshape(-1, 3, 3)
@@ -35,4 +42,10 @@ def milled(machine="trunnion_ac", stepover=3.8, rings=20, **options):
 
 def posting(made):
     """As the pipeline posts."""
-    return Posting(made.dialect, True, made.settings.links.clearance, made.settings.cutter.cutter.radius, made.mesh.vertex)
+    return Posting(
+        made.dialect,
+        True,
+        made.settings.links.clearance,
+        made.settings.cutter.cutter.radius,
+        made.mesh.vertex,
+    )

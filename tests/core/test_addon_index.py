@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What FreeCAD's Addon Manager shows before anyone installs: package.xml, the page it names, and the pictures there.
+"""What FreeCAD's Addon Manager shows before anyone installs: package.xml, the page it names, and the pictures
+there.
 
 The rules are those of FreeCAD's Addon Academy (Manifest, Metadata & discoverability, Overview page).
 """
@@ -21,7 +22,8 @@ RAW = "https://raw.githubusercontent.com/freecad-fiveaxis/freecad-fiveaxis/main/
 WIDEST = 1024
 """Pixels: the Addon Manager's page is 400 to 600 wide, and wider pictures scroll sideways."""
 KNOWN_TO_ALL = {"part", "mesh", "draft", "fem", "partdesign", "sketcher", "spreadsheet", "techdraw"}
-"""FreeCAD's own workbenches that the Addon Managers of 0.20 to 1.1 know; 0.20 takes any other name for a Python package."""
+"""FreeCAD's own workbenches that the Addon Managers of 0.20 to 1.1 know; 0.20 takes any other name for a
+Python package."""
 PAGES = [ROOT / name for name in ("README.md", "Overview.md", "CONTRIBUTING.md", "SECURITY.md")] + sorted(
     (ROOT / "docs").rglob("*.md")
 )
@@ -48,7 +50,10 @@ def test_the_readme_is_raw_and_is_a_page_of_this_folder():
 def test_versions_and_dates_have_the_form_that_is_compared():
     assert re.fullmatch(r"\d+\.\d+\.\d+", PACKAGE.findtext(SPACE + "version"))
     assert re.fullmatch(r"\d{4}-\d\d-\d\d", PACKAGE.findtext(SPACE + "date"))
-    assert re.fullmatch(r"\d+\.\d+\.\d+", PACKAGE.findtext(SPACE + "freecadmin")) and PACKAGE.find(SPACE + "freecadmax") is None
+    assert (
+        re.fullmatch(r"\d+\.\d+\.\d+", PACKAGE.findtext(SPACE + "freecadmin"))
+        and PACKAGE.find(SPACE + "freecadmax") is None
+    )
     python = re.search(r'requires-python = ">=([\d.]+)"', (ROOT / "pyproject.toml").read_text())[1]
     assert PACKAGE.findtext(SPACE + "pythonmin") == python
 
@@ -70,9 +75,9 @@ def test_the_workbench_has_few_tags_in_small_letters_and_its_own_class():
     bench = PACKAGE.find(f"{SPACE}content/{SPACE}workbench")
     tags = [tag.text for tag in all_of("tag", bench)]
     assert 3 <= len(tags) <= 7 and all(tag == tag.lower() and " " not in tag for tag in tags)
-    assert f"class {bench.findtext(SPACE + 'classname')}(" in (ROOT / "freecad_fiveaxis/gui/workbench.py").read_text(
-        encoding="utf-8"
-    )
+    assert f"class {bench.findtext(SPACE + 'classname')}(" in (
+        ROOT / "freecad_fiveaxis/gui/workbench.py"
+    ).read_text(encoding="utf-8")
     assert (ROOT / bench.findtext(SPACE + "subdirectory") / bench.findtext(SPACE + "icon")).is_file()
 
 
@@ -105,8 +110,16 @@ def test_pictures_of_the_readme_show_in_every_clone():
 def test_no_link_to_this_project_leads_nowhere(page):
     content = re.sub(r"```.*?```|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
     addresses = [address.partition("#")[0] for address in PICTURE.findall(content) + LINK.findall(content)]
-    inside = [address.removeprefix(f"{HOST}/blob/main/") for address in addresses if address.startswith(f"{HOST}/blob/main/")]
-    beside = [address for address in addresses if address and "://" not in address and not address.startswith("mailto:")]
+    inside = [
+        address.removeprefix(f"{HOST}/blob/main/")
+        for address in addresses
+        if address.startswith(f"{HOST}/blob/main/")
+    ]
+    beside = [
+        address
+        for address in addresses
+        if address and "://" not in address and not address.startswith("mailto:")
+    ]
     assert not [address for address in inside if not (ROOT / address).exists()]
     assert not [address for address in beside if not (page.parent / address).exists()]
 
@@ -122,10 +135,15 @@ def test_pictures_fit_the_page(picture):
 
 def test_what_is_tested_elsewhere_is_what_the_package_promises():
     """Every Python of the classifiers on three systems, and the oldest numpy and scipy."""
-    promised, tried = ((ROOT / name).read_text(encoding="utf-8") for name in ("pyproject.toml", ".github/workflows/core.yml"))
+    promised, tried = (
+        (ROOT / name).read_text(encoding="utf-8") for name in ("pyproject.toml", ".github/workflows/core.yml")
+    )
     pythons = re.findall(r"Python :: (3\.\d+)", promised)
     assert re.findall(r'"(3\.\d+)"', re.search(r"^ +python: \[(.+)\]$", tried, re.MULTILINE)[1]) == pythons
-    assert re.search(r"^ +os: \[(.+)\]$", tried, re.MULTILINE)[1] == "ubuntu-latest, windows-latest, macos-latest"
+    assert (
+        re.search(r"^ +os: \[(.+)\]$", tried, re.MULTILINE)[1]
+        == "ubuntu-latest, windows-latest, macos-latest"
+    )
     oldest = [f"{name}=={version}.*" for name, version in re.findall(r'"(numpy|scipy)>=([\d.]+)"', promised)]
     assert len(oldest) == 2 and tried.count(" ".join(oldest)) == 3
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What would finish more is tried before it is advised: by closed forms on a block, and by a direct run of what is advised."""
+"""What would finish more is tried before it is advised: by closed forms on a block, and by a direct run of
+what is advised."""
 
 import json
 
@@ -15,7 +16,14 @@ from freecad_fiveaxis.core.pipeline.settings import build_settings
 
 SIZE = np.array([24.0, 16.0, 10.0])
 TOP, SIDES = SIZE[0] * SIZE[1], 2.0 * (SIZE[0] + SIZE[1]) * SIZE[2]
-GIVEN = {"machine": "trunnion_ac", "cutter": "ball:6", "scallop": 0.5, "spindle": "off", "gouge": "off", "linearize": "off"}
+GIVEN = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:6",
+    "scallop": 0.5,
+    "spindle": "off",
+    "gouge": "off",
+    "linearize": "off",
+}
 
 
 @pytest.fixture(scope="module")
@@ -40,26 +48,40 @@ def run(settings):
 
 @pytest.mark.slow
 def test_what_gains_is_what_a_direct_run_of_it_finishes_more(block, planes):
-    """Planes along X leave the two sides at the ends of the passes; free axes and constant scallop finish all but the underside."""
+    """Planes along X leave the two sides at the ends of the passes; free axes and constant scallop finish all
+    but the underside."""
     trials = advice.try_others(planes, run)
     assert sorted(trials[0].changes) == ["direction", "max_axis_angle", "passes", "plane_normal", "tool_axis"]
     best, before = trials[0], advice.measure_finished(planes)
-    assert best.finished == pytest.approx(TOP + SIDES, rel=0.02) and best.gain == pytest.approx(best.finished - before)
+    assert best.finished == pytest.approx(TOP + SIDES, rel=0.02) and best.gain == pytest.approx(
+        best.finished - before
+    )
     direct = proven(block)
-    assert advice.measure_finished(direct) == pytest.approx(best.finished) and direct.draft.settings.passes.passes == "scallop"
+    assert (
+        advice.measure_finished(direct) == pytest.approx(best.finished)
+        and direct.draft.settings.passes.passes == "scallop"
+    )
     assert float(direct.draft.program.seconds.sum()) == pytest.approx(best.seconds)
     assert [one.gain for one in trials] == sorted((one.gain for one in trials), reverse=True)
     assert any(one.changes.get("cutter", "").startswith("ball:3") for one in trials)
     found = advice.report_advice(trials, 68.0)
     assert found.value == best.gain and "`" not in found.text
-    assert "--passes scallop, --tool-axis auto would finish" in found.text and "instead of 0:01:08" in found.text
+    assert (
+        "--passes scallop, --tool-axis auto would finish" in found.text and "instead of 0:01:08" in found.text
+    )
 
 
 def test_where_nothing_gains_that_is_said(planes):
     small = [advice.Trial({"passes": "scallop"}, 1000.0, 5.0), advice.Trial({"cutter": "ball:3"}, 0.0, -20.0)]
-    assert advice.report_advice(tuple(small), 10.0).text == "Tried, and none finishes more: --passes scallop; --cutter ball:3."
+    assert (
+        advice.report_advice(tuple(small), 10.0).text
+        == "Tried, and none finishes more: --passes scallop; --cutter ball:3."
+    )
     more = advice.report_advice((advice.Trial({"passes": "scallop"}, 1000.0, 15.0, 61.0),), 10.0)
-    assert more.text.startswith("Tried: --passes scallop would finish 15 mm2 more, 1000 mm2 in all") and "0:01:01" in more.text
+    assert (
+        more.text.startswith("Tried: --passes scallop would finish 15 mm2 more, 1000 mm2 in all")
+        and "0:01:01" in more.text
+    )
 
 
 def test_what_cannot_be_made_gains_nothing_and_cancel_ends_it(planes):
@@ -82,11 +104,15 @@ def test_nothing_is_tried_that_is_asked_for_already():
 
 
 @pytest.mark.slow
-def test_the_command_line_advises_where_something_is_left_and_where_it_is_asked_to(block, tmp_path, monkeypatch):
+def test_the_command_line_advises_where_something_is_left_and_where_it_is_asked_to(
+    block, tmp_path, monkeypatch
+):
     def said(*more):
         report = tmp_path / "report.json"
         given = [f"--{name}={value}" for name, value in GIVEN.items()]
-        assert cli.main(["mill", block, *given, "--quiet", "-o", str(tmp_path / "x.ngc"), "--report", str(report), *more]) in (
+        assert cli.main(
+            ["mill", block, *given, "--quiet", "-o", str(tmp_path / "x.ngc"), "--report", str(report), *more]
+        ) in (
             0,
             1,
         )

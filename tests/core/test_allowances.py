@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facets with an allowance: the gouge check of a part some of whose facets want room is that of a grown body against these, and
-of the body itself against the others."""
+"""Facets with an allowance: the gouge check of a part some of whose facets want room is that of a grown body
+against these, and of the body itself against the others."""
 
 import dataclasses
 
@@ -65,7 +65,8 @@ def test_an_allowance_of_nothing_changes_nothing_to_the_last_bit():
     mesh, body, rng = bowl(12.0), BODIES["bull"], np.random.default_rng(6)
     swept = straight_motion(*wandering(rng, 60, 14.0))
     one, other = (
-        find_entries(body, facet_tree(part), swept, LIMIT) for part in (mesh, with_room(mesh, np.zeros(len(mesh.face), bool)))
+        find_entries(body, facet_tree(part), swept, LIMIT)
+        for part in (mesh, with_room(mesh, np.zeros(len(mesh.face), bool)))
     )
     for field in dataclasses.fields(one):
         assert (getattr(one, field.name) == getattr(other, field.name)).all(), field.name
@@ -88,12 +89,20 @@ def test_rapids_whose_axes_run_independently_keep_the_allowance_too(kind):
     some = mesh.vertex[mesh.face].mean(axis=1)[:, 0] > 0.0
     space = JointSpace.of(chain(load_machine("trunnion_ac"), Setup((0.0, 0.0, 0.0))))
     rng = np.random.default_rng(8)
-    start = np.column_stack([rng.uniform(-9.0, 9.0, (8, 2)), rng.uniform(-8.0, 4.0, 8), rng.uniform(-15.0, 15.0, (8, 2))])
-    words = np.stack([start, start + rng.uniform(-1.0, 1.0, (8, 5)) * (2.0, 2.0, 2.0, 0.5, 0.5)], axis=1).reshape(-1, 5)
+    start = np.column_stack(
+        [rng.uniform(-9.0, 9.0, (8, 2)), rng.uniform(-8.0, 4.0, 8), rng.uniform(-15.0, 15.0, (8, 2))]
+    )
+    words = np.stack(
+        [start, start + rng.uniform(-1.0, 1.0, (8, 5)) * (2.0, 2.0, 2.0, 0.5, 0.5)], axis=1
+    ).reshape(-1, 5)
     blocks = np.arange(0, 16, 2)
     ways = [
         find_way_entries(one, facet_tree(part), space, words, blocks, LIMIT, 0.1)
-        for one, part in ((grow_body(body, ROOM), only(mesh, some)), (body, only(mesh, ~some)), (body, with_room(mesh, some)))
+        for one, part in (
+            (grow_body(body, ROOM), only(mesh, some)),
+            (body, only(mesh, ~some)),
+            (body, with_room(mesh, some)),
+        )
     ]
     deepest = np.maximum(ways[0].depth, ways[1].depth)
     assert ((ways[2].depth > 0.0) == (deepest > 0.0)).all() and (deepest > 0.0).any()

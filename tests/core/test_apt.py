@@ -101,7 +101,10 @@ def test_a_foreign_file_is_read_with_its_units_continuations_and_one_shot_rapids
 @pytest.mark.parametrize("end", [b"\r\n", b"\r"])
 def test_line_endings_do_not_matter(end: bytes) -> None:
     assert np.array_equal(read_apt(FOREIGN.replace(b"\n", end)).tip, read_apt(FOREIGN).tip)
-    assert read_apt(FOREIGN.decode()).findings == read_apt(b"\xef\xbb\xbf" + FOREIGN.replace(b"\n", end)).findings
+    assert (
+        read_apt(FOREIGN.decode()).findings
+        == read_apt(b"\xef\xbb\xbf" + FOREIGN.replace(b"\n", end)).findings
+    )
 
 
 @pytest.mark.parametrize(

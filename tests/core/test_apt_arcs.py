@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arcs of CL files, in the forms of NX, Creo and CATIA: which way round, how closely, and what does not fit."""
+"""Arcs of CL files, in the forms of NX, Creo and CATIA: which way round, how closely, and what does not
+fit."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ from freecad_fiveaxis.core.toolpath.apt import ClReading, read_apt
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 RISE = np.sqrt(0.5)
-# A quarter from (10, 0) to (0, 10) about the zero, against the clock seen from above: its middle is (10, 10) / sqrt(2).
+# A quarter from (10, 0) to (0, 10) about the zero, against the clock seen from above: its middle is (10, 10)
+# / sqrt(2).
 QUARTERS = {
     "creo": "CIRCLE / 0.0, 0.0, 5.0,  $\n-0.0, 0.0, 1.0,  10.0\nGOTO / 0.0, 10.0, 5.0\n",
     "nx": "CIRCLE/0.0000,0.0000,5.0000,0.0000000,0.0000000,-1.0000000,10.0000,0.0600,0.5000,8.0000,0.0000\nPAINT/COLOR,31\nGOTO/0.0000,10.0000,5.0000\n",
@@ -53,7 +55,11 @@ def test_on_an_arc_the_axis_turns_evenly_and_opposite_ones_stay_the_first(last: 
 
 
 def test_catias_tangent_says_the_way_round() -> None:
-    text = QUARTERS["catia"].replace("INDIRV/ 0.00000, 1", "INDIRV/ 0.00000, -1").replace("ON,(LINE", "ON,2,INTOF,$\n(LINE")
+    text = (
+        QUARTERS["catia"]
+        .replace("INDIRV/ 0.00000, 1", "INDIRV/ 0.00000, -1")
+        .replace("ON,(LINE", "ON,2,INTOF,$\n(LINE")
+    )
     tip = _read("GOTO/10,0,5\n" + text + "GOTO/0,20,5\n")
     assert tip[:, :2].min() == pytest.approx(-10.0, abs=0.002) and tip[-2].tolist() == [0, 10, 5]
 
@@ -75,7 +81,9 @@ def test_the_true_circle_stays_within_the_sagitta(radius: float, sagitta: float)
 
 def test_a_helix_climbs_evenly_and_the_axis_turns_evenly() -> None:
     tip, axis, feed = (
-        getattr(read_apt("FEDRAT/100\nGOTO/10,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1,10\nGOTO/-10,0,6,0.6,0,0.8\n"), name)
+        getattr(
+            read_apt("FEDRAT/100\nGOTO/10,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1,10\nGOTO/-10,0,6,0.6,0,0.8\n"), name
+        )
         for name in ("tip", "axis", "feed")
     )
     share = np.unwrap(np.arctan2(tip[:, 1], tip[:, 0])) / np.pi
@@ -90,9 +98,13 @@ def test_the_same_start_and_end_is_a_whole_turn() -> None:
 
 
 def test_arcs_are_scaled_with_the_unit_and_stay_rapids() -> None:
-    path = read_apt("UNITS/INCHES\nFEDRAT/1\nGOTO/1,0,0\nRAPID\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/0,2,0\n")
+    path = read_apt(
+        "UNITS/INCHES\nFEDRAT/1\nGOTO/1,0,0\nRAPID\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/0,2,0\n"
+    )
     assert np.allclose(np.hypot(*path.tip[:-1, :2].T), 25.4)
-    assert path.motion[1:-1].tolist() == [Motion.RAPID] * (len(path.tip) - 2) and path.motion[-1] == Motion.CUT
+    assert (
+        path.motion[1:-1].tolist() == [Motion.RAPID] * (len(path.tip) - 2) and path.motion[-1] == Motion.CUT
+    )
 
 
 def test_printed_digits_that_are_off_leave_no_step() -> None:
@@ -134,7 +146,11 @@ def test_a_contour_taken_the_wrong_way_round_runs_back() -> None:
 
 def test_ends_that_are_too_near_to_tell_are_told() -> None:
     (found,) = read_apt("FEDRAT/100\nGOTO/10,0,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,-0.001,0\n").findings
-    assert (found.code, found.severity, found.line) == ("arc-runs-back", Severity.WARNING, 3) and "a whole turn" in found.text
+    assert (found.code, found.severity, found.line) == (
+        "arc-runs-back",
+        Severity.WARNING,
+        3,
+    ) and "a whole turn" in found.text
     (found,) = read_apt("FEDRAT/100\nGOTO/10,0,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,0.001,0\n").findings
     assert "the short way" in found.text
 

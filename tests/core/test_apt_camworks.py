@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CL files as CAMWorks writes them, and NX's helices and GOHOME; the forms are those of files, the texts are our own."""
+"""CL files as CAMWorks writes them, and NX's helices and GOHOME; the forms are those of files, the texts are
+our own."""
 
 from __future__ import annotations
 
@@ -33,7 +34,12 @@ GOTO/10.,0,-2.
 
 def _rows(path: CLPath) -> list[tuple[float, float, int, float]]:
     """X, Z, motion and feed of each row."""
-    columns = path.tip[:, 0].round(9).tolist(), path.tip[:, 2].round(9).tolist(), path.motion.tolist(), path.feed.tolist()
+    columns = (
+        path.tip[:, 0].round(9).tolist(),
+        path.tip[:, 2].round(9).tolist(),
+        path.motion.tolist(),
+        path.feed.tolist(),
+    )
     return list(zip(*columns, strict=True))
 
 
@@ -42,7 +48,9 @@ def test_a_circle_without_a_radius_has_that_of_its_start(vector: str, sweep: flo
     path = read_apt(f"{HEAD}CIRCLE/0,0,-2.,0,0,{vector}\nGOTO/0,10.,-2.\n", ClReading(chord=0.002))
     arc = path.tip[1:]
     assert path.findings == () and np.abs(np.hypot(arc[:, 0], arc[:, 1]) - 10.0).max() < 1e-9
-    assert np.linalg.norm(np.diff(arc, axis=0), axis=1).sum() == pytest.approx(np.radians(sweep) * 10.0, rel=1e-3)
+    assert np.linalg.norm(np.diff(arc, axis=0), axis=1).sum() == pytest.approx(
+        np.radians(sweep) * 10.0, rel=1e-3
+    )
 
 
 def test_a_circle_back_to_its_start_is_a_whole_turn_and_one_off_its_end_is_an_error() -> None:
@@ -53,7 +61,9 @@ def test_a_circle_back_to_its_start_is_a_whole_turn_and_one_off_its_end_is_an_er
 
 
 def _drilled(cycle: str, before: str = "CYCLE/INIT") -> list[tuple[float, float, int, float]]:
-    text = f"{HEAD}{before}\n{cycle}\nGOTO/10.,0,0\nGOTO/30.,0,-4.\nCYCLE/OFF\n".replace("GOTO/10.,0,-2.\n", "", 1)
+    text = f"{HEAD}{before}\n{cycle}\nGOTO/10.,0,0\nGOTO/30.,0,-4.\nCYCLE/OFF\n".replace(
+        "GOTO/10.,0,-2.\n", "", 1
+    )
     path = read_apt(text)
     assert path.findings == ()
     return _rows(path)[1:]
@@ -92,20 +102,29 @@ def test_what_is_no_such_cycle_stays_an_error(cycle: str) -> None:
 
 def test_csys_says_the_axis_of_moves_without_one() -> None:
     side = "CSYS/0,0,1.,0,1.,0,0,0,0,1.,0,0\n"
-    path = read_apt(f"{HEAD}{side}GOTO/20.,0,0\nGOTO/20.,5.,0,1.,0,0\nCSYS/-1.,0,0,99.,0,-1.,0,88.,0,0,1.,0\nGOTO/1.,1.,1.\n")
+    path = read_apt(
+        f"{HEAD}{side}GOTO/20.,0,0\nGOTO/20.,5.,0,1.,0,0\nCSYS/-1.,0,0,99.,0,-1.,0,88.,0,0,1.,0\nGOTO/1.,1.,1.\n"
+    )
     assert path.findings == ()
     assert path.axis.tolist() == [[0, 0, 1], [0, 0, 1], [1, 0, 0], [1, 0, 0], [0, 0, 1]]
     assert path.tip[-1].tolist() == [1, 1, 1]
     local = read_apt(f"{HEAD.replace('TRNTYP/WORLD,0,0,0', '$$')}{side}GOTO/20.,0,0\n")
     assert [found.code for found in local.findings] == ["several-coordinate-systems"]
     moved = read_apt(HEAD.replace("WORLD,0,0,0", "WORLD,0,5.,0"))
-    assert [(found.severity, found.code) for found in moved.findings] == [(Severity.ERROR, "statement-not-interpreted")]
+    assert [(found.severity, found.code) for found in moved.findings] == [
+        (Severity.ERROR, "statement-not-interpreted")
+    ]
 
 
 def test_cutter_compensation_is_one_warning_and_a_contours_points_are_an_error() -> None:
     text = f"{HEAD}CUTCOM/LEFT\nGOTO/20.,0,-2.\nCUTCOM/OFF\nGOTO/30.,0,-2.\nCUTCOM/RIGHT,XYPLAN\nGOTO/40.,0,-2.\n"
     (found,) = read_apt(text).findings
-    assert (found.severity, found.code, found.value, found.line) == (Severity.WARNING, "cutter-compensation", 2.0, 18)
+    assert (found.severity, found.code, found.value, found.line) == (
+        Severity.WARNING,
+        "cutter-compensation",
+        2.0,
+        18,
+    )
     (found,) = read_apt("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_PROFILE\n" + text).findings
     assert (found.severity, found.code) == (Severity.ERROR, "cutter-compensation")
     assert read_apt(f"{HEAD}CUTCOM/OFF\n").findings == ()
@@ -125,7 +144,9 @@ def test_a_helix_goes_round_once_less_than_times_says() -> None:
         angle = np.degrees(np.unwrap(np.arctan2(path.tip[:, 1], path.tip[:, 0])))
         assert path.findings == () and angle[-1] == pytest.approx(sweep)
         assert np.abs(path.tip[:, 2] - 5.0 * (1.0 - angle / sweep)).max() < 1e-9
-    assert [found.code for found in read_apt(f"{head}0\nGOTO/0,10,0\n").findings] == ["statement-not-interpreted"]
+    assert [found.code for found in read_apt(f"{head}0\nGOTO/0,10,0\n").findings] == [
+        "statement-not-interpreted"
+    ]
 
 
 def test_cusps_are_a_note_where_other_arcs_of_the_file_run_on() -> None:

@@ -27,7 +27,11 @@ def _card(statement: str, number: str) -> str:
 def test_sequence_numbers_are_no_part_of_statements() -> None:
     plain = read_apt("\n".join(statement for statement, _ in LINES))
     cards = read_apt("PARTNO X\nUNITS/MM\n" + "\n".join(_card(*line) for line in LINES) + "\nFINI\n")
-    assert len(plain.tip) > 20 and np.array_equal(plain.tip, cards.tip) and np.array_equal(plain.feed, cards.feed)
+    assert (
+        len(plain.tip) > 20
+        and np.array_equal(plain.tip, cards.tip)
+        and np.array_equal(plain.feed, cards.feed)
+    )
     assert plain.findings == cards.findings == ()
 
 
@@ -61,11 +65,14 @@ def test_the_last_decimals_of_long_statements_are_no_sequence_numbers() -> None:
     assert {len(line) for line in text.split("\n")[1:]} == {75}
     assert read_apt(text).tip[:, 2].tolist() == [float(f"{k}.{'0' * 13}{k}25") for k in range(1, 6)]
     filled = f"{'GOTO/1.0,2.0,':66}3.0000"
-    assert (read_apt(f"FEDRAT/9\n{filled}00000010\n{filled}00000020\n").tip[:, 2] > 3.0).all()  # two lines are too few to tell
+    assert (
+        read_apt(f"FEDRAT/9\n{filled}00000010\n{filled}00000020\n").tip[:, 2] > 3.0
+    ).all()  # two lines are too few to tell
 
 
 @pytest.mark.parametrize(
-    "numbers", [("PT     2", "PT     1"), ("PT     1", "PT     1"), ("PT     1", "P1.5"), ("PT     1", "PT      12345")]
+    "numbers",
+    [("PT     2", "PT     1"), ("PT     1", "PT     1"), ("PT     1", "P1.5"), ("PT     1", "PT      12345")],
 )
 def test_what_does_not_count_up_is_told_as_before(numbers: tuple[str, str]) -> None:
     text = "\n".join(_card(f"GOTO/{k},0,0", number) for k, number in enumerate(numbers))

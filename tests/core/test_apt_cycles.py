@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drilling cycles of CL files: each hole written out as moves, in the forms of NX and Creo; what is no such cycle is told."""
+"""Drilling cycles of CL files: each hole written out as moves, in the forms of NX and Creo; what is no such
+cycle is told."""
 
 from __future__ import annotations
 
@@ -45,7 +46,9 @@ def _heights(path: CLPath) -> list[tuple[float, float, int, float]]:
     """X, Z, motion and feed of each row."""
     return [
         (x, z, motion, feed)
-        for (x, _, z), motion, feed in zip(path.tip.round(9).tolist(), path.motion.tolist(), path.feed.tolist(), strict=True)
+        for (x, _, z), motion, feed in zip(
+            path.tip.round(9).tolist(), path.motion.tolist(), path.feed.tolist(), strict=True
+        )
     ]
 
 
@@ -63,7 +66,9 @@ def test_nxs_holes_are_left_at_the_height_before_the_cycle() -> None:
     assert _heights(path) == [*first, *second, (0, 320, R, 0)] and path.findings == ()
 
 
-@pytest.mark.parametrize(("words", "leaves"), [("", 3), (",RTRCTO,4.0", 4), (",RTRCTO,1.0", 3), (",RETURN,8", 8)])
+@pytest.mark.parametrize(
+    ("words", "leaves"), [("", 3), (",RTRCTO,4.0", 4), (",RTRCTO,1.0", 3), (",RETURN,8", 8)]
+)
 def test_the_height_at_which_holes_are_left(words: str, leaves: float) -> None:
     path = read_apt(
         f"FEDRAT/9\nRAPID\nGOTO/0,0,3\nCYCLE/DRILL,RAPTO,3,FEDTO,-5{words},MMPM,250\nGOTO/0,0,0\nGOTO/9,0,2\nCYCLE/OFF\n"
@@ -75,7 +80,8 @@ def test_the_height_at_which_holes_are_left(words: str, leaves: float) -> None:
 
 def test_chips_are_broken_by_short_lifts() -> None:
     path = read_apt(
-        "GOTO/0,0,9\nCYCLE/DRILL,BRKCHP,STEP,2,1,RAPTO,3,FEDTO,-4.5,MMPM,50\nGOTO/0,0,0\nCYCLE/OFF\n", ClReading(100.0)
+        "GOTO/0,0,9\nCYCLE/DRILL,BRKCHP,STEP,2,1,RAPTO,3,FEDTO,-4.5,MMPM,50\nGOTO/0,0,0\nCYCLE/OFF\n",
+        ClReading(100.0),
     )
     assert [row[1] for row in _heights(path)] == [9, 3, -2, -2 + GAP, -3, -3 + GAP, -4, -4 + GAP, -4.5, 3]
     assert path.motion.tolist() == [C, R, C, R, C, R, C, R, C, R]
@@ -91,7 +97,8 @@ def test_bores_are_left_at_feed() -> None:
 
 def test_holes_lie_along_the_tool_axis_and_in_the_files_unit() -> None:
     path = read_apt(
-        "UNITS/INCHES\nGOTO/0,0,0,0,.6,.8\nCYCLE/DRILL,DEPTH,1,IPM,10,CLEAR,.5\nGOTO/1,0,0\nGOTO/2,0,0\n", ClReading(9.0)
+        "UNITS/INCHES\nGOTO/0,0,0,0,.6,.8\nCYCLE/DRILL,DEPTH,1,IPM,10,CLEAR,.5\nGOTO/1,0,0\nGOTO/2,0,0\n",
+        ClReading(9.0),
     )
     axis = np.array([0, 0.6, 0.8])
     heights = [(0, 0.5), (1, 0.5), (1, -1), (1, 0.5), (2, 0.5), (2, -1), (2, 0.5)]
@@ -100,7 +107,10 @@ def test_holes_lie_along_the_tool_axis_and_in_the_files_unit() -> None:
 
 
 def test_a_hole_with_another_axis_is_gone_to_straight() -> None:
-    path = read_apt("GOTO/0,0,50\nCYCLE/DRILL,RAPTO,2,FEDTO,-5,MMPM,50\nGOTO/0,0,0,0,0,1\nGOTO/0,50,0,0,1,0\n", ClReading(9.0))
+    path = read_apt(
+        "GOTO/0,0,50\nCYCLE/DRILL,RAPTO,2,FEDTO,-5,MMPM,50\nGOTO/0,0,0,0,0,1\nGOTO/0,50,0,0,1,0\n",
+        ClReading(9.0),
+    )
     assert np.allclose(path.tip[-4:], [[0, 0, 2], [0, 52, 0], [0, 45, 0], [0, 52, 0]])
 
 
@@ -130,7 +140,9 @@ def test_what_is_no_such_cycle_is_told_by_name(rest: str) -> None:
 
 
 def test_a_cycle_that_is_not_interpreted_ends_the_one_before() -> None:
-    path = read_apt("FEDRAT/9\nGOTO/0,0,9\nCYCLE/DRILL,DEPTH,5,CLEAR,2\nGOTO/0,0,0\nCYCLE/TAP,DEPTH,5\nGOTO/1,0,0\n")
+    path = read_apt(
+        "FEDRAT/9\nGOTO/0,0,9\nCYCLE/DRILL,DEPTH,5,CLEAR,2\nGOTO/0,0,0\nCYCLE/TAP,DEPTH,5\nGOTO/1,0,0\n"
+    )
     assert len(path.tip) == 5
 
 
@@ -140,7 +152,12 @@ def test_a_cycle_that_is_not_interpreted_ends_the_one_before() -> None:
         ("CYCLE/DEEP,DEPTH,5,CLEAR,2\nGOTO/0,0,0", "cycle-step-not-said", Severity.WARNING, 3),
         ("CYCLE/FACE,DEPTH,5,CLEAR,2,DWELL,1.5\nGOTO/0,0,0", "cycle-dwell-left-out", Severity.WARNING, 3),
         ("CYCLE/DRILL,DEPTH,5,CLEAR,2\nGODLTA/0,0,5", "no-hole-in-cycle", Severity.ERROR, 4),
-        ("CYCLE/DRILL,DEPTH,5,CLEAR,2\nCIRCLE/0,0,0,0,0,1,5\nGOTO/0,0,0", "arc-does-not-fit", Severity.ERROR, 4),
+        (
+            "CYCLE/DRILL,DEPTH,5,CLEAR,2\nCIRCLE/0,0,0,0,0,1,5\nGOTO/0,0,0",
+            "arc-does-not-fit",
+            Severity.ERROR,
+            4,
+        ),
     ],
 )
 def test_what_of_a_cycle_is_left_out_is_told(text: str, code: str, severity: Severity, line: int) -> None:

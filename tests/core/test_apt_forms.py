@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CL files in the forms that other CAM systems print, in the encodings that other systems write, and spoilt at random."""
+"""CL files in the forms that other CAM systems print, in the encodings that other systems write, and spoilt
+at random."""
 
 from __future__ import annotations
 
@@ -146,7 +147,9 @@ ENCODINGS = {
     "utf-16-be": lambda text: b"\xfe\xff" + text.decode().encode("utf-16-be"),
     "tabs": lambda text: re.sub(rb"([,/]) *", rb"\1\t ", text.replace(b"GOTO", b"\tGOTO")),
     "lower case": bytes.lower,
-    "no blanks": lambda text: re.sub(rb"(?m)^((?:GOTO|FEDRAT|SPINDL|UNITS).*)", lambda line: line[0].replace(b" ", b""), text),
+    "no blanks": lambda text: re.sub(
+        rb"(?m)^((?:GOTO|FEDRAT|SPINDL|UNITS).*)", lambda line: line[0].replace(b" ", b""), text
+    ),
     "leading zeros": lambda text: re.sub(rb"(?<![\d.])(\d+\.\d)", rb"000\1", text),
     "control-z": lambda text: text + b"\x1a",
 }
@@ -170,7 +173,9 @@ def test_a_text_that_ends_in_a_dollar_does_not_swallow_the_next_line() -> None:
 def test_steps_add_up_from_the_last_place() -> None:
     text = b"FEDRAT/9\nGOTO/1,2,3\nGODLTA/1,0,0\nGODLTA/0,1,-1\nGOTO/5,5,5,0,0.6,0.8\nGODLTA/10\nGODLTA/1,1,1,1,0,0\nGODLTA/-2\n"
     path = read_apt(text)
-    assert np.allclose(path.tip, [[1, 2, 3], [2, 2, 3], [2, 3, 2], [5, 5, 5], [5, 11, 13], [6, 12, 14], [4, 12, 14]])
+    assert np.allclose(
+        path.tip, [[1, 2, 3], [2, 2, 3], [2, 3, 2], [5, 5, 5], [5, 11, 13], [6, 12, 14], [4, 12, 14]]
+    )
     assert np.allclose(path.axis[[0, 4, 5, 6]], [[0, 0, 1], [0, 0.6, 0.8], [1, 0, 0], [1, 0, 0]])
     inches = read_apt(b"UNITS/INCHES\n" + text.replace(b"FEDRAT/9", b"FEDRAT/9,MMPM"))
     assert np.allclose(inches.tip, 25.4 * path.tip)
@@ -218,13 +223,24 @@ def test_a_feed_per_turn_takes_the_spindles_speed() -> None:
         (b"FINI\nGOTO/1,1,1", "text-after-end", Severity.NOTE, 4),
     ],
 )  # fmt: skip
-def test_what_may_spoil_the_part_is_told_with_its_line(statements: bytes, code: str, severity: Severity, line: int) -> None:
+def test_what_may_spoil_the_part_is_told_with_its_line(
+    statements: bytes, code: str, severity: Severity, line: int
+) -> None:
     found = read_apt(b"FEDRAT/9\nGOTO/1,2,3\n" + statements + b"\n").findings
     assert (code, severity, line) in [(one.code, one.severity, one.line) for one in found]
 
 
 @pytest.mark.parametrize(
-    "statement", ["ORIGIN/0,0,0", "CYCLE/OFF", "MULTAX/OFF", "LOADTL/1", "MSYS/0,0,0,1,0,0,0,1,0", "TRACUT/NOMORE", "FINISH/3"]
+    "statement",
+    [
+        "ORIGIN/0,0,0",
+        "CYCLE/OFF",
+        "MULTAX/OFF",
+        "LOADTL/1",
+        "MSYS/0,0,0,1,0,0,0,1,0",
+        "TRACUT/NOMORE",
+        "FINISH/3",
+    ],
 )
 def test_what_changes_nothing_is_not_told(statement: str) -> None:
     found = read_apt(f"FEDRAT/9\n{statement}\nGOTO/1,2,3\n{statement}\nGOTO/1,2,4\n").findings
@@ -236,7 +252,8 @@ def test_the_lines_of_a_statement_that_is_not_interpreted_are_listed() -> None:
     (found,) = read_apt(text).findings
     assert "7 statements, lines 3, 5, 7, 9, 11 ..." in found.text and found.value == 7
     many = read_apt(
-        "FEDRAT/9\nGOTO/1,2,3\n" + "\n".join(f"W{letter}{other}/1" for letter in "ABCDEF" for other in "ABCDEF")
+        "FEDRAT/9\nGOTO/1,2,3\n"
+        + "\n".join(f"W{letter}{other}/1" for letter in "ABCDEF" for other in "ABCDEF")
     ).findings
     assert len(many) == 21 and "16 further words" in many[-1].text
 
@@ -280,7 +297,11 @@ def test_reading_gives_what_splitting_and_converting_in_plain_python_gives() -> 
     """How long either takes: benchmarks/bench_apt.py."""
     text = big(99_000)
     path = read_apt(text)
-    plain = [[float(part) for part in line[5:].split(b",")] for line in text.split(b"\n") if line.startswith(b"GOTO/")]
+    plain = [
+        [float(part) for part in line[5:].split(b",")]
+        for line in text.split(b"\n")
+        if line.startswith(b"GOTO/")
+    ]
     assert np.array_equal(np.array(plain)[:, :3], path.tip)
 
 
@@ -298,7 +319,9 @@ STATEMENTS = [
 
 
 @settings(max_examples=300, deadline=None)
-@given(st.lists(st.sampled_from(STATEMENTS), max_size=20).map("\n".join), st.sampled_from([None, None, 0, 1, 2]))
+@given(
+    st.lists(st.sampled_from(STATEMENTS), max_size=20).map("\n".join), st.sampled_from([None, None, 0, 1, 2])
+)
 def test_no_string_of_statements_gives_a_traceback(given_text: str, tool: int | None) -> None:
     with contextlib.suppress(ProgramError):
         path = read_apt(given_text, ClReading(feed=1.0, units="inch", tool=tool))
@@ -317,7 +340,10 @@ def test_no_string_of_words_gives_a_traceback(text: str) -> None:
 
 
 @settings(max_examples=300, deadline=None)
-@given(st.sampled_from(list(FORMS.values())), st.lists(st.tuples(st.floats(0, 1), st.binary(max_size=4)), min_size=1, max_size=6))
+@given(
+    st.sampled_from(list(FORMS.values())),
+    st.lists(st.tuples(st.floats(0, 1), st.binary(max_size=4)), min_size=1, max_size=6),
+)
 def test_no_spoilt_file_gives_a_traceback(text: bytes, spots: list[tuple[float, bytes]]) -> None:
     for where, piece in spots:
         at = int(where * len(text))
@@ -337,16 +363,22 @@ def test_no_bytes_give_a_traceback(data: bytes) -> None:
         assert "\n" not in str(error)
 
 
-def test_the_nc_head_takes_tool_speed_and_coolant_from_the_file_unless_the_options_say_otherwise(tmp_path) -> None:
+def test_the_nc_head_takes_tool_speed_and_coolant_from_the_file_unless_the_options_say_otherwise(
+    tmp_path,
+) -> None:
     (tmp_path / "a.apt").write_bytes(CREO)
     given = {"machine": "trunnion_ac", "cutter": "ball:12", "output": str(tmp_path / "a.ngc")}
     made = job.make(build_settings("post", str(tmp_path / "a.apt"), given))
     assert {b"T1", b"M6", b"H1", b"S70", b"M3", b"M8"} <= set(made.nc.split())
     other = job.make(
-        build_settings("post", str(tmp_path / "a.apt"), given | {"tool": "5", "spindle": "9000", "cutter": "ball:10"})
+        build_settings(
+            "post", str(tmp_path / "a.apt"), given | {"tool": "5", "spindle": "9000", "cutter": "ball:10"}
+        )
     )
     assert {b"T5", b"S9000", b"M8"} <= set(other.nc.split())
-    assert "cutter-differs" not in {found.code for found in other.findings}  # this file says it in a comment only
+    assert "cutter-differs" not in {
+        found.code for found in other.findings
+    }  # this file says it in a comment only
     (tmp_path / "a.apt").write_bytes(CATIA)
     third = job.make(build_settings("post", str(tmp_path / "a.apt"), given | {"cutter": "ball:10"}))
     assert [found.value for found in third.findings if found.code == "cutter-differs"] == [12.0]
@@ -356,5 +388,7 @@ def test_a_path_through_the_cl_file_and_back_gives_the_same_program(tmp_path) ->
     (tmp_path / "a.apt").write_bytes(CATIA)
     given = {"machine": "trunnion_ac", "cutter": "ball:12", "output": str(tmp_path / "a.ngc")}
     made = job.make(build_settings("post", str(tmp_path / "a.apt"), given))
-    (tmp_path / "b.apt").write_bytes(write_apt(made.path, Cutter(12.0), "again", head=read_cl_file(CATIA).head))
+    (tmp_path / "b.apt").write_bytes(
+        write_apt(made.path, Cutter(12.0), "again", head=read_cl_file(CATIA).head)
+    )
     assert job.make(build_settings("post", str(tmp_path / "b.apt"), given)).nc == made.nc

@@ -68,7 +68,9 @@ def test_tools_that_only_names_tell_apart_are_told() -> None:
     assert "2 (MILL,8,4,80,0,0)" in read_apt(nameless).findings[0].text
     assert (
         read_apt(
-            NX.replace("T8", "T10").replace("8.0000,4.0000,80", "10.0000,0.0000,50").replace("80.0000,0.0,", "50.0000,0.0000,")
+            NX.replace("T8", "T10")
+            .replace("8.0000,4.0000,80", "10.0000,0.0000,50")
+            .replace("80.0000,0.0,", "50.0000,0.0000,")
         ).findings
         == ()
     )
@@ -82,11 +84,16 @@ def test_one_number_for_two_names_does_not_hide_the_second_tool() -> None:
 
 
 @pytest.mark.parametrize(("tool", "x", "cutter"), [(1, [0, 10, 30], 10.0), (2, [20, 20], 8.0)])
-def test_the_moves_of_the_tool_chosen_are_taken_with_their_axes_and_feeds(tool: int, x: list[float], cutter: float) -> None:
+def test_the_moves_of_the_tool_chosen_are_taken_with_their_axes_and_feeds(
+    tool: int, x: list[float], cutter: float
+) -> None:
     file = read_cl_file(NX, ClReading(tool=tool))
     assert file.path.tip[:, 0].tolist() == x and np.allclose(file.path.axis, (0, 0.6, 0.8))
     assert file.path.feed[1:].tolist() == [500] * (len(x) - 1) and file.head.diameter == cutter
-    assert _told(file.path) == [("tool-chosen", Severity.NOTE, None)] and f"{len(x)} of 5" in file.path.findings[0].text
+    assert (
+        _told(file.path) == [("tool-chosen", Severity.NOTE, None)]
+        and f"{len(x)} of 5" in file.path.findings[0].text
+    )
 
 
 def test_by_number_with_what_stands_before_the_number() -> None:
@@ -98,7 +105,9 @@ def test_by_number_with_what_stands_before_the_number() -> None:
     assert np.allclose(file.path.tip[:, 0], [50.8, 76.2]) and file.head.diameter == pytest.approx(12.7)
     assert (file.head.tool, file.head.speed) == (7, 500) and np.allclose(file.path.feed, 254)
     assert "statement-not-interpreted" in [one.code for one in read_apt(CATIA, ClReading(tool=3)).findings]
-    assert "(3, 7)" in read_apt(CATIA.replace("LOADTL/3,1\n", "").replace("LOADTL/7,1\n", "")).findings[-1].text
+    assert (
+        "(3, 7)" in read_apt(CATIA.replace("LOADTL/3,1\n", "").replace("LOADTL/7,1\n", "")).findings[-1].text
+    )
 
 
 def test_a_tool_that_is_not_there_names_those_that_are() -> None:
@@ -131,7 +140,10 @@ def _post(tmp_path, text: str, **options: str) -> tuple[job.ProgramDraft, list[F
 def test_the_files_cutter_is_taken_where_none_is_given(tmp_path) -> None:
     made, (found,) = _post(tmp_path, NX, cl_tool="2")
     assert (made.settings.cutter.cutter.diameter, made.settings.cutter.cutter.corner) == (8, 4)
-    assert (found.code, found.severity) == ("cutter-from-cl-file", Severity.NOTE) and "ball 8 mm" in found.text
+    assert (found.code, found.severity) == (
+        "cutter-from-cl-file",
+        Severity.NOTE,
+    ) and "ball 8 mm" in found.text
     made, (found,) = _post(tmp_path, NX, cl_tool="2", cutter="ball:10")
     assert made.settings.cutter.cutter.diameter == 10 and found.code == "cutter-differs"
     made, found = _post(tmp_path, "GOTO/1,2,3\nGOTO/2,2,3\n")
@@ -140,9 +152,19 @@ def test_the_files_cutter_is_taken_where_none_is_given(tmp_path) -> None:
 
 def test_the_command_line_chooses_the_tool_and_refuses_what_is_not_there(tmp_path, capsys) -> None:
     (tmp_path / "in.cls").write_text(NX)
-    asked = ["post", str(tmp_path / "in.cls"), "--machine", MACHINE["machine"], "-o", str(tmp_path / "out.ngc"), "--quiet"]
+    asked = [
+        "post",
+        str(tmp_path / "in.cls"),
+        "--machine",
+        MACHINE["machine"],
+        "-o",
+        str(tmp_path / "out.ngc"),
+        "--quiet",
+    ]
     assert cli.main([*asked, "--cl-tool", "3"]) == 2
-    assert "no tool 3; it has 1 (T10), 2 (T8)" in capsys.readouterr().err and not (tmp_path / "out.ngc").exists()
+    assert (
+        "no tool 3; it has 1 (T10), 2 (T8)" in capsys.readouterr().err and not (tmp_path / "out.ngc").exists()
+    )
     assert cli.main([*asked, "--cl-tool", "2"]) == 0 and cli.main(asked) == 1
 
 
@@ -156,11 +178,21 @@ def test_a_part_has_neither_units_to_ask_for_nor_tools(option: dict[str, str]) -
 def test_an_audit_tells_what_is_wrong_with_the_cl_file(tmp_path) -> None:
     (tmp_path / "in.cls").write_text(NX.replace(",0,.6,.8", ""))
     (tmp_path / "p.ngc").write_text("G21 G0 X20 Y0 Z50 A0 C0\nG1 F500 X20 Y10 Z0\nM2\n")
-    asked = ["audit", str(tmp_path / "p.ngc"), "--machine", MACHINE["machine"], "--against", str(tmp_path / "in.cls")]
+    asked = [
+        "audit",
+        str(tmp_path / "p.ngc"),
+        "--machine",
+        MACHINE["machine"],
+        "--against",
+        str(tmp_path / "in.cls"),
+    ]
     report = tmp_path / "r.json"
     assert cli.main([*asked, "--quiet", "--report", str(report)]) == 1
     found = {one["code"]: one for one in json.loads(report.read_text())["findings"]}
-    assert found["several-tools"]["text"].startswith("CL file, line 10: The file changes tools") and "cl-rows-missed" in found
+    assert (
+        found["several-tools"]["text"].startswith("CL file, line 10: The file changes tools")
+        and "cl-rows-missed" in found
+    )
     assert found["several-tools"].get("line") is None
     assert cli.main([*asked, "--quiet", "--report", str(report), "--cl-tool", "2"]) == 0
     assert {one["code"] for one in json.loads(report.read_text())["findings"]} >= {"tool-chosen"}

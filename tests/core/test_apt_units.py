@@ -34,7 +34,8 @@ def test_a_file_that_speaks_of_inches_and_says_no_unit_is_told(said: str) -> Non
 
 
 @pytest.mark.parametrize(
-    "text", ["UNITS/MM\n" + SILENT, "UNIT/MM\n" + SILENT, SILENT.replace("IPM", "MMPM"), SILENT.replace(",IPM", "")]
+    "text",
+    ["UNITS/MM\n" + SILENT, "UNIT/MM\n" + SILENT, SILENT.replace("IPM", "MMPM"), SILENT.replace(",IPM", "")],
 )
 def test_a_file_that_says_its_unit_or_nothing_of_inches_is_not_told(text: str) -> None:
     assert [found.code for found in read_apt(text).findings] == ["no-feed"]
@@ -52,11 +53,19 @@ def test_what_is_asked_for_holds_until_the_file_says_its_own() -> None:
 def test_every_task_that_reads_a_cl_file_takes_the_units(tmp_path) -> None:
     (tmp_path / "in.apt").write_text(SILENT)
     made = job.make(
-        build_settings("post", str(tmp_path / "in.apt"), {"machine": "linuxcnc_xyzac_trt", "units": "inch", "output": "x"})
+        build_settings(
+            "post",
+            str(tmp_path / "in.apt"),
+            {"machine": "linuxcnc_xyzac_trt", "units": "inch", "output": "x"},
+        )
     )
     assert made.program.words[-1, :3] == pytest.approx([25.4, 50.8, 25.4], abs=1e-3)
     for task in ("setup", "recover"):
-        more = {"machine_file": "m.fcm", "program": "p.nc"} if task == "recover" else {"machine": "linuxcnc_xyzac_trt"}
+        more = (
+            {"machine_file": "m.fcm", "program": "p.nc"}
+            if task == "recover"
+            else {"machine": "linuxcnc_xyzac_trt"}
+        )
         assert build_settings(task, "in.apt", {"units": "inch", **more}).reading.units == "inch"
 
 

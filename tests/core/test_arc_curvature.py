@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lin & Ye's radius of curvature (eq. 8): arcs by hand, the paper's own way with two normal lines, meshes of known shapes."""
+"""Lin & Ye's radius of curvature (eq. 8): arcs by hand, the paper's own way with two normal lines, meshes of
+known shapes."""
 
 import sys
 from pathlib import Path
@@ -40,21 +41,29 @@ def test_on_an_arc_radius_and_centre_are_exact_whatever_the_step(radius):
 
 
 def test_radius_and_centre_are_those_of_the_paper_s_construction():
-    """Where the two normal lines meet, by least squares; R the mean of its distances; the centre has both equations of (8)."""
+    """Where the two normal lines meet, by least squares; R the mean of its distances; the centre has both
+    equations of (8)."""
     rng = np.random.default_rng(2)
     count = 200
-    one, two = np.zeros((count, 3)), np.column_stack([rng.uniform(0.5, 5.0, count), np.zeros(count), np.zeros(count)])
+    one, two = (
+        np.zeros((count, 3)),
+        np.column_stack([rng.uniform(0.5, 5.0, count), np.zeros(count), np.zeros(count)]),
+    )
     lean = np.sort(rng.uniform(-0.6, 0.6, (count, 2)), axis=1)
     lean[::2] = lean[::2, ::-1]  # hollow
     normals = [np.column_stack([np.sin(angle), 0 * angle, np.cos(angle)]) for angle in lean.T]
     curvature, centre = arc_curvature(one, two, *normals), arc_centre(one, two, *normals)
     for k in range(count):
         lines = np.column_stack([normals[0][k, [0, 2]], -normals[1][k, [0, 2]]])
-        away = np.linalg.solve(lines, (two - one)[k, [0, 2]])  # signed distances from both points to where the lines meet
+        away = np.linalg.solve(
+            lines, (two - one)[k, [0, 2]]
+        )  # signed distances from both points to where the lines meet
         assert -1.0 / curvature[k] == pytest.approx(away.mean(), rel=1e-9)
     round_ = np.isfinite(centre).all(axis=1)
     for point in (one, two):
-        assert np.linalg.norm(point - centre, axis=1)[round_] == pytest.approx(1.0 / np.abs(curvature[round_]), rel=1e-9)
+        assert np.linalg.norm(point - centre, axis=1)[round_] == pytest.approx(
+            1.0 / np.abs(curvature[round_]), rel=1e-9
+        )
     assert (np.sign(centre[round_, 2]) == -np.sign(curvature[round_])).all() and round_.sum() > 150
 
 

@@ -23,7 +23,9 @@ def read(text, controller="linuxcnc"):
 def arc(line, head=HEAD, controller="linuxcnc"):
     """The rows of the arc in line 3, the start included."""
     program = read(head + line + "\nG1 X99\n", controller)
-    return program.words[np.flatnonzero(program.line == 3).min() - 1 : np.flatnonzero(program.line == 3).max() + 1], program
+    return program.words[
+        np.flatnonzero(program.line == 3).min() - 1 : np.flatnonzero(program.line == 3).max() + 1
+    ], program
 
 
 @pytest.mark.parametrize(
@@ -83,9 +85,7 @@ def test_inches_scale_the_centre_too():
 
 
 THREE_ARCS = "G21 G90 F600\nG0 X10 Y0 Z0 A0 C0\nG3 X0 Y10 I-10 J0\nG2 X-10 Y20 R10\nG3 X-20 Y10 I0 J-10\n"
-SIEMENS = (
-    "; a part\nG710 G90 F600\nG0 X10 Y0 Z0 A0 C0\nG3 X0 Y10 I-10 J0\nG2 X-10 Y=20 CR=10\nG3 X-20 Y10 I=AC(-10) J=AC(10)\nM30\n"
-)
+SIEMENS = "; a part\nG710 G90 F600\nG0 X10 Y0 Z0 A0 C0\nG3 X0 Y10 I-10 J0\nG2 X-10 Y=20 CR=10\nG3 X-20 Y10 I=AC(-10) J=AC(10)\nM30\n"
 KLARTEXT = (
     "0 BEGIN PGM A MM\n1 L X+10 Y+0 Z+0 A+0 C+0 FMAX\n2 CC X+0 Y+0\n3 C X+0 Y+10 DR+ F600\n4 CR X-10 Y+20 R+10 DR-\n"
     "5 CC X-10 Y+10\n6 C X-20 Y+10 DR+\n7 M30\n8 END PGM A MM\n"
@@ -99,7 +99,9 @@ def test_the_same_arcs_in_every_language_are_the_same_rows(text, controller):
     assert not [found for found in other.findings if found.severity > Severity.NOTE]
 
 
-@pytest.mark.parametrize("line", ["G2 X0 Y10 R1", "G3 X0 Y10", "G3 X0 Y10 I0 J0", "G2 X0 Y3 I-10 J0", "G3 X10 Y0 R5"])
+@pytest.mark.parametrize(
+    "line", ["G2 X0 Y10 R1", "G3 X0 Y10", "G3 X0 Y10 I0 J0", "G2 X0 Y3 I-10 J0", "G3 X10 Y0 R5"]
+)
 def test_an_arc_without_a_centre_that_fits_is_straight_and_an_error(line):
     rows, program = arc(line)
     assert len(rows) == 2

@@ -43,7 +43,9 @@ def test_axes_near_the_pole_are_at_it_and_the_others_stay():
     axis = leaning(40.0, 9.0, 3.0, -2.0, -9.0, -40.0)
     assert taken(axis) == pytest.approx(np.concatenate([axis[:1], np.tile(Z, (4, 1)), axis[5:]]))
     down = -axis
-    assert taken(down)[1:5] == pytest.approx(np.tile(-Z, (4, 1))) and (taken(down)[[0, 5]] == down[[0, 5]]).all()
+    assert (
+        taken(down)[1:5] == pytest.approx(np.tile(-Z, (4, 1))) and (taken(down)[[0, 5]] == down[[0, 5]]).all()
+    )
 
 
 def test_where_the_pole_is_not_free_the_axis_stays():
@@ -62,7 +64,9 @@ ROOF = [(0, 0), (24, 0), (24, 4), (21, 8), (16, 10), (8, 10), (3, 8), (0, 4)]
 
 def test_on_a_flat_top_the_first_axis_turns_less_far(monkeypatch):
     """And without taking the pole it turns as far as it did: the comparison can fail."""
-    settings = build_settings("mill", "part", {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "gouge": "off"})
+    settings = build_settings(
+        "mill", "part", {"machine": "trunnion_ac", "cutter": "ball:8", "scallop": 0.4, "gouge": "off"}
+    )
     keep_fields(monkeypatch)
     turned, made = [], []
     for take in (take_pole, lambda axis, *_: axis):

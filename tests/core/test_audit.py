@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Limits, axis rates and feed over the part, against rows counted by hand, finite differences and dense sampling."""
+"""Limits, axis rates and feed over the part, against rows counted by hand, finite differences and dense
+sampling."""
 
 import csv
 import io
@@ -23,7 +24,10 @@ from freecad_fiveaxis.core.pipeline.settings import build_settings
 from freecad_fiveaxis.core.report import as_html, as_json, as_text, summary
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-X, Y, Z = (Axis(n, False, "head", tuple(r), (0, 0, 0), -100, 100, 6000.0) for n, r in zip("XYZ", np.eye(3).tolist(), strict=True))
+X, Y, Z = (
+    Axis(n, False, "head", tuple(r), (0, 0, 0), -100, 100, 6000.0)
+    for n, r in zip("XYZ", np.eye(3).tolist(), strict=True)
+)
 A = Axis("A", True, "table", (1, 0, 0), (0, 0, -50), math.radians(-30), math.radians(120), math.radians(3600))
 C = Axis("C", True, "table", (0, 0, 1), (0, 0, 0), -math.inf, math.inf, math.radians(7200))
 SMALL = Machine("small", (C, A, X, Y, Z))
@@ -62,8 +66,20 @@ def test_words_beyond_limits_are_counted_with_the_worst_and_the_first_line():
     np.testing.assert_allclose(limits.excess, [0, 0, 1.5, 3.25, 1.5, 1.5], atol=1e-9)
     assert [program.letters[k] for k in limits.axis[2:5]] == ["X", "X", "A"]
     x = found["X", 100.0]
-    assert (x.severity, x.code, x.value, x.unit, x.line, x.block) == (Severity.ERROR, "limit", 103.25, "mm", 5, 3)
-    assert "2 blocks" in x.text and "first NC line 4" in x.text and "3.2500 mm too far" in x.text and "--origin" in x.text
+    assert (x.severity, x.code, x.value, x.unit, x.line, x.block) == (
+        Severity.ERROR,
+        "limit",
+        103.25,
+        "mm",
+        5,
+        3,
+    )
+    assert (
+        "2 blocks" in x.text
+        and "first NC line 4" in x.text
+        and "3.2500 mm too far" in x.text
+        and "--origin" in x.text
+    )
     assert found["A", -30.0].unit == "deg" and found["A", -30.0].value == -31.5
 
 
@@ -82,7 +98,9 @@ def test_a_word_rounded_onto_its_limit_is_within_it():
 
 @pytest.mark.parametrize(("wrap", "count"), [("modulo", 0), ("unwound", 1)])
 def test_turns_count_only_where_the_control_does_not_take_the_shorter_way(wrap, count):
-    turning = Axis("C", True, "table", (0, 0, 1), (0, 0, 0), math.radians(-190), math.radians(190), 100.0, wrap)
+    turning = Axis(
+        "C", True, "table", (0, 0, 1), (0, 0, 0), math.radians(-190), math.radians(190), 100.0, wrap
+    )
     kinematics = chain(Machine("m", (turning, A, X, Y, Z)), Setup())
     words = np.zeros((5, 5))
     words[:, 3] = [0, 100, 200, 300, 400]
@@ -90,10 +108,12 @@ def test_turns_count_only_where_the_control_does_not_take_the_shorter_way(wrap, 
     assert len(check_limits(kinematics, program).findings) == count
 
 
-# ---------------------------------------------------------------------------------------------- rates and feeds
+# -------------------------------------------------------------------------------------------- rates and feeds
 
 
-def program_of(kinematics, words, seconds=1.0, feed=1000.0, inverse=False, motion=None, wrap=("unwound", "unwound")):
+def program_of(
+    kinematics, words, seconds=1.0, feed=1000.0, inverse=False, motion=None, wrap=("unwound", "unwound")
+):
     n = len(words)
     motion = np.zeros(n, np.int8) if motion is None else motion
     times = np.full(n, seconds) * (np.arange(n) > 0)
@@ -120,7 +140,9 @@ def test_rates_and_tip_feed_are_those_of_dense_samples(kind):
         u = np.linspace(0.0, 1.0, 20_001)[:, None]
         q = words_to_q(first + u * (last - first))
         per_minute = 20_000 * 60.0 / 0.7
-        np.testing.assert_allclose(rates.rate[1], np.abs(np.diff(q, axis=0)).max(axis=0) * per_minute, rtol=1e-6, atol=1e-5)
+        np.testing.assert_allclose(
+            rates.rate[1], np.abs(np.diff(q, axis=0)).max(axis=0) * per_minute, rtol=1e-6, atol=1e-5
+        )
         way = np.linalg.norm(np.diff(forward_tip(kinematics, q), axis=0), axis=1).sum()
         assert rates.travel[1] == pytest.approx(way, rel=2e-3, abs=1e-6)
         assert rates.tip_feed[1] == pytest.approx(way * 60.0 / 0.7, rel=2e-3, abs=1e-4)
@@ -146,7 +168,9 @@ def test_the_chord_instead_of_the_path_would_be_noticed():
 def test_the_rate_is_that_of_the_dialects_f(controller, line, minutes):
     program = read(f"G21 G90\nG0 X0 Y0 Z0 A0 C0\n{line}\nM2\n", controller=controller)
     rates = commanded_rates(kinematics_at(), program)
-    np.testing.assert_allclose(rates.rate[1] * DEGREES, np.array([30.0 * ("X" in line), 0, 0, 40.0, 0]) / minutes, rtol=1e-9)
+    np.testing.assert_allclose(
+        rates.rate[1] * DEGREES, np.array([30.0 * ("X" in line), 0, 0, 40.0, 0]) / minutes, rtol=1e-9
+    )
 
 
 def test_blocks_that_ask_too_much_of_an_axis_are_named_with_the_worst():
@@ -156,20 +180,33 @@ def test_blocks_that_ask_too_much_of_an_axis_are_named_with_the_worst():
     rates = commanded_rates(kinematics, program)
     np.testing.assert_allclose(rates.ratio, [0, 3000 / 3600, 9000 / 3600, 3500 / 3600], rtol=1e-9)
     (found,) = rate_findings(kinematics, program, rates)
-    assert (found.code, found.severity, found.line, found.unit) == ("axis-rate", Severity.WARNING, 4, "deg/min")
-    assert found.value == pytest.approx(9000) and found.limit == pytest.approx(3600) and "2.5 times" in found.text
+    assert (found.code, found.severity, found.line, found.unit) == (
+        "axis-rate",
+        Severity.WARNING,
+        4,
+        "deg/min",
+    )
+    assert (
+        found.value == pytest.approx(9000)
+        and found.limit == pytest.approx(3600)
+        and "2.5 times" in found.text
+    )
 
 
 def test_a_block_at_exactly_its_rate_is_no_finding_and_one_a_hundredth_above_is():
     for feed, count in ((360.0, 0), (363.6, 1)):
         program = read(f"G21 G93\nG0 X0 Y0 Z0 A0 C0\nG1 A10 F{feed}\nM2\n")
-        assert len(rate_findings(kinematics_at(), program, commanded_rates(kinematics_at(), program))) == count
+        assert (
+            len(rate_findings(kinematics_at(), program, commanded_rates(kinematics_at(), program))) == count
+        )
 
 
 def test_rapids_and_blocks_without_time_ask_for_nothing():
     kinematics = kinematics_at()
     words = np.cumsum(np.ones((4, 5)), axis=0)
-    program = program_of(kinematics, words, np.array([0.0, 1.0, 0.0, 1.0]), motion=np.array([3, 3, 0, 0], np.int8))
+    program = program_of(
+        kinematics, words, np.array([0.0, 1.0, 0.0, 1.0]), motion=np.array([3, 3, 0, 0], np.int8)
+    )
     rates = commanded_rates(kinematics, program)
     assert (rates.ratio > 0).tolist() == [False, False, False, True]
     assert (rates.tip_feed > 0).tolist() == [False, False, False, True]
@@ -181,8 +218,15 @@ def test_a_feed_over_the_part_that_is_not_f_is_a_warning():
     program = read(text, kinematics)
     rates = commanded_rates(kinematics, program)
     (found,) = feed_findings(kinematics, program, rates)
-    assert (found.code, found.severity, found.line, found.limit) == ("feed-over-part", Severity.WARNING, 4, 600.0)
-    assert found.value == pytest.approx(rates.tip_feed[2]) and found.value > 10 * 600  # an arc of 30 deg, R 100, in 0.5 / 600 min
+    assert (found.code, found.severity, found.line, found.limit) == (
+        "feed-over-part",
+        Severity.WARNING,
+        4,
+        600.0,
+    )
+    assert (
+        found.value == pytest.approx(rates.tip_feed[2]) and found.value > 10 * 600
+    )  # an arc of 30 deg, R 100, in 0.5 / 600 min
     assert rates.travel[2] == pytest.approx(100 * math.radians(30), rel=0.01)
 
 
@@ -191,9 +235,16 @@ def test_under_inverse_time_the_median_is_the_measure():
     words[:, 0] = np.arange(30.0)
     kinematics = kinematics_at()
     seconds = np.full(30, 0.1)
-    assert feed_findings(kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds)) == ()
+    assert (
+        feed_findings(
+            kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds)
+        )
+        == ()
+    )
     seconds[17] = 0.01
-    (found,) = feed_findings(kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds))
+    (found,) = feed_findings(
+        kinematics, program_of(kinematics, words, seconds, 600.0, True), even(kinematics, words, seconds)
+    )
     assert (found.code, found.severity, found.block) == ("feed-over-part", Severity.NOTE, 17)
     assert found.value == pytest.approx(6000) and found.limit == pytest.approx(600)
 
@@ -217,7 +268,9 @@ def test_where_the_controller_guides_the_tip_it_goes_straight():
 def test_the_reports_of_an_audit_name_it_all(tmp_path):
     source = tmp_path / "p.ngc"
     source.write_text("G21 G90 G94\nG0 X0 Y0 Z50 A0 C0\nG1 X10 F600\nG1 X10.5 A30 F600\nG1 Z900 F9000\nM2\n")
-    settings = build_settings("audit", str(source), {"machine": "trunnion_ac", "rates": str(tmp_path / "rates.csv")})
+    settings = build_settings(
+        "audit", str(source), {"machine": "trunnion_ac", "rates": str(tmp_path / "rates.csv")}
+    )
     result = job.run(settings)
     outputs.write_outputs(result)
     figures = job.figures(result)
@@ -226,7 +279,9 @@ def test_the_reports_of_an_audit_name_it_all(tmp_path):
     assert numbers["over_limit_blocks"] == 1 and numbers["limit_axis"] == "Z" and numbers["limit_line"] == 5
     assert numbers["over_rate_blocks"] == 1 and numbers["rate_axis"] == "A" and numbers["rate_line"] == 4
     page, report = as_html(figures), json.loads(as_json(figures))
-    assert [row["line"] for row in report["audit"]["limits"]] == [5] and [row["line"] for row in report["audit"]["rates"]] == [4]
+    assert [row["line"] for row in report["audit"]["limits"]] == [5] and [
+        row["line"] for row in report["audit"]["rates"]
+    ] == [4]
     assert "The worst lines beyond a limit" in page and "X10.5000 Y0.0000 Z900.0000 A30.0000 C0.0000" in page
     assert "blocks beyond a limit" in as_text(figures)
     rows = list(csv.DictReader(io.StringIO((tmp_path / "rates.csv").read_text())))
@@ -238,15 +293,26 @@ def test_a_program_made_here_is_within_limits_and_rates(tmp_path):
     cl = tmp_path / "p.apt"
     turn = np.linspace(0.0, 2.0, 40)
     rows = np.column_stack(
-        [40 * np.cos(turn), 40 * np.sin(turn), 5 * turn, 0.5 * np.cos(turn), 0.5 * np.sin(turn), turn * 0 + 0.75**0.5]
+        [
+            40 * np.cos(turn),
+            40 * np.sin(turn),
+            5 * turn,
+            0.5 * np.cos(turn),
+            0.5 * np.sin(turn),
+            turn * 0 + 0.75**0.5,
+        ]
     )
     cl.write_text(
-        "MULTAX/ON\nFEDRAT/2000\n" + "".join("GOTO/" + ",".join(f"{v:.6f}" for v in row) + "\n" for row in rows) + "FINI\n"
+        "MULTAX/ON\nFEDRAT/2000\n"
+        + "".join("GOTO/" + ",".join(f"{v:.6f}" for v in row) + "\n" for row in rows)
+        + "FINI\n"
     )
     for mode in ("g93", "g94"):
         nc = tmp_path / "p.ngc"
         posted = build_settings(
-            "post", str(cl), {"machine": "trunnion_ac", "output": str(nc), "feed_mode": mode, "linearize": "on"}
+            "post",
+            str(cl),
+            {"machine": "trunnion_ac", "output": str(nc), "feed_mode": mode, "linearize": "on"},
         )
         outputs.write_outputs(job.run(posted))
         audit = job.run(build_settings("audit", str(nc), {"machine": "trunnion_ac"})).audit

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A program against its CL path and against the part: brute force over all segments and facets, and slips made on purpose."""
+"""A program against its CL path and against the part: brute force over all segments and facets, and slips
+made on purpose."""
 
 import dataclasses
 import math
@@ -32,7 +33,8 @@ def dome(radius=50.0, step=1.5):
     """Tips and axes of passes over a dome about (0, 0, 0): the axis is the normal, off the pole."""
     along = np.linspace(-0.4, 0.4, POINTS)
     rows = [
-        np.column_stack([np.full(POINTS, 0.3 + step / radius * i), along if i % 2 == 0 else along[::-1]]) for i in range(PASSES)
+        np.column_stack([np.full(POINTS, 0.3 + step / radius * i), along if i % 2 == 0 else along[::-1]])
+        for i in range(PASSES)
     ]
     a, b = np.concatenate(rows).T
     axis = np.column_stack([np.sin(a) * np.cos(b), np.sin(b), np.cos(a) * np.cos(b)])
@@ -81,7 +83,8 @@ def to_segments(points, start, end):
 
 
 def to_facets(points, corner):
-    """Distances (n,) by brute force over all facets: a fine grid of each, then none is needed where it is inside."""
+    """Distances (n,) by brute force over all facets: a fine grid of each, then none is needed where it is
+    inside."""
     best = np.full(len(points), np.inf)
     for a, b, c in corner:
         normal = np.cross(b - a, c - a)
@@ -96,7 +99,7 @@ def to_facets(points, corner):
     return best
 
 
-# ---------------------------------------------------------------------------------------------- the nearest element
+# ---------------------------------------------------------------------------------------- the nearest element
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -113,7 +116,9 @@ def test_the_nearest_segment_is_that_of_brute_force(seed):
 @pytest.mark.parametrize("seed", range(4))
 def test_the_nearest_facet_is_that_of_brute_force(seed):
     rng = np.random.default_rng(seed)
-    corner = rng.normal(size=(60, 1, 3)) * 15 + rng.normal(size=(60, 3, 3)) * 10 ** rng.uniform(-1, 1.3, (60, 1, 1))
+    corner = rng.normal(size=(60, 1, 3)) * 15 + rng.normal(size=(60, 3, 3)) * 10 ** rng.uniform(
+        -1, 1.3, (60, 1, 1)
+    )
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     facets = Facets(corner.transpose(1, 0, 2), normal / np.linalg.norm(normal, axis=1)[:, None])
     pieces, points = facets.pieces(), rng.normal(size=(300, 3)) * 25
@@ -150,13 +155,17 @@ def test_inside_and_outside_are_told_apart_at_edges_and_corners(shape):
     mesh = from_triangles(shape())
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
     middle = mesh.vertex.mean(axis=0)
-    seen = np.concatenate([mesh.vertex, mesh.vertex[mesh.coedge_vertex].mean(axis=1), mesh.vertex[mesh.face].mean(axis=1)])
+    seen = np.concatenate(
+        [mesh.vertex, mesh.vertex[mesh.coedge_vertex].mean(axis=1), mesh.vertex[mesh.face].mean(axis=1)]
+    )
     for factor, sign in ((1.01, 1.0), (0.99, -1.0)):
-        found = search(middle + factor * (seen - middle), facets.pieces(), facets.squared, facets.signed, 2)[:, 0]
+        found = search(middle + factor * (seen - middle), facets.pieces(), facets.squared, facets.signed, 2)[
+            :, 0
+        ]
         assert (np.sign(found) == sign).all()
 
 
-# ---------------------------------------------------------------------------------------------- against the CL path
+# ---------------------------------------------------------------------------------------- against the CL path
 
 
 def test_a_program_that_keeps_to_its_path_has_no_findings_but_its_deviation():
@@ -180,7 +189,9 @@ def test_the_distance_is_that_of_dense_samples_and_brute_force(tolerance):
     u = np.linspace(0, 1, 301)
     for at in [*range(38, 62), 5, 100]:
         row = int(told.block[at])
-        real = tip_at(LINKS, np.repeat(words[row - 1 : row], 301, 0), np.repeat(words[row : row + 1], 301, 0), u)
+        real = tip_at(
+            LINKS, np.repeat(words[row - 1 : row], 301, 0), np.repeat(words[row : row + 1], 301, 0), u
+        )
         brute = to_segments(real, tip[:-1], tip[1:]).max()
         assert told.bound[at] >= brute - 1e-9
         assert told.off[at] <= brute + 1e-3
@@ -189,7 +200,10 @@ def test_the_distance_is_that_of_dense_samples_and_brute_force(tolerance):
             assert told.bound[at] <= told.off[at] + near(brute)
     # what is not over the tolerance is proven so, to a tenth
     within = told.off <= tolerance
-    assert within.sum() > (100 if tolerance == 0.1 else -1) and (told.bound[within] <= 1.1 * tolerance + 1e-9).all()
+    assert (
+        within.sum() > (100 if tolerance == 0.1 else -1)
+        and (told.bound[within] <= 1.1 * tolerance + 1e-9).all()
+    )
 
 
 def test_one_shifted_block_is_named_with_its_distance_and_its_row_is_missed():
@@ -208,15 +222,17 @@ def test_one_shifted_block_is_named_with_its_distance_and_its_row_is_missed():
 
 def test_a_way_of_the_posts_own_is_a_note_and_one_into_the_part_an_error():
     tip, axis = dome()
-    out = np.array([3.0, 20.0, 20.0, 3.0])[:, None] * axis[40] + np.array([0.0, 0.0, 5.0, 0.0])[:, None] * np.cross(
-        axis[40], (0, 0, 1)
-    )
+    out = np.array([3.0, 20.0, 20.0, 3.0])[:, None] * axis[40] + np.array([0.0, 0.0, 5.0, 0.0])[
+        :, None
+    ] * np.cross(axis[40], (0, 0, 1))
     for way, code in ((out, "way-not-in-cl-path"), (-out, "off-cl-path")):
         tips = np.concatenate([tip[:41], tip[40] + way, tip[40:]])
         axes = np.concatenate([axis[:41], np.repeat(axis[40:41], 4, 0), axis[40:]])
         told = compare(words_of(tips, axes), path_of(tip, axis), 0.1)
         assert codes(told) == [code]
-        assert told.findings[0].line == 44 + 1 or told.findings[0].value == pytest.approx(np.hypot(20, 5), rel=0.05)
+        assert told.findings[0].line == 44 + 1 or told.findings[0].value == pytest.approx(
+            np.hypot(20, 5), rel=0.05
+        )
 
 
 def test_a_missing_pass_is_missed_rows():
@@ -225,7 +241,11 @@ def test_a_missing_pass_is_missed_rows():
     told = compare(words_of(tip[keep], axis[keep]), path_of(tip, axis), 0.1)
     # the block that leads over the gap passes the ends of the pass, which are rows too
     assert set(told.missed) == set(range(2 * POINTS, 3 * POINTS)) - set(range(3 * POINTS)) | set(told.missed)
-    assert set(range(2 * POINTS + 1, 3 * POINTS - 1)) <= set(told.missed.tolist()) <= set(range(2 * POINTS, 3 * POINTS))
+    assert (
+        set(range(2 * POINTS + 1, 3 * POINTS - 1))
+        <= set(told.missed.tolist())
+        <= set(range(2 * POINTS, 3 * POINTS))
+    )
     (missed,) = [one for one in told.findings if one.code == "cl-rows-missed"]
     assert missed.value == pytest.approx(1.5, abs=0.01)  # the stepover
 
@@ -246,7 +266,9 @@ def test_a_turned_tool_is_named_with_its_angle():
     leaned[70] = math.cos(math.radians(1.5)) * axis[70] + math.sin(math.radians(1.5)) * side
     told = compare(words_of(tip, leaned), path_of(tip, axis), 1.0)
     (found,) = told.findings
-    assert found.code == "axis-off-cl-path" and found.line == 73 and found.value == pytest.approx(1.5, abs=1e-3)
+    assert (
+        found.code == "axis-off-cl-path" and found.line == 73 and found.value == pytest.approx(1.5, abs=1e-3)
+    )
 
 
 def test_between_the_rows_the_axis_is_that_of_the_great_arc():
@@ -254,7 +276,9 @@ def test_between_the_rows_the_axis_is_that_of_the_great_arc():
     tip, axis = tip[[0, 12]], axis[[0, 12]]
     share = np.linspace(0, 1, 9)
     turn = math.acos(axis[0] @ axis[1])
-    arc = (np.sin((1 - share) * turn)[:, None] * axis[0] + np.sin(share * turn)[:, None] * axis[1]) / math.sin(turn)
+    arc = (
+        np.sin((1 - share) * turn)[:, None] * axis[0] + np.sin(share * turn)[:, None] * axis[1]
+    ) / math.sin(turn)
     places = tip[0] + share[:, None] * (tip[1] - tip[0])
     told = compare(words_of(places, arc), path_of(tip, axis), 5.0)
     assert math.degrees(told.axis.max()) < 1e-3
@@ -268,7 +292,9 @@ def test_leaving_between_good_ends_is_said_so():
     pick = np.r_[0:POINTS:12]
     told = compare(words_of(tip[pick], axis[pick]), path_of(tip[pick], axis[pick]), 0.1)
     assert codes(told) == ["between-cl-rows"] and told.end.max() < 1e-3
-    assert told.off.max() == pytest.approx(measure(LINKS, words_of(tip[pick], axis[pick])).segment.max(), abs=0.011)
+    assert told.off.max() == pytest.approx(
+        measure(LINKS, words_of(tip[pick], axis[pick])).segment.max(), abs=0.011
+    )
 
 
 def test_guided_blocks_are_taken_to_go_straight():
@@ -288,11 +314,14 @@ def test_a_program_without_feed_blocks_misses_all_rows():
 
 
 def test_posted_for_a_pivot_half_a_millimetre_off_is_off_by_what_the_hand_computes(tmp_path):
-    """A's line stands h higher than the post believed: at tilt A the tip is off by h (0, sin A, 1 - cos A) before C turns, in all
+    """A's line stands h higher than the post believed: at tilt A the tip is off by h (0, sin A, 1 - cos A)
+    before C turns, in all
     |off| = 2 h sin(A / 2)."""
     tip, axis = dome()
     raised = [
-        dataclasses.replace(one, point=(one.point[0], one.point[1], one.point[2] + 0.5)) if one.letter == "A" else one
+        dataclasses.replace(one, point=(one.point[0], one.point[1], one.point[2] + 0.5))
+        if one.letter == "A"
+        else one
         for one in MACHINE.axes
     ]
     wrong = dataclasses.replace(MACHINE, axes=tuple(raised))
@@ -301,11 +330,15 @@ def test_posted_for_a_pivot_half_a_millimetre_off_is_off_by_what_the_hand_comput
     save_machine(wrong, str(fcm))
     rows = np.column_stack([tip, axis])
     cl.write_text(
-        "MULTAX/ON\nFEDRAT/900\n" + "".join("GOTO/" + ",".join(f"{v:.7f}" for v in row) + "\n" for row in rows) + "FINI\n"
+        "MULTAX/ON\nFEDRAT/900\n"
+        + "".join("GOTO/" + ",".join(f"{v:.7f}" for v in row) + "\n" for row in rows)
+        + "FINI\n"
     )
     posted = build_settings("post", str(cl), {"machine": str(fcm), "output": str(nc)})
     outputs.write_outputs(job.run(posted))
-    result = job.run(build_settings("audit", str(nc), {"machine": "trunnion_ac", "against": str(cl), "tolerance": 0.05}))
+    result = job.run(
+        build_settings("audit", str(nc), {"machine": "trunnion_ac", "against": str(cl), "tolerance": 0.05})
+    )
     tilt = np.radians(words[1:, 4])
     ends = result.audit.path.end
     for at, row in enumerate(result.audit.path.block):
@@ -315,7 +348,9 @@ def test_posted_for_a_pivot_half_a_millimetre_off_is_off_by_what_the_hand_comput
     assert ends.max() == pytest.approx(2 * 0.5 * np.sin(np.abs(tilt) / 2).max(), rel=0.05)
     found = [one for one in result.findings if one.code == "off-cl-path"]
     assert found and "nearly all alike" in found[0].text and "recover" in found[0].text
-    right = job.run(build_settings("audit", str(nc), {"machine": str(fcm), "against": str(cl), "tolerance": 0.05}))
+    right = job.run(
+        build_settings("audit", str(nc), {"machine": str(fcm), "against": str(cl), "tolerance": 0.05})
+    )
     assert right.audit.path.end.max() < 2e-3 and not [one for one in right.findings if "cl-" in one.code]
 
 
@@ -330,14 +365,16 @@ def test_a_cl_file_without_a_path_is_refused(tmp_path, text):
 
 def test_an_output_must_not_be_what_is_compared_with(tmp_path):
     settings = build_settings(
-        "audit", "p.ngc", {"machine": "trunnion_ac", "against": "p.apt", "rates": str(tmp_path / "../x/p.csv")}
+        "audit",
+        "p.ngc",
+        {"machine": "trunnion_ac", "against": "p.apt", "rates": str(tmp_path / "../x/p.csv")},
     )
     again = dataclasses.replace(settings, output=dataclasses.replace(settings.output, rates="p.apt"))
     with pytest.raises(FiveAxisError, match="is the file that is read"):
         outputs.check_outputs(again)
 
 
-# ---------------------------------------------------------------------------------------------- against the part
+# ------------------------------------------------------------------------------------------- against the part
 
 
 def ball(radius=46.0):
@@ -355,7 +392,11 @@ def test_the_depth_is_that_of_dense_samples_and_brute_force_over_facets():
     corner = mesh.vertex[mesh.face]
     for at in (3, 60, 120):
         row = int(told.block[at])
-        both = np.repeat(words[row - 1 : row], 61, 0), np.repeat(words[row : row + 1], 61, 0), np.linspace(0, 1, 61)
+        both = (
+            np.repeat(words[row - 1 : row], 61, 0),
+            np.repeat(words[row : row + 1], 61, 0),
+            np.linspace(0, 1, 61),
+        )
         centre = tip_at(LINKS, *both) + 4.0 * axis_at(LINKS, *both)
         brute = (4.0 - to_facets(centre, corner)).max()
         assert told.bound[at] >= brute - 1e-9
@@ -383,7 +424,9 @@ def test_the_deepest_place_between_two_clear_ends_is_found():
     assert (ends > 1.0).all()
     exact = 2.0 - search(np.array([[0.0, 0, 20.0]]), facets.pieces(), facets.squared, facets.signed, 2)[0, 0]
     assert (
-        exact > 1.9 and told.depth[0] == pytest.approx(exact, abs=0.03) and told.clearance == pytest.approx(ends.max(), abs=1e-9)
+        exact > 1.9
+        and told.depth[0] == pytest.approx(exact, abs=0.03)
+        and told.clearance == pytest.approx(ends.max(), abs=1e-9)
     )
 
 
@@ -419,14 +462,16 @@ def test_far_inside_and_far_outside_are_told_apart_whatever_way_the_places_come(
         np.testing.assert_allclose(found[close], exact[close], atol=1e-9)
 
 
-# ---------------------------------------------------------------------------------------------- the whole tool in the part
+# --------------------------------------------------------------------------------- the whole tool in the part
 
 
 def audited(tmp_path, lines, **options):
     nc, stl = tmp_path / "p.ngc", tmp_path / "box.stl"
     write_stl(from_triangles(box((0, 0, 0), (40, 30, 10))), stl)
     nc.write_text("G21 G90 G94\nG0 X-5 Y10 Z60 A0 C0\n" + lines + "\nM2\n")
-    return job.run(build_settings("audit", str(nc), {"machine": "trunnion_ac", "against": str(stl), **options}))
+    return job.run(
+        build_settings("audit", str(nc), {"machine": "trunnion_ac", "against": str(stl), **options})
+    )
 
 
 @pytest.mark.parametrize("cutter", ["flat:6", "bull:6:1", "taperbull:6:1:5deg", "taperball:6:5deg"])
@@ -434,7 +479,9 @@ def test_any_cutter_is_held_against_the_part(tmp_path, cutter):
     for z, depth in ((10.0, 0.0), (9.5, 0.5)):
         result = audited(tmp_path, f"G1 X20 Y10 Z{z + 5} F600\nG1 Z{z}\nG1 X30\nG1 Z60", cutter=cutter)
         found = [one for one in result.findings if one.code == "overcut"]
-        assert len(found) == (depth > 0) and result.audit.part.depth.max() == pytest.approx(depth, rel=0.02, abs=1e-3)
+        assert len(found) == (depth > 0) and result.audit.part.depth.max() == pytest.approx(
+            depth, rel=0.02, abs=1e-3
+        )
         assert math.isnan(result.audit.part.clearance) and "NaN" not in as_json(job.figures(result))
     assert "--origin" in found[0].text and found[0].line == result.draft.program.line[found[0].block]
 
@@ -458,9 +505,14 @@ def test_an_audit_with_the_gouge_check_off_says_so_and_one_without_a_part_checks
     clear = "G0 Z90\nG1 X20 F600"
     told = {how: as_json(job.figures(audited(tmp_path, clear, cutter="ball:6", **how_))) for how, how_ in
             {"": {}, "off": {"gouge": "off"}}.items()}  # fmt: skip
-    assert "only the cutter's own feed moves were checked" in told["off"] and "only the cutter" not in told[""]
+    assert (
+        "only the cutter's own feed moves were checked" in told["off"] and "only the cutter" not in told[""]
+    )
     assert build_settings("audit", "p.ngc", {"machine": "trunnion_ac"}).gouge.gouge == "off"
-    assert build_settings("audit", "p.ngc", {"machine": "trunnion_ac", "against": "a.stl"}).gouge.gouge == "report"
+    assert (
+        build_settings("audit", "p.ngc", {"machine": "trunnion_ac", "against": "a.stl"}).gouge.gouge
+        == "report"
+    )
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The allowance on faces to avoid: by dense samples of the way that the machine goes the tool keeps off, and cuts all else as
-before."""
+"""The allowance on faces to avoid: by dense samples of the way that the machine goes the tool keeps off, and
+cuts all else as before."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,13 @@ from freecad_fiveaxis.core.studies.study import try_reach
 from freecad_fiveaxis.core.tool.body import body_of
 
 TOLERANCE = 0.01
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.1, "linearize": "on"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "cutter": "ball:6",
+    "scallop": 0.1,
+    "linearize": "on",
+}
 PLATE = box((-10.0, -8.0, 0.0), (10.0, 8.0, 12.0))
 
 
@@ -60,7 +66,12 @@ def made(tmp_path_factory):
     def run(name, allowance, **options):
         key = name, allowance, *sorted(options.items())
         if key not in known:
-            given = {**OPTIONS, "avoid": str(folder / f"{name}_faces.stl"), "avoid_allowance": allowance, **options}
+            given = {
+                **OPTIONS,
+                "avoid": str(folder / f"{name}_faces.stl"),
+                "avoid_allowance": allowance,
+                **options,
+            }
             with pytest.MonkeyPatch.context() as patch:
                 take_nodes(patch, NODES)
                 known[key] = job.run(build_settings("mill", str(folder / f"{name}.stl"), given))
@@ -71,7 +82,8 @@ def made(tmp_path_factory):
 
 
 def nearest_way(result, name, many=60):
-    """How near, mm, the middle of the ball comes to the avoided rectangle, by dense samples of the real way with all rapids."""
+    """How near, mm, the middle of the ball comes to the avoided rectangle, by dense samples of the real way
+    with all rapids."""
     mesh, find = PARTS[name]
     corner = mesh.vertex[mesh.face[find(mesh)]].reshape(-1, 3)
     program = result.draft.program
@@ -106,7 +118,9 @@ def test_whatever_lays_the_passes_and_links_them_the_allowance_is_kept(made, opt
         options = {**options, "scallop": None}
     result = made("wall", 1.0, **options)
     assert 4.0 - TOLERANCE <= nearest_way(result, "wall", 20) < 4.2
-    assert not {"avoided-faces-near", "avoided-faces-unproven", "overcut", "rapid-collision"} & set(codes(result))
+    assert not {"avoided-faces-near", "avoided-faces-unproven", "overcut", "rapid-collision"} & set(
+        codes(result)
+    )
 
 
 def heights(result, mesh, some):
@@ -119,20 +133,25 @@ def heights(result, mesh, some):
     def counts(point, facet):
         return keep_off.allows(mesh, point, facet)
 
-    return find_rest_material(mesh, body, swept, cutting(program.motion), 0.7, result.draft.keep & ~some, counts=counts).height
+    return find_rest_material(
+        mesh, body, swept, cutting(program.motion), 0.7, result.draft.keep & ~some, counts=counts
+    ).height
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", PARTS)
 def test_everywhere_else_it_cuts_as_before(made, name):
     mesh, find = PARTS[name]
-    with_room, without = (heights(made(name, room, tool_axis="auto", passes="scallop"), mesh, find(mesh)) for room in (1.0, 0.0))
+    with_room, without = (
+        heights(made(name, room, tool_axis="auto", passes="scallop"), mesh, find(mesh)) for room in (1.0, 0.0)
+    )
     finished = [float(np.mean(one <= 0.2 + TOLERANCE)) for one in (with_room, without)]
     assert finished[0] > 0.985 and finished[0] > finished[1] - 0.01
 
 
 def test_the_strip_is_told_with_its_area_and_the_verdict_names_it(made):
-    """4 mm of the floor 40 mm long, and of shelf and ends where the ball over them is no more than 4 mm from the wall."""
+    """4 mm of the floor 40 mm long, and of shelf and ends where the ball over them is no more than 4 mm from
+    the wall."""
     result = made("wall", 1.0, tool_axis="facet_mean")
     (strip,) = [one for one in result.findings if one.code == "near-avoided-faces"]
     aside = np.sqrt(4.0**2 - 3.0**2)
@@ -140,14 +159,21 @@ def test_the_strip_is_told_with_its_area_and_the_verdict_names_it(made):
     assert strip.value == pytest.approx(40.0 * (4.0 + aside) + 2.0 * end, rel=0.03)
     figures = job.figures(result)
     assert "beside the faces to avoid" in " ".join(map(str, verdict(figures, summary(figures)).reasons))
-    assert any("keep 1 mm off the faces to avoid" in str(one) for one in scope(figures, summary(figures)).proven)
+    assert any(
+        "keep 1 mm off the faces to avoid" in str(one) for one in scope(figures, summary(figures)).proven
+    )
     assert "near-avoided-faces" not in codes(made("wall", 0.0, tool_axis="auto"))
 
 
 @pytest.mark.thorough
 def test_shank_and_holder_keep_off_too(made):
     """A holder as wide as it is near: upright over the floor it stands beside the wall's top."""
-    options = {"cutter": "ball:6:4", "holder": ((24.0, 20.0),), "tool_axis": "facet_mean", "max_axis_angle": np.radians(30.0)}
+    options = {
+        "cutter": "ball:6:4",
+        "holder": ((24.0, 20.0),),
+        "tool_axis": "facet_mean",
+        "max_axis_angle": np.radians(30.0),
+    }
     result = made("wall", 1.0, **options)
     made_ = result.draft
     assert not {"avoided-faces-near"} & set(codes(result))
@@ -173,7 +199,19 @@ def test_the_proof_finds_a_program_that_comes_nearer(made):
 @pytest.mark.thorough
 def test_an_allowance_of_nothing_gives_the_same_bytes(made, tmp_path):
     part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
-    given = ["mill", part, "--machine", "trunnion_ac", "--cutter", "ball:6", "--scallop", "0.5", "--avoid", faces, "--quiet"]
+    given = [
+        "mill",
+        part,
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6",
+        "--scallop",
+        "0.5",
+        "--avoid",
+        faces,
+        "--quiet",
+    ]
     for name, more in (("one", []), ("two", ["--avoid-allowance", "0"])):
         assert main([*given, *more, "-o", str(tmp_path / f"{name}.ngc")]) in (0, 1)
     assert (tmp_path / "one.ngc").read_bytes() == (tmp_path / "two.ngc").read_bytes()
@@ -184,7 +222,9 @@ def test_an_allowance_of_nothing_gives_the_same_bytes(made, tmp_path):
     ("nan", True, "avoid-allowance"), ("59", True, "nothing of what is to be machined can be cut"),
 ])  # fmt: skip
 @pytest.mark.parametrize("task", ["mill", "reach"])
-def test_bad_allowances_are_refused_in_one_line_and_leave_no_file(made, tmp_path, capsys, allowance, avoid, said, task):
+def test_bad_allowances_are_refused_in_one_line_and_leave_no_file(
+    made, tmp_path, capsys, allowance, avoid, said, task
+):
     part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
     given = [task, part, "--machine", "trunnion_ac", "--cutter", "ball:6", f"--avoid-allowance={allowance}"]
     given += ["--avoid", faces] if avoid else []
@@ -207,8 +247,15 @@ def test_cutters_with_a_ring_keep_off_with_the_whole_of_it(made):
 def test_reach_leaves_out_what_the_cutter_cannot_touch_for_the_allowance(made):
     part, faces = (str(made.folder / name) for name in ("wall.stl", "wall_faces.stl"))
     given = {"machine": "trunnion_ac", "cutter": "ball:6", "avoid": faces}
-    plain, trial = (try_reach(build_settings("reach", part, {**given, "avoid_allowance": room})) for room in (0.0, 1.0))
-    assert [one.code for one in trial.findings if "avoided" in one.code] == ["faces-avoided", "near-avoided-faces"]
+    plain, trial = (
+        try_reach(build_settings("reach", part, {**given, "avoid_allowance": room})) for room in (0.0, 1.0)
+    )
+    assert [one.code for one in trial.findings if "avoided" in one.code] == [
+        "faces-avoided",
+        "near-avoided-faces",
+    ]
     point = trial.found.point
     on_floor = (point[:, 2] == 0.0) & (point[:, 1] < 0.0)
-    assert point[on_floor, 1].max() <= -4.0 and plain.found.point[plain.found.point[:, 2] == 0.0, 1].max() > -1.0
+    assert (
+        point[on_floor, 1].max() <= -4.0 and plain.found.point[plain.found.point[:, 2] == 0.0, 1].max() > -1.0
+    )

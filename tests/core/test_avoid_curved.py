@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The allowance on curved faces to avoid, a boss's side and a dome on a plate, and on a face of a real part: by dense samples of the
-way that the machine goes."""
+"""The allowance on curved faces to avoid, a boss's side and a dome on a plate, and on a face of a real part:
+by dense samples of the way that the machine goes."""
 
 import math
 import os
@@ -18,14 +18,25 @@ from freecad_fiveaxis.core.pipeline import job
 RADIUS, ROUND, TOLERANCE, COLUMNS = 3.0, 8.0, 0.01, 64
 SAG = ROUND * (1.0 - math.cos(math.pi / COLUMNS))
 """mm: so far facets lie within what they stand for, across."""
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.1, "linearize": "on"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "cutter": "ball:6",
+    "scallop": 0.1,
+    "linearize": "on",
+}
 REAL = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl")) / "sh1.stl"
 
 
 def turned(profile):
-    """A solid (mesh) of a profile (k, 2) of radius and height mm, from the axis above to the axis below, turned about Z."""
+    """A solid (mesh) of a profile (k, 2) of radius and height mm, from the axis above to the axis below,
+    turned about Z."""
     inner, turn = np.asarray(profile[1:-1]), 2.0 * math.pi * np.arange(COLUMNS) / COLUMNS
-    ring = [np.outer(inner[:, 0], np.cos(turn)), np.outer(inner[:, 0], np.sin(turn)), np.repeat(inner[:, 1:], COLUMNS, 1)]
+    ring = [
+        np.outer(inner[:, 0], np.cos(turn)),
+        np.outer(inner[:, 0], np.sin(turn)),
+        np.repeat(inner[:, 1:], COLUMNS, 1),
+    ]
     point, row = np.stack(ring, axis=-1).reshape(-1, 3), np.arange(len(inner) * COLUMNS).reshape(-1, COLUMNS)
     after = np.roll(row, -1, axis=1)
     a, b, c, d = (part.ravel() for part in (row[:-1], row[1:], after[1:], after[:-1]))
@@ -101,9 +112,12 @@ def spread(corner, count):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)")
+@pytest.mark.skipif(
+    not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)"
+)
 def test_on_a_real_part_the_ball_keeps_the_allowance_off_its_faces(tmp_path):
-    """What lies in the middle third of the part's height: curved, and level. 27 000 blocks are enough to come as near as they may."""
+    """What lies in the middle third of the part's height: curved, and level. 27 000 blocks are enough to come
+    as near as they may."""
     mesh = read_stl(str(REAL))
     middle, (low, high) = mesh.vertex[mesh.face].mean(axis=1)[:, 2], np.asarray(mesh.box)[:, 2]
     some = np.abs(middle - 0.5 * (low + high)) < (high - low) / 6.0

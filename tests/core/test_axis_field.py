@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The field of tool axes: what it promises on any part, and parts on which the axes are known in closed form."""
+"""The field of tool axes: what it promises on any part, and parts on which the axes are known in closed
+form."""
 
 import math
 from dataclasses import replace
@@ -32,7 +33,8 @@ from freecad_fiveaxis.core.toolpath.coedge import close_gaps
 SHORT = Cutter(6.0, 12.0)
 HOLDER = ((24.0, 30.0),)
 NODES, MORE = 200, 300
-"""Fewer than the product takes: what takes its own number of them is thorough. MORE: where an angle is known by closed form."""
+"""Fewer than the product takes: what takes its own number of them is thorough. MORE: where an angle is known
+by closed form."""
 
 
 def trunnion(most=None):
@@ -56,11 +58,13 @@ def stemmed():
     bow = np.radians(np.linspace(-72.0, 88.0, 17))
     line = np.concatenate([[(3.0, 0.0)], np.stack([10.0 * np.cos(bow), 30.0 + 10.0 * np.sin(bow)], axis=1)])
     turn = np.linspace(0.0, 2.0 * math.pi, 25)[:-1]
-    vertex = np.stack([line[:, :1] * np.cos(turn), line[:, :1] * np.sin(turn), np.repeat(line[:, 1:], 24, 1)], axis=-1).reshape(
-        -1, 3
-    )
+    vertex = np.stack(
+        [line[:, :1] * np.cos(turn), line[:, :1] * np.sin(turn), np.repeat(line[:, 1:], 24, 1)], axis=-1
+    ).reshape(-1, 3)
     row = np.arange(len(line) * 24).reshape(-1, 24)
-    a, b, c, d = (part.ravel() for part in (row[:-1], np.roll(row[:-1], -1, 1), np.roll(row[1:], -1, 1), row[1:]))
+    a, b, c, d = (
+        part.ravel() for part in (row[:-1], np.roll(row[:-1], -1, 1), np.roll(row[1:], -1, 1), row[1:])
+    )
     return from_faces(vertex, np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
 
 
@@ -75,7 +79,9 @@ def hollows():
 
 
 def plate():
-    return from_triangles(np.array([[(0, 0, 0), (40, 0, 0), (40, 30, 0)], [(0, 0, 0), (40, 30, 0), (0, 30, 0)]], float))
+    return from_triangles(
+        np.array([[(0, 0, 0), (40, 0, 0), (40, 30, 0)], [(0, 0, 0), (40, 30, 0), (0, 30, 0)]], float)
+    )
 
 
 @cache
@@ -148,13 +154,23 @@ def test_some_axis_is_free_exactly_where_brute_force_says_so(shape):
 
 
 def by_force(shape, reacher, nodes, direction, rows):
-    """Whether (k,) at these nodes any of the directions, or the own normal (in the last one's place), has the tool out of dense points."""
+    """Whether (k,) at these nodes any of the directions, or the own normal (in the last one's place), has the
+    tool out of dense points."""
     points, body, free = points_on(shape, 0.7), reacher.body, []
     for row in rows:
         ways = np.where(direction.any(axis=1)[:, None], direction, nodes.normal[row])
-        ways = ways[(ways @ nodes.normal[row] > math.cos(module.WIDEST)) & axes_within_limits(reacher.kinematics, ways)]
-        tips = tip_at(reacher.cutter, *(np.broadcast_to(one[row], ways.shape) for one in (nodes.stand, nodes.normal)), ways)
-        depth = (depth_of(body, tips[k], ways[k], points).max() for k in np.argsort(-ways @ nodes.normal[row]))  # one is enough
+        ways = ways[
+            (ways @ nodes.normal[row] > math.cos(module.WIDEST))
+            & axes_within_limits(reacher.kinematics, ways)
+        ]
+        tips = tip_at(
+            reacher.cutter,
+            *(np.broadcast_to(one[row], ways.shape) for one in (nodes.stand, nodes.normal)),
+            ways,
+        )
+        depth = (
+            depth_of(body, tips[k], ways[k], points).max() for k in np.argsort(-ways @ nodes.normal[row])
+        )  # one is enough
         free.append(nodes.fits[row] and any(one <= 1.5 * reacher.limit for one in depth))
     return np.array(free)
 
@@ -180,12 +196,18 @@ def test_on_an_open_plate_the_axis_is_the_normal():
 
 
 def test_in_a_slot_the_axis_lies_in_its_plane_as_far_as_the_tool_has_room():
-    """The floor of a slot 14 mm wide and 40 mm deep: a cutter of 6 mm leans across by no more than the gap over the height."""
+    """The floor of a slot 14 mm wide and 40 mm deep: a cutter of 6 mm leans across by no more than the gap
+    over the height."""
     _, _, nodes, freedom, axis = found(lambda: slot(14.0, 40.0, 60.0), Cutter(6.0, 60.0), ())
     floor = np.isclose(nodes.point[:, 2], 10.0) & (np.abs(nodes.point[:, 0]) < 3.9) & freedom.some
     room = (14.0 - 6.0) / 40.0
     assert floor.any() and (np.abs(axis[floor, 0]) <= room + 0.02).all()
-    wall = np.isclose(np.abs(nodes.point[:, 0]), 7.0) & (nodes.point[:, 2] > 15.0) & (nodes.point[:, 2] < 25.0) & freedom.some
+    wall = (
+        np.isclose(np.abs(nodes.point[:, 0]), 7.0)
+        & (nodes.point[:, 2] > 15.0)
+        & (nodes.point[:, 2] < 25.0)
+        & freedom.some
+    )
     assert wall.any() and not freedom.upright[wall].any() and (np.abs(axis[wall, 0]) < 0.45).all()
 
 
@@ -212,7 +234,9 @@ def test_a_turn_is_spread_over_the_surface_about_an_edge():
     top = np.isclose(nodes.point[:, 2], 20.0) & (nodes.point[:, 1] > 8.0) & (nodes.point[:, 1] < 22.0)
     rim = top & (nodes.point[:, 0] > 38.5)
     middle = top & (np.abs(nodes.point[:, 0] - 20.0) < 5.0)
-    assert (angle(axis[rim], nodes.normal[rim]) > 8.0).all() and (angle(axis[middle], nodes.normal[middle]) < 6.0).all()
+    assert (angle(axis[rim], nodes.normal[rim]) > 8.0).all() and (
+        angle(axis[middle], nodes.normal[middle]) < 6.0
+    ).all()
 
 
 def test_a_ball_is_raised_out_of_a_shallow_crease_and_does_not_fit_into_a_narrow_slot():
@@ -225,7 +249,7 @@ def test_a_ball_is_raised_out_of_a_shallow_crease_and_does_not_fit_into_a_narrow
     assert fits.all() and 0.001 < np.linalg.norm(stand - point) < 0.05
 
 
-# ------------------------------------------------------------------------------------------------ the contacts
+# ----------------------------------------------------------------------------------------------- the contacts
 
 
 def take_nodes(patch, count):
@@ -244,7 +268,8 @@ def contacts_on(shape):
 
 @cache
 def field_on(shape, reacher, nodes):
-    """The field over what is milled of a part, refined where its contacts ask for it: the same however the tool leans."""
+    """The field over what is milled of a part, refined where its contacts ask for it: the same however the
+    tool leans."""
     path, mesh, facets = contacts_on(shape)
     with pytest.MonkeyPatch.context() as patch:
         take_nodes(patch, nodes)
@@ -274,7 +299,9 @@ def test_all_rows_of_one_contact_share_one_unit_axis(lean, nodes):
     path, _, (axis, _, _), _, _ = milled(corner, nodes=nodes, **lean)
     np.testing.assert_allclose(np.linalg.norm(axis, axis=1), 1.0, atol=1e-12)
     same = (np.abs(np.diff(path.point, axis=0)) < 1e-9).all(axis=1) & (np.diff(path.polyline) == 0)
-    same &= (path.before[1:] == path.before[:-1]).all(axis=1) & (path.after[1:] == path.after[:-1]).all(axis=1)
+    same &= (path.before[1:] == path.before[:-1]).all(axis=1) & (path.after[1:] == path.after[:-1]).all(
+        axis=1
+    )
     assert same.any() and (axis[1:][same] == axis[:-1][same]).all()
 
 
@@ -284,7 +311,9 @@ def test_contacts_are_free_with_auto_where_they_are_not_with_the_normals(nodes):
     path, given, (axis, free, _), _, reacher = milled(hollows, nodes=nodes)
     points, row = points_on(hollows, 1.0), slice(None, None, 2)
     point, normal = path.point[row], path.normal[row]
-    by_normal, by_field = (deepest(reacher, tip_at(SHORT, point, normal, way[row]), way[row], points) for way in (given, axis))
+    by_normal, by_field = (
+        deepest(reacher, tip_at(SHORT, point, normal, way[row]), way[row], points) for way in (given, axis)
+    )
     held = by_normal > 0.2
     assert np.count_nonzero(held) > 5 and free.all()
     assert (by_field[held] < 0.1).mean() > 0.9 and by_field.max() < 0.2
@@ -301,7 +330,11 @@ def test_single_contacts_without_a_free_axis_are_a_note(held, severity):
 def test_where_no_axis_is_free_the_given_one_stays_and_is_told_apart_and_counted():
     """The holder does not go into the slot, and within 20 deg the tool cannot lean out of its ends."""
     path, given, (axis, free, findings), _, _ = milled(deep_slot, 20.0, nodes=NODES)
-    floor = np.isclose(path.point[:, 2], 10.0) & (np.abs(path.point[:, 0]) < 3.9) & (np.abs(path.point[:, 1] - 15.0) < 5.0)
+    floor = (
+        np.isclose(path.point[:, 2], 10.0)
+        & (np.abs(path.point[:, 0]) < 3.9)
+        & (np.abs(path.point[:, 1] - 15.0) < 5.0)
+    )
     assert floor.any() and (axis[floor] == given[floor]).all() and not free[floor].any() and free.any()
     (finding,) = findings
     assert finding.code == "no-free-axis" and finding.value > 9 and "no tool axis was found" in finding.text
@@ -331,7 +364,9 @@ def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_man
     random = np.random.default_rng(count)
     direction, axis, normal = (module.unit(random.normal(size=(k, 3))) for k in (7, count, count))
     free, upright = random.random((count, 7)) < 0.2, random.random(count) < 0.2
-    found, got = module.nearest_free(axis, normal, module.Freedom(direction, free, upright, np.zeros(count, np.int64)))
+    found, got = module.nearest_free(
+        axis, normal, module.Freedom(direction, free, upright, np.zeros(count, np.int64))
+    )
     for k in range(count):
         allowed = [*direction[free[k]], *([normal[k]] if upright[k] else [])]
         assert got[k] == bool(allowed)
@@ -340,9 +375,14 @@ def test_the_nearest_free_direction_is_the_one_of_the_largest_cosine_however_man
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("shape", [block, stemmed, hollows, corner, plate])
-def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answers_are_the_same(shape, monkeypatch):
+def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answers_are_the_same(
+    shape, monkeypatch
+):
     mesh, random = shape(), np.random.default_rng(8)
-    tree, reacher = facet_tree(mesh), Reacher(SHORT, holder=HOLDER, table=float(mesh.vertex[:, 2].min()) - 1.0)
+    tree, reacher = (
+        facet_tree(mesh),
+        Reacher(SHORT, holder=HOLDER, table=float(mesh.vertex[:, 2].min()) - 1.0),
+    )
     facet = random.choice(len(mesh.face), 4000, p=mesh.area / mesh.area.sum())
     point, normal = mesh.vertex[mesh.face[facet]].mean(axis=1), mesh.normal[facet]
     axis = module.unit(normal + module.unit(random.normal(size=(4000, 3))))
@@ -355,7 +395,9 @@ def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answer
     monkeypatch.setattr(obstacles_module, "enters", counted)
     plain = obstacles(reacher, tree, point, normal, axis)
     most, asked[0] = asked[0], 0
-    np.testing.assert_array_equal(obstacles(reacher, tree, point, normal, axis, part_heights(tree, normal)), plain)
+    np.testing.assert_array_equal(
+        obstacles(reacher, tree, point, normal, axis, part_heights(tree, normal)), plain
+    )
     assert asked[0] <= most and (shape is not block or asked[0] < 0.5 * most)
     low = part_heights(tree, normal) - 5.0  # with too low a support some would be taken for free
     assert shape is not hollows or (obstacles(reacher, tree, point, normal, axis, low) != plain).any()
@@ -363,5 +405,9 @@ def test_what_stands_above_the_whole_part_is_found_by_its_support_and_the_answer
 
 def test_the_part_reaches_as_far_as_its_farthest_corner():
     mesh, normal = stemmed(), module.unit(np.random.default_rng(3).normal(size=(200, 3)))
-    np.testing.assert_allclose(part_heights(facet_tree(mesh), normal), (normal @ mesh.vertex.T).max(axis=1), atol=1e-9)
-    assert np.isinf(part_heights(facet_tree(plate()), normal)).all() and not len(part_heights(facet_tree(mesh), normal[:0]))
+    np.testing.assert_allclose(
+        part_heights(facet_tree(mesh), normal), (normal @ mesh.vertex.T).max(axis=1), atol=1e-9
+    )
+    assert np.isinf(part_heights(facet_tree(plate()), normal)).all() and not len(
+        part_heights(facet_tree(mesh), normal[:0])
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The barrel cutter: its flank in closed form, its body against dense samples, and its texts there and back."""
+"""The barrel cutter: its flank in closed form, its body against dense samples, and its texts there and
+back."""
 
 import math
 
@@ -35,8 +36,8 @@ def barrel():
 
 
 def on_flank(angle):
-    """The arc by its own parameter: distance from the axis, and height, where its outward normal leans ``angle`` rad from
-    straight down."""
+    """The arc by its own parameter: distance from the axis, and height, where its outward normal leans
+    ``angle`` rad from straight down."""
     return RING + FLANK * np.sin(angle), CREST - FLANK * np.cos(angle)
 
 
@@ -64,7 +65,13 @@ def poses(count, least, most, seed=1):
     side -= np.einsum("ij,ij->i", side, normal)[:, None] * normal
     side /= np.linalg.norm(side, axis=1)[:, None]
     angle = rng.uniform(least, most, count)[:, None]
-    return rng.uniform(-9.0, 9.0, (count, 3)), normal, np.cos(angle) * normal + np.sin(angle) * side, feed, angle[:, 0]
+    return (
+        rng.uniform(-9.0, 9.0, (count, 3)),
+        normal,
+        np.cos(angle) * normal + np.sin(angle) * side,
+        feed,
+        angle[:, 0],
+    )
 
 
 # ------------------------------------------------------------------------------------------------ its shape
@@ -72,8 +79,14 @@ def poses(count, least, most, seed=1):
 
 def test_the_flank_touches_the_ball_at_its_tip_and_ends_upright_at_the_diameter():
     radius, height = on_flank(BEGINS)
-    assert math.hypot(radius, height - TIP) == pytest.approx(TIP) and on_flank(0.5 * math.pi)[0] == pytest.approx(WIDE)
-    assert math.degrees(barrel().barrel.begins) == pytest.approx(math.degrees(BEGINS)) == pytest.approx(74.54, abs=0.01)
+    assert math.hypot(radius, height - TIP) == pytest.approx(TIP) and on_flank(0.5 * math.pi)[
+        0
+    ] == pytest.approx(WIDE)
+    assert (
+        math.degrees(barrel().barrel.begins)
+        == pytest.approx(math.degrees(BEGINS))
+        == pytest.approx(74.54, abs=0.01)
+    )
     assert barrel().barrel.rise + TIP == pytest.approx(CREST)
 
 
@@ -133,7 +146,9 @@ def test_its_outline_in_every_direction_is_that_of_its_points(by):
     along = np.linspace(-1.0, 1.0, 401)
     r, z = outline()[:, :1], outline()[:, 1:]
     supports = z * along + r * np.sqrt(1.0 - along**2)
-    np.testing.assert_allclose(body_support(grow_body(body_of(barrel()), by), along), supports.max(axis=0) + by, atol=1e-5)
+    np.testing.assert_allclose(
+        body_support(grow_body(body_of(barrel()), by), along), supports.max(axis=0) + by, atol=1e-5
+    )
     swung = np.maximum.accumulate(supports.max(axis=0))
     np.testing.assert_allclose(swing_support(body_of(barrel()), along), swung, atol=1e-3)
 
@@ -145,7 +160,9 @@ def test_the_way_out_of_it_is_to_its_underside(by):
     got = 30.0 - way_out(body_of(barrel()), np.zeros((200, 3)), np.repeat(UP, 200, axis=0), points, by)
     r, z = outline().T
     inside = np.abs(r - radius[:, None]) <= by
-    under = np.where(inside, z - np.sqrt(np.maximum(by**2 - (r - radius[:, None]) ** 2, 0.0)), np.inf).min(axis=1)
+    under = np.where(inside, z - np.sqrt(np.maximum(by**2 - (r - radius[:, None]) ** 2, 0.0)), np.inf).min(
+        axis=1
+    )
     if by == 0.0:
         falls = z <= CREST
         under = np.where(radius <= WIDE, np.interp(radius, r[falls], z[falls]), 30.0)
@@ -166,7 +183,9 @@ def test_its_entries_are_those_of_dense_samples():
     """No sample is deeper than the bound, and the deepest sample is as deep as what is found."""
     mesh, rng = shelf(length=24.0), np.random.default_rng(5)
     points, count = dense_points(mesh, 0.4), 8
-    tip = np.stack([rng.uniform(-8.0, 8.0, count), rng.uniform(-12.0, 6.0, count), rng.uniform(-1.0, 8.0, count)], axis=1)
+    tip = np.stack(
+        [rng.uniform(-8.0, 8.0, count), rng.uniform(-12.0, 6.0, count), rng.uniform(-1.0, 8.0, count)], axis=1
+    )
     axis = UP + np.stack([*rng.uniform(-0.6, 0.6, (2, count)), np.zeros(count)], axis=1)
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     swept, body = straight_motion(tip, axis), body_of(barrel())
@@ -179,18 +198,20 @@ def test_its_entries_are_those_of_dense_samples():
 
 
 def test_a_wall_beside_the_flank_is_found_by_the_body():
-    """On the floor before the shelf's wall: an axis that leans away from it is free, one that leans into it enters."""
+    """On the floor before the shelf's wall: an axis that leans away from it is free, one that leans into it
+    enters."""
     at, lean = np.array([[0.0, -20.0, 0.0]] * 2), math.radians(80.0)
     axis = np.array([[0.0, -math.sin(lean), math.cos(lean)], [0.0, math.sin(lean), math.cos(lean)]])
     met = obstacles(Reacher(barrel()), facet_tree(shelf()), at, np.repeat(UP, 2, axis=0), axis)
     assert met[0] == Obstacle.NONE and met[1] != Obstacle.NONE
 
 
-# ------------------------------------------------------------------------------------------------ how wide it cuts
+# ------------------------------------------------------------------------------------------- how wide it cuts
 
 
 def test_across_a_pass_its_flank_cuts_with_its_own_radius():
-    """Tilted, the arc lies across the pass; led, the pass runs along the arc, and what cuts is the flank's round, (R + e / sin)."""
+    """Tilted, the arc lies across the pass; led, the pass runs along the arc, and what cuts is the flank's
+    round, (R + e / sin)."""
     _, normal, axis, _, angle = poses(100, BEGINS + 1e-3, 0.5 * math.pi, 6)
     across = axis - np.einsum("ij,ij->i", axis, normal)[:, None] * normal
     np.testing.assert_allclose(barrel().effective_radius(normal, axis, across), FLANK)
@@ -204,15 +225,20 @@ def test_the_ball_as_wide_as_its_flank_is_the_flank(height):
     axis = np.array([[math.sin(lean), 0.0, math.cos(lean)]])
     radius = barrel().equivalent_radius(UP, axis, np.array([[1.0, 0.0, 0.0]]), height)[0]
     assert radius == pytest.approx(FLANK, rel=5e-3)
-    assert Cutter(10.0).equivalent_radius(UP, axis, np.array([[1.0, 0.0, 0.0]]), height)[0] == pytest.approx(5.0, rel=5e-3)
+    assert Cutter(10.0).equivalent_radius(UP, axis, np.array([[1.0, 0.0, 0.0]]), height)[0] == pytest.approx(
+        5.0, rel=5e-3
+    )
 
 
 def test_the_scallop_between_two_tilted_passes_is_that_of_the_flank():
-    """By dense points of the sweep: passes s apart leave s^2 / 8 R, where balls of the same diameter leave 17 times as much."""
+    """By dense points of the sweep: passes s apart leave s^2 / 8 R, where balls of the same diameter leave 17
+    times as much."""
     lean, apart = barrel().barrel.middle, 2.0
     axis = np.array([math.sin(lean), 0.0, math.cos(lean)])
     heights = np.linspace(0.0, 0.02, 2001)
-    tips = barrel().tip_from_contact(np.array([[0.0, 0, 0], [apart, 0, 0]]), np.repeat(UP, 2, axis=0), np.array([axis] * 2), UP)
+    tips = barrel().tip_from_contact(
+        np.array([[0.0, 0, 0], [apart, 0, 0]]), np.repeat(UP, 2, axis=0), np.array([axis] * 2), UP
+    )
     middle = np.stack([np.full_like(heights, 0.5 * apart), np.zeros_like(heights), heights], axis=1)
     cut = np.max([depth_of(body_of(barrel()), tip, axis, middle) for tip in tips], axis=0)
     left = heights[np.flatnonzero(cut >= 0.0)[0]]
@@ -232,7 +258,9 @@ def test_it_is_read_with_its_units_and_comes_back_from_its_text(text, sizes):
     cutter = parse_cutter(text)
     assert (cutter.diameter, cutter.flank, cutter.corner, cutter.length) == pytest.approx(sizes)
     assert (
-        parse_cutter(cutter_text(cutter)) == cutter and cutter_text(cutter).startswith("barrel:") and kind_of(cutter) == "barrel"
+        parse_cutter(cutter_text(cutter)) == cutter
+        and cutter_text(cutter).startswith("barrel:")
+        and kind_of(cutter) == "barrel"
     )
 
 
@@ -276,7 +304,9 @@ def test_a_cl_file_brings_it_back_with_its_flank(text):
     if cutter.flank is not None:
         assert got == cutter
         others = read_cl_file(written.decode().replace("PPRINT/FLANK,", "PPRINT/FLANK ")).head.cutter
-        assert others == Cutter(cutter.diameter, corner=cutter.corner), "to whom the mark is text, it is a bull nose"
+        assert others == Cutter(cutter.diameter, corner=cutter.corner), (
+            "to whom the mark is text, it is a bull nose"
+        )
 
 
 def test_another_flank_than_the_cl_files_is_told():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A barrel on its passes: its flank on every contact, few passes on steep walls, and what is said where it cannot."""
+"""A barrel on its passes: its flank on every contact, few passes on steep walls, and what is said where it
+cannot."""
 
 import math
 from dataclasses import replace
@@ -25,7 +26,9 @@ def tower(sides=48, height=24.0):
     """A tower with an elliptic foot whose wall leans in by 8 %: steep all round."""
     turn, levels = np.arange(sides) * 2.0 * math.pi / sides, np.linspace(0.0, height, 9)
     far = (14.0 - 0.08 * levels)[:, None]
-    rings = np.stack([far * np.cos(turn), 0.7 * far * np.sin(turn), np.repeat(levels[:, None], sides, axis=1)], axis=2)
+    rings = np.stack(
+        [far * np.cos(turn), 0.7 * far * np.sin(turn), np.repeat(levels[:, None], sides, axis=1)], axis=2
+    )
     after = np.roll(rings, -1, axis=1)
     a, b, c, d = rings[:-1], after[:-1], after[1:], rings[1:]
     walls = [np.stack(one, axis=2).reshape(-1, 3, 3) for one in ((a, b, c), (a, c, d))]
@@ -42,7 +45,13 @@ def part(tmp_path_factory):
 
 
 def settings_of(part, **options):
-    given = {"machine": "trunnion_ac", "controller": "linuxcnc", "cutter": BARREL, "scallop": SCALLOP, "passes": "zlevel"}
+    given = {
+        "machine": "trunnion_ac",
+        "controller": "linuxcnc",
+        "cutter": BARREL,
+        "scallop": SCALLOP,
+        "passes": "zlevel",
+    }
     return build_settings(MILL, part, {**given, "spindle": 8000, **options})
 
 
@@ -74,7 +83,9 @@ def test_on_a_steep_wall_the_middle_of_its_flank_touches_and_the_axis_stands_up(
     assert np.median(lean) == pytest.approx(barrel.middle, abs=1e-3) and (axis[:, 2] > 0.9).all()
     assert ((lean > barrel.begins) & (lean < 0.5 * math.pi)).all() and "off-flank" not in codes(with_barrel)
     depth = depth_of(body_of(parse_cutter(BARREL)), tip, axis, contact)
-    assert np.abs(depth).max() < 0.01, "every contact lies on its flank, but for what it rocks from facet to facet"
+    assert np.abs(depth).max() < 0.01, (
+        "every contact lies on its flank, but for what it rocks from facet to facet"
+    )
 
 
 def test_it_needs_a_fourth_of_the_passes_and_leaves_no_more_than_was_asked_for(with_barrel, with_ball):
@@ -92,7 +103,9 @@ def test_it_needs_a_fourth_of_the_passes_and_leaves_no_more_than_was_asked_for(w
 def test_passes_as_far_apart_with_a_ball_would_leave_more(part, with_barrel):
     """The comparison of the test above can fail."""
     apart = 2.0 * math.sqrt(2.0 * FLANK * SCALLOP)
-    settings = settings_of(part, cutter="ball:10", tool_axis="facet_mean", rest="on", scallop=None, stepover=apart)
+    settings = settings_of(
+        part, cutter="ball:10", tool_axis="facet_mean", rest="on", scallop=None, stepover=apart
+    )
     rest = job.run(settings).rest
     wall = np.abs(with_barrel.draft.mesh.normal[rest.facet][:, 2]) < 0.5
     assert np.quantile(rest.height[wall], 0.9) > 5.0 * SCALLOP
@@ -105,7 +118,8 @@ def test_it_leans_to_the_upper_side_whichever_way_the_passes_run(part, order):
 
 
 def test_a_tilt_that_is_asked_for_stays_what_it_is(part):
-    """To the right of the feed, by so much; and the finding where it leaves the flank, with the tilt that does not."""
+    """To the right of the feed, by so much; and the finding where it leaves the flank, with the tilt that
+    does not."""
     assert axis_options(settings_of(part, tilt="80deg")).tilt == pytest.approx(math.radians(80.0))
     assert not axis_options(settings_of(part, tilt="80deg")).upwards
     result = job.run(settings_of(part, tilt="30deg"))
@@ -124,7 +138,16 @@ def test_with_a_fixed_axis_it_cuts_upright_walls_with_its_widest_place(part):
 def test_minimax_is_refused_and_names_what_to_choose(part, capsys, tmp_path):
     with pytest.raises(SettingsError, match="off its flank"):
         settings_of(part, tool_axis="minimax")
-    given = ["--machine", "trunnion_ac", "--cutter", BARREL, "--tool-axis", "minimax", "-o", str(tmp_path / "x.ngc")]
+    given = [
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        BARREL,
+        "--tool-axis",
+        "minimax",
+        "-o",
+        str(tmp_path / "x.ngc"),
+    ]
     assert cli.main(["mill", part, *given]) == 2
     error = capsys.readouterr().err.strip()
     assert error.count("\n") == 0 and "facet_mean" in error and not list(tmp_path.iterdir())
@@ -133,11 +156,15 @@ def test_minimax_is_refused_and_names_what_to_choose(part, capsys, tmp_path):
 def test_what_stands_beside_the_wall_is_found_and_lifted_over(tmp_path):
     """A wall opposite, 9 mm away: the cutter of 10 mm has no room."""
     one = tower(16)
-    both = from_triangles(np.concatenate([mesh.vertex[mesh.face] for mesh in (one, moved(one, (36.0, 0.0, 0.0)))]))
+    both = from_triangles(
+        np.concatenate([mesh.vertex[mesh.face] for mesh in (one, moved(one, (36.0, 0.0, 0.0)))])
+    )
     path = tmp_path / "two.stl"
     write_stl(both, path)
     deep = job.run(settings_of(str(path), gouge="report"))
-    assert any(code.startswith("tool-in-part") or "overcut" in code for code in map(str, codes(deep))), codes(deep)
+    assert any(code.startswith("tool-in-part") or "overcut" in code for code in map(str, codes(deep))), codes(
+        deep
+    )
 
 
 def moved(mesh, by):

@@ -65,8 +65,16 @@ def test_an_executor_that_gives_back_something_else_is_noticed(wrong, parts, tmp
 
 
 def test_what_an_executor_gives_up_is_done_by_a_new_one_or_told(parts, expected, tmp_path, blank_pages):
-    told = {outcome.row["name"]: outcome.error for outcome in run_batch(jobs_of(parts, tmp_path / "one"), Dropping())}
-    assert list(told) == ["a", "b", "c"] and not told["a"] and "process died" in told["b"] and "process died" in told["c"]
+    told = {
+        outcome.row["name"]: outcome.error
+        for outcome in run_batch(jobs_of(parts, tmp_path / "one"), Dropping())
+    }
+    assert (
+        list(told) == ["a", "b", "c"]
+        and not told["a"]
+        and "process died" in told["b"]
+        and "process died" in told["c"]
+    )
     rows = {
         one.row["name"]: one.row
         for one in run_batch(jobs_of(parts, tmp_path / "two"), Dropping(), again=lambda workers: Inline())
@@ -95,7 +103,9 @@ def test_only_the_job_that_kills_its_process_fails(kind, parts, expected, tmp_pa
         return Instead(crew.open(workers), die_always) if kind == "processes" else Dying()
 
     with again() as pool:
-        ended = {one.row["name"]: one for one in run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again)}
+        ended = {
+            one.row["name"]: one for one in run_batch(jobs_of(parts, tmp_path / "out"), pool, again=again)
+        }
     assert sorted(ended) == ["a", "b", "c"] and "process died" in ended["b"].error
     assert ended["a"].row == expected[0]["a"] and ended["c"].row == expected[0]["c"]
     assert sorted(contents(tmp_path / "out")) == ["a.html", "a.json", "a.ngc"]
@@ -135,7 +145,11 @@ def test_workers_leave_what_they_are_at_when_their_crew_stops(parts, tmp_path):
 
 def test_progress_tells_the_share_of_the_jobs(parts, tmp_path):
     told = []
-    list(run_batch(jobs_of(parts, tmp_path / "out")[2:] * 2, None, lambda stage, fraction: told.append(fraction)))
+    list(
+        run_batch(
+            jobs_of(parts, tmp_path / "out")[2:] * 2, None, lambda stage, fraction: told.append(fraction)
+        )
+    )
     assert told[0] == 0.0 and told[-1] == 1.0 and told == sorted(told)
 
 
@@ -187,13 +201,17 @@ def test_a_fault_of_the_program_fails_its_job_alone(monkeypatch, parts, tmp_path
         raise ZeroDivisionError("a\nb")
 
     monkeypatch.setattr(work.pipeline, "run", broken)
-    assert [one.error for one in run_batch(jobs_of(parts, tmp_path / "out"))] == ["ZeroDivisionError: a\\nb"] * 3
+    assert [one.error for one in run_batch(jobs_of(parts, tmp_path / "out"))] == [
+        "ZeroDivisionError: a\\nb"
+    ] * 3
     assert os.listdir(tmp_path / "out") == []
 
 
 def test_the_report_of_a_job_is_that_of_mill_with_what_the_batch_keeps(expected):
     report = json.loads(expected[1]["a.json"])
-    assert report["summary"]["cut_length"] == expected[0]["a"]["cut_mm"] and report["inputs"]["output"] is None
+    assert (
+        report["summary"]["cut_length"] == expected[0]["a"]["cut_mm"] and report["inputs"]["output"] is None
+    )
     assert sorted(report["batch"]["files"]) == ["a.html", "a.ngc"]
 
 

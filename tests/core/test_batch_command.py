@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command ``batch``: which jobs a folder or a table means, their names, the report over all, and what is refused."""
+"""The command ``batch``: which jobs a folder or a table means, their names, the report over all, and what is
+refused."""
 
 import csv
 import json
@@ -69,17 +70,32 @@ def test_a_folder_is_milled_and_what_is_finished_is_not_milled_again(parts, tmp_
     assert run("batch", parts, "--out", out, "--executor", "serial", *WORDS) == cli.DONE_WITH_ERRORS
     names = sorted(os.listdir(out))
     assert names == sorted(
-        [f"{name}.{kind}" for name in "ab" for kind in ("ngc", "html", "json")] + ["batch.csv", "batch.html", "batch.json"]
+        [f"{name}.{kind}" for name in "ab" for kind in ("ngc", "html", "json")]
+        + ["batch.csv", "batch.html", "batch.json"]
     )
     told = capsys.readouterr()
-    assert "3 jobs: 2 without errors, 0 with errors, 1 failed" in told.out and "batch.csv" in told.out and not told.err
+    assert (
+        "3 jobs: 2 without errors, 0 with errors, 1 failed" in told.out
+        and "batch.csv" in told.out
+        and not told.err
+    )
     a, _, c = rows_of(out / "batch.csv")
-    assert (a["name"], a["verdict"], c["verdict"]) == ("a", "amber", "failed") and "c.stl" in c["error"] and not a["error"]
-    assert 0 < float(a["deviation_mm"]) <= float(a["bound_mm"]) and float(a["cut_mm"]) > 50 and float(a["minutes"]) > 0
+    assert (
+        (a["name"], a["verdict"], c["verdict"]) == ("a", "amber", "failed")
+        and "c.stl" in c["error"]
+        and not a["error"]
+    )
+    assert (
+        0 < float(a["deviation_mm"]) <= float(a["bound_mm"])
+        and float(a["cut_mm"]) > 50
+        and float(a["minutes"]) > 0
+    )
     page = (out / "batch.html").read_text(encoding="utf-8")
     assert page.count('<a href="') == 2 and 'href="a.html"' in page and "c.stl" in page
     before = {name: (out / name).read_bytes() for name in names}
-    monkeypatch.setattr("freecad_fiveaxis.core.batch.work.pipeline.run", None)  # only c, which fails before it comes to that
+    monkeypatch.setattr(
+        "freecad_fiveaxis.core.batch.work.pipeline.run", None
+    )  # only c, which fails before it comes to that
     (parts / "c.stl").unlink()
     assert run("batch", parts, "--out", out, "--executor", "serial", *WORDS) == cli.DONE
     assert "2 were finished before" in capsys.readouterr().out
@@ -90,8 +106,17 @@ def test_a_folder_is_milled_and_what_is_finished_is_not_milled_again(parts, tmp_
 
 def test_a_table_is_parts_times_options_under_readable_names(parts, tmp_path):
     (tmp_path / "shop.fcm").write_bytes((plan_machine()).read_bytes())
-    options = {**WAY, "machine": ["trunnion_ac", "shop.fcm"], "cutter": ["ball:6", "ball:0.5in"], "origin": [1, 2, 3]}
-    jobs = plan.read_jobs(str(write_table(tmp_path, parts=["parts/a.stl", "parts/b.STL"], options=options)), {"feed": 700}, "out")
+    options = {
+        **WAY,
+        "machine": ["trunnion_ac", "shop.fcm"],
+        "cutter": ["ball:6", "ball:0.5in"],
+        "origin": [1, 2, 3],
+    }
+    jobs = plan.read_jobs(
+        str(write_table(tmp_path, parts=["parts/a.stl", "parts/b.STL"], options=options)),
+        {"feed": 700},
+        "out",
+    )
     assert [os.path.basename(job.stem) for job in jobs[:5]] == [
         "a.machine=trunnion_ac.cutter=ball-6", "a.machine=trunnion_ac.cutter=ball-0.5in",
         "a.machine=shop.cutter=ball-6", "a.machine=shop.cutter=ball-0.5in", "b.machine=trunnion_ac.cutter=ball-6",
@@ -102,7 +127,9 @@ def test_a_table_is_parts_times_options_under_readable_names(parts, tmp_path):
 
 
 def test_an_option_of_the_command_line_stands_in_place_of_the_tables_under_its_former_name(parts, tmp_path):
-    table = write_table(tmp_path, parts=["parts/a.stl"], options={**WAY, "machine": "trunnion_ac", "left": "on"})
+    table = write_table(
+        tmp_path, parts=["parts/a.stl"], options={**WAY, "machine": "trunnion_ac", "left": "on"}
+    )
     assert [job.options["rest"] for job in plan.read_jobs(str(table), {}, "out")] == ["on"]
     assert [job.options["rest"] for job in plan.read_jobs(str(table), {"rest": "off"}, "out")] == ["off"]
 
@@ -113,7 +140,9 @@ def plan_machine():
     return Path(machine_path("trunnion_bc"))
 
 
-@pytest.mark.parametrize(("controller", "ending"), [("siemens840d", ".mpf"), ("heidenhain", ".h"), ("linuxcnc", ".ngc")])
+@pytest.mark.parametrize(
+    ("controller", "ending"), [("siemens840d", ".mpf"), ("heidenhain", ".h"), ("linuxcnc", ".ngc")]
+)
 def test_programs_end_as_their_controller_wants_it(controller, ending, parts):
     (one, _) = plan.read_jobs(str(parts), WAY | {"controller": controller}, "out")
     assert one.nc == os.path.join("out", "a" + ending)
@@ -134,20 +163,37 @@ def test_names_are_unique_in_whatever_letters_and_never_the_reports(tmp_path):
 def test_shards_share_the_jobs_out(n):
     jobs = list(range(7))
     shards = [plan.of_shard(jobs, (i, n)) for i in range(1, n + 1)]
-    assert sorted(job for shard in shards for job in shard) == jobs and max(map(len, shards)) - min(map(len, shards)) <= 1
+    assert (
+        sorted(job for shard in shards for job in shard) == jobs
+        and max(map(len, shards)) - min(map(len, shards)) <= 1
+    )
 
 
 def test_shards_in_one_folder_or_several_merge_to_the_whole(parts, tmp_path, without_work):
     for shard, out in (("1/2", "x"), ("2/2", "y")):
-        assert run("batch", parts, "--out", tmp_path / out, "--shard", shard, "--executor", "serial", *WORDS) == cli.DONE
+        assert (
+            run("batch", parts, "--out", tmp_path / out, "--shard", shard, "--executor", "serial", *WORDS)
+            == cli.DONE
+        )
     assert without_work == ["a", "b"]
     assert run("batch", "--merge", tmp_path / "x", tmp_path / "y", "--out", tmp_path / "all") == cli.DONE
-    assert [(row["name"], row["folder"]) for row in rows_of(tmp_path / "all" / "batch.csv")] == [("a", "../x"), ("b", "../y")]
+    assert [(row["name"], row["folder"]) for row in rows_of(tmp_path / "all" / "batch.csv")] == [
+        ("a", "../x"),
+        ("b", "../y"),
+    ]
     assert 'href="../y/b.html"' in (tmp_path / "all" / "batch.html").read_text(encoding="utf-8")
-    assert run("batch", "--merge", tmp_path / "all", "--out", tmp_path / "all") == cli.DONE  # once more changes nothing
-    assert [(row["name"], row["folder"]) for row in rows_of(tmp_path / "all" / "batch.csv")] == [("a", "../x"), ("b", "../y")]
+    assert (
+        run("batch", "--merge", tmp_path / "all", "--out", tmp_path / "all") == cli.DONE
+    )  # once more changes nothing
+    assert [(row["name"], row["folder"]) for row in rows_of(tmp_path / "all" / "batch.csv")] == [
+        ("a", "../x"),
+        ("b", "../y"),
+    ]
     for shard in ("1/2", "2/2"):
-        assert run("batch", parts, "--out", tmp_path / "one", "--shard", shard, "--executor", "serial", *WORDS) == cli.DONE
+        assert (
+            run("batch", parts, "--out", tmp_path / "one", "--shard", shard, "--executor", "serial", *WORDS)
+            == cli.DONE
+        )
     assert sheet.merged([str(tmp_path / "one")], str(tmp_path / "one"))[1]["name"] == "b"
 
 
@@ -179,7 +225,9 @@ BAD_TABLES = {
 
 
 @pytest.mark.parametrize("name", BAD_TABLES)
-def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(name, tmp_path, capsys, without_work):
+def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(
+    name, tmp_path, capsys, without_work
+):
     table, said = BAD_TABLES[name]
     path = tmp_path / "jobs.json"
     path.write_text(json.dumps(table))
@@ -203,7 +251,9 @@ def test_a_table_that_cannot_be_used_is_refused_before_anything_is_written(name,
         ([], "no jobs given"),
     ],
 )
-def test_what_cannot_be_done_is_named_with_its_remedy(words, said, parts, tmp_path, capsys, monkeypatch, without_work):
+def test_what_cannot_be_done_is_named_with_its_remedy(
+    words, said, parts, tmp_path, capsys, monkeypatch, without_work
+):
     for module in ("distributed", "mpi4py", "mpi4py.futures"):
         monkeypatch.setitem(sys.modules, module, None)
     monkeypatch.chdir(tmp_path)
@@ -245,7 +295,9 @@ def test_the_processors_are_those_that_this_process_may_use():
     code = "from freecad_fiveaxis.core.base.chunks import PROCESSORS\nprint(PROCESSORS)"
     elsewhere = COUNT + "del os.sched_getaffinity\n"
     counted = [
-        subprocess.run([sys.executable, "-c", before + code], capture_output=True, text=True, timeout=60, cwd=ROOT).stdout.strip()
+        subprocess.run(
+            [sys.executable, "-c", before + code], capture_output=True, text=True, timeout=60, cwd=ROOT
+        ).stdout.strip()
         for before in (COUNT, elsewhere)
     ]
     assert counted == ["3", "64"]
@@ -255,5 +307,7 @@ def test_the_processors_are_those_that_this_process_may_use():
 def test_the_command_with_workers_makes_what_it_makes_without(crew, parts, tmp_path):
     for out, words in (("serial", ["--executor", "serial"]), (crew, ["--executor", crew, "--workers", "2"])):
         assert run("batch", parts, "--out", tmp_path / out, "--quiet", *words, *WORDS) == cli.DONE
-    one, other = ({path.name: path.read_bytes() for path in (tmp_path / out).iterdir()} for out in ("serial", crew))
+    one, other = (
+        {path.name: path.read_bytes() for path in (tmp_path / out).iterdir()} for out in ("serial", crew)
+    )
     assert one == other and len(one) == 9

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which of several ways of milling a part leaves least, soonest: the order, what shares a place, and what has none."""
+"""Which of several ways of milling a part leaves least, soonest: the order, what shares a place, and what has
+none."""
 
 import csv
 import json
@@ -13,7 +14,13 @@ from freecad_fiveaxis.core.batch.task import COLUMNS, JobOutcome
 
 
 def row_of(name, unfinished=0.0, minutes=1.0, verdict="green", part="a.stl", **more):
-    known = {"name": name, "part": part, "unfinished_percent": unfinished, "minutes": minutes, "verdict": verdict}
+    known = {
+        "name": name,
+        "part": part,
+        "unfinished_percent": unfinished,
+        "minutes": minutes,
+        "verdict": verdict,
+    }
     return dict.fromkeys(COLUMNS) | {"errors": int(verdict == "red"), "says": "", "error": ""} | known | more
 
 
@@ -61,7 +68,9 @@ def test_a_wrong_order_would_be_noticed(name, monkeypatch):
 def test_what_is_the_same_shares_a_rank_and_stays_in_its_order():
     rows = [row_of("x", 2.0, 9.0), row_of("b", 0.04, 5.0), row_of("a", 0.0, 5.0), row_of("c", 0.0, 5.5)]
     assert places(rows) == [("b", 1), ("a", 1), ("c", 3), ("x", 4)]  # 0.04 % is no reason to mill longer
-    assert [str(line) for line in rank.best_lines(rank.ranked(rows))] == ["a.stl: best of 4: b, a, 0.0 % unfinished, 5 min"]
+    assert [str(line) for line in rank.best_lines(rank.ranked(rows))] == [
+        "a.stl: best of 4: b, a, 0.0 % unfinished, 5 min"
+    ]
 
 
 def test_each_part_has_its_own_ranks_and_a_single_job_none():
@@ -83,8 +92,14 @@ def test_ranks_are_in_every_report_and_those_of_a_merge_are_counted_anew(tmp_pat
     with open(tmp_path / "x" / "batch.csv", newline="", encoding="utf-8") as stream:
         assert [(row["name"], row["rank"]) for row in csv.DictReader(stream)] == [("two", "1"), ("one", "2")]
     rows = rank.ranked(sheet.merged([str(tmp_path / "x"), str(tmp_path / "y")], str(tmp_path)))
-    assert [(row["folder"], row["name"], row["rank"]) for row in rows] == [("y", "one", 1), ("x", "two", 2), ("x", "one", 3)]
-    assert [str(line) for line in rank.best_lines(rows)] == ["a.stl: best of 3: y/one, 1.0 % unfinished, 1 min"]
+    assert [(row["folder"], row["name"], row["rank"]) for row in rows] == [
+        ("y", "one", 1),
+        ("x", "two", 2),
+        ("x", "one", 3),
+    ]
+    assert [str(line) for line in rank.best_lines(rows)] == [
+        "a.stl: best of 3: y/one, 1.0 % unfinished, 1 min"
+    ]
 
 
 def test_parts_of_one_name_are_told_apart(tmp_path):
@@ -94,7 +109,12 @@ def test_parts_of_one_name_are_told_apart(tmp_path):
     write_roof(tmp_path / "b.stl")
     table = tmp_path / "jobs.json"
     table.write_text(json.dumps({"parts": ["one/a.stl", "two/in/a.stl", "b.stl", "b.stl"], "options": WAY}))
-    assert [job.label for job in plan.read_jobs(str(table), {}, "out")] == ["one/a.stl", "two/in/a.stl", "", ""]
+    assert [job.label for job in plan.read_jobs(str(table), {}, "out")] == [
+        "one/a.stl",
+        "two/in/a.stl",
+        "",
+        "",
+    ]
 
 
 def test_the_command_names_the_best_cutter_of_each_part(tmp_path, capsys, monkeypatch):

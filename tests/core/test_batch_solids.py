@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of a batch that FreeCAD meshes first. FreeCAD is stood in for by a program that gives a known mesh; the real one is asked
-in tests/app/test_mesher.py."""
+"""Parts of a batch that FreeCAD meshes first. FreeCAD is stood in for by a program that gives a known mesh;
+the real one is asked in tests/app/test_mesher.py."""
 
 import json
 import os
@@ -36,14 +36,17 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="the stand-in begins wit
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """A folder with a part as STL and as STEP, a document, and the program that meshes them all to the same."""
+    """A folder with a part as STL and as STEP, a document, and the program that meshes them all to the
+    same."""
     parts = tmp_path / "parts"
     parts.mkdir()
     write_roof(parts / "stl_roof.stl")
     (parts / "roof.step").write_text("ISO-10303-21;")
     (parts / "jig.FCStd").write_text("PK")
     program = tmp_path / "freecad"
-    program.write_text(STAND_IN.format(python=sys.executable, log=str(tmp_path / "log"), stl=str(parts / "stl_roof.stl")))
+    program.write_text(
+        STAND_IN.format(python=sys.executable, log=str(tmp_path / "log"), stl=str(parts / "stl_roof.stl"))
+    )
     program.chmod(0o755)
     monkeypatch.setenv(solids.PROGRAM, str(program))
     monkeypatch.setattr(solids, "_kept", {})
@@ -57,16 +60,29 @@ def asked_of(folder):
 
 def test_a_step_file_and_a_named_solid_are_milled_as_their_mesh_and_meshed_once(folder, tmp_path):
     table = folder / "jobs.json"
-    table.write_text(json.dumps({"parts": ["stl_roof.stl", "roof.step", "jig.FCStd:Blade 2"], "options": {"stepover": [5, 7]}}))
+    table.write_text(
+        json.dumps(
+            {"parts": ["stl_roof.stl", "roof.step", "jig.FCStd:Blade 2"], "options": {"stepover": [5, 7]}}
+        )
+    )
     out = tmp_path / "out"
     out.mkdir()
-    jobs = plan.read_jobs(str(table), {name: value for name, value in WAY.items() if name != "stepover"}, str(out))
+    jobs = plan.read_jobs(
+        str(table), {name: value for name, value in WAY.items() if name != "stepover"}, str(out)
+    )
     names = [os.path.basename(job.stem) for job in jobs]
-    assert names[2:] == ["roof.stepover=5", "roof.stepover=7", "jig-Blade2.stepover=5", "jig-Blade2.stepover=7"]
+    assert names[2:] == [
+        "roof.stepover=5",
+        "roof.stepover=7",
+        "jig-Blade2.stepover=5",
+        "jig-Blade2.stepover=7",
+    ]
     ended = [work.run_one(job) for job in jobs]
     assert [one.error for one in ended] == [""] * 6
     programs = [(out / f"{name}.ngc").read_bytes() for name in names]
-    assert programs[0] == programs[2] == programs[4] and programs[1] == programs[3] == programs[5] != programs[0]
+    assert (
+        programs[0] == programs[2] == programs[4] and programs[1] == programs[3] == programs[5] != programs[0]
+    )
     assert [(os.path.basename(one["file"]), one["named"]) for one in asked_of(folder)] == [
         ("roof.step", ""),
         ("jig.FCStd", "Blade 2"),
@@ -77,20 +93,29 @@ def test_a_step_file_and_a_named_solid_are_milled_as_their_mesh_and_meshed_once(
     assert work.read_finished(jobs[2]) is None
 
 
-@pytest.mark.parametrize(("named", "said"), [("Several", "it holds Pin, Blade"), ("Nothing", "ended before it was meshed")])
+@pytest.mark.parametrize(
+    ("named", "said"), [("Several", "it holds Pin, Blade"), ("Nothing", "ended before it was meshed")]
+)
 def test_what_freecad_says_is_why_the_job_fails(folder, named, said):
     with pytest.raises(FileError, match=said):
         solids.mesh_solid(solids.Solid(str(folder / "jig.FCStd"), named))
 
 
-def test_without_freecad_the_command_ends_before_any_work_with_the_remedy(folder, tmp_path, capsys, monkeypatch):
+def test_without_freecad_the_command_ends_before_any_work_with_the_remedy(
+    folder, tmp_path, capsys, monkeypatch
+):
     words = ["batch", str(folder), "--out", str(tmp_path / "out"), "--machine", "trunnion_ac"]
     for given in (str(folder / "roof.step"), ""):
         monkeypatch.setenv(solids.PROGRAM, given)
         monkeypatch.setenv("PATH", str(tmp_path))
         assert cli.main(words) == cli.UNUSABLE
         told = capsys.readouterr().err
-        assert told.count("\n") == 1 and solids.PROGRAM in told and "STL" in told and not (tmp_path / "out").exists()
+        assert (
+            told.count("\n") == 1
+            and solids.PROGRAM in told
+            and "STL" in told
+            and not (tmp_path / "out").exists()
+        )
 
 
 def test_a_part_that_is_not_there_is_told(folder):

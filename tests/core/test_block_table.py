@@ -27,7 +27,9 @@ def column(rows, name):
 
 
 @pytest.mark.parametrize(
-    ("machine", "letters"), [(TRUNNION, "A,C"), (TRUNNION_BC, "B,C")], ids=["C carries A in words CA", "C carries B in words CB"]
+    ("machine", "letters"),
+    [(TRUNNION, "A,C"), (TRUNNION_BC, "B,C")],
+    ids=["C carries A in words CA", "C carries B in words CB"],
 )
 def test_the_header_is_exact_and_sorts_the_rotary_letters(machine, letters):
     figures = dome(machine, passes=2, points=5)
@@ -98,10 +100,18 @@ def test_the_bytes_are_those_of_python_formatting():
     kinds = ["cut", "fill", "link", "rapid"]
     lines = [header(program.letters)]
     for i, words in enumerate(program.words):
-        numbers = [*words[[0, 1, 2, 4, 3]], program.feed[i], deviation.u_line[i], deviation.line[i], deviation.u_segment[i]]
+        numbers = [
+            *words[[0, 1, 2, 4, 3]],
+            program.feed[i],
+            deviation.u_line[i],
+            deviation.line[i],
+            deviation.u_segment[i],
+        ]
         numbers += [deviation.segment[i], deviation.bound[i], np.degrees(deviation.axis[i])]
         text = ",".join(f"{number:.6f}" for number in numbers)
-        lines.append(f"{i},{program.line[i]},{kinds[program.motion[i]]},{text},{int(figures.singularity.singular[i])}")
+        lines.append(
+            f"{i},{program.line[i]},{kinds[program.motion[i]]},{text},{int(figures.singularity.singular[i])}"
+        )
     assert blocks_csv(program, deviation, figures.singularity).decode() == "\n".join(lines) + "\n"
 
 
@@ -115,4 +125,7 @@ def test_no_word_reads_minus_zero():
 
 def test_a_program_without_blocks_has_only_a_header():
     figures = empty()
-    assert blocks_csv(figures.program, figures.deviation, figures.singularity) == header("XYZCA").encode() + b"\n"
+    assert (
+        blocks_csv(figures.program, figures.deviation, figures.singularity)
+        == header("XYZCA").encode() + b"\n"
+    )

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Another judge of bodies of a machine against each other: python-fcl, where it is installed, on dense samples of 200 random scenes; of
-what it finds in a body that is smaller by the tolerance, nothing may be untold."""
+"""Another judge of bodies of a machine against each other: python-fcl, where it is installed, on dense
+samples of 200 random scenes; of what it finds in a body that is smaller by the tolerance, nothing may be
+untold."""
 
 import math
 from dataclasses import replace
@@ -27,7 +28,9 @@ def random_body(rng, carrier):
         return MachineBody(name, carrier, "box", (tuple(middle - half), tuple(middle + half)))
     if kind == 1:
         return MachineBody(name, carrier, "sphere", (tuple(middle),), (float(half[0]),))
-    return MachineBody(name, carrier, "cylinder", (tuple(middle - half), tuple(middle + half)), (float(half[1]),))
+    return MachineBody(
+        name, carrier, "cylinder", (tuple(middle - half), tuple(middle + half)), (float(half[1]),)
+    )
 
 
 def shape_of(body, smaller):
@@ -47,10 +50,17 @@ def shape_of(body, smaller):
 
 
 def hit_samples(machine, words, smaller):
-    """How many samples of a straight way of the joints have both bodies in each other, one of them smaller."""
+    """How many samples of a straight way of the joints have both bodies in each other, one of them
+    smaller."""
     setup = Setup(ORIGIN, LENGTH)
     zero, letters = words_at(machine, {})[0], chain(machine, setup).letters
-    pair, hits = [(body.carrier, *shape_of(body, by)) for body, by in zip(machine.bodies, (0.0, smaller), strict=True)], 0
+    pair, hits = (
+        [
+            (body.carrier, *shape_of(body, by))
+            for body, by in zip(machine.bodies, (0.0, smaller), strict=True)
+        ],
+        0,
+    )
     for share in np.linspace(0.0, 1.0, SAMPLES):
         at = places(machine, dict(zip(letters, words[0] + share * (words[1] - words[0]) - zero, strict=True)))
         for carrier, solid, turn, middle in pair:
@@ -61,7 +71,8 @@ def hit_samples(machine, words, smaller):
 
 
 def judge(name, scenes=SCENES):
-    """Missed scenes, how many hit and how many are free, and how deep those are that are told of and that no sample hits."""
+    """Missed scenes, how many hit and how many are free, and how deep those are that are told of and that no
+    sample hits."""
     rng, plain = np.random.default_rng(13), load_machine(name)
     names = ["base", *(axis.letter for axis in plain.fitted)]
     names[-1] = "spindle"
@@ -69,7 +80,9 @@ def judge(name, scenes=SCENES):
     while hit + free < scenes:
         bodies = tuple(random_body(rng, str(one)) for one in rng.choice(names, 2, replace=False))
         machine = replace(plain, bodies=bodies)
-        words = words_at(plain, {}, {}) + np.concatenate([rng.uniform(-40, 40, (2, 3)), rng.uniform(-70, 70, (2, 2))], axis=1)
+        words = words_at(plain, {}, {}) + np.concatenate(
+            [rng.uniform(-40, 40, (2, 3)), rng.uniform(-70, 70, (2, 2))], axis=1
+        )
         found = checked(machine, words, tolerance=TOLERANCE)
         if any(one.code == "machine-touching" for one in found):
             continue
@@ -93,13 +106,17 @@ def test_fcl_finds_nothing_in_200_samples_a_block_that_is_not_told(name):
 def test_an_axis_forgotten_would_be_noticed(monkeypatch):
     """The step next to the moved body stands still."""
     lines = CarriedMotion.lines
-    monkeypatch.setattr(CarriedMotion, "lines", lambda self, middle: lines(self, middle * (np.arange(middle.shape[1]) > 0)))
+    monkeypatch.setattr(
+        CarriedMotion, "lines", lambda self, middle: lines(self, middle * (np.arange(middle.shape[1]) > 0))
+    )
     assert judge("trunnion_ac")[0]
 
 
 def test_a_turn_in_degrees_would_be_noticed(monkeypatch):
     lines = CarriedMotion.lines
     monkeypatch.setattr(
-        CarriedMotion, "lines", lambda self, middle: lines(self, middle * np.where(self.rotary, math.pi / 180, 1.0))
+        CarriedMotion,
+        "lines",
+        lambda self, middle: lines(self, middle * np.where(self.rotary, math.pi / 180, 1.0)),
     )
     assert judge("trunnion_ac")[0]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies of a machine against each other, part and fixtures: closed forms, and dense samples with turns of their own."""
+"""Bodies of a machine against each other, part and fixtures: closed forms, and dense samples with turns of
+their own."""
 
 import json
 import math
@@ -51,9 +52,26 @@ def words_at(machine, *rows):
     return found
 
 
-def checked(machine, words, *, length=LENGTH, part=None, fixtures=(), rapids="interpolated", clearance=0.0, tolerance=TOLERANCE):
+def checked(
+    machine,
+    words,
+    *,
+    length=LENGTH,
+    part=None,
+    fixtures=(),
+    rapids="interpolated",
+    clearance=0.0,
+    tolerance=TOLERANCE,
+):
     given = InMachine(
-        machine, SETUP, chain(machine, SETUP), TOOL, length, rapids=rapids, clearance=clearance, fixtures=tuple(fixtures)
+        machine,
+        SETUP,
+        chain(machine, SETUP),
+        TOOL,
+        length,
+        rapids=rapids,
+        clearance=clearance,
+        fixtures=tuple(fixtures),
     )
     motion = np.full(len(words), Motion.RAPID, np.int8) if rapids != "interpolated" else None
     return check_machine(given, program_of(machine, words, motion), part, tolerance)
@@ -67,7 +85,7 @@ def codes(found):
     return [one.code for one in found]
 
 
-# ------------------------------------------------------------------------------------------------ closed forms
+# ----------------------------------------------------------------------------------------------- closed forms
 
 
 @pytest.mark.parametrize(("off", "hits"), [(0.002, False), (-0.005, False), (-0.05, True)])
@@ -80,14 +98,21 @@ def test_the_edge_of_a_cradle_passes_a_wall_that_it_just_misses_and_cuts_one_tha
     if hits:
         (one,) = found
         assert 0.8 * -off < one.value <= -off and (one.block, one.line) == (1, 2)
-        assert (one.hit.enters, one.hit.entered) == ("cradle", "wall") and "cradle" in one.text and "wall" in one.text
+        assert (
+            (one.hit.enters, one.hit.entered) == ("cradle", "wall")
+            and "cradle" in one.text
+            and "wall" in one.text
+        )
         assert one.hit.u * 110.0 == pytest.approx(math.degrees(math.atan2(120.0, 60.0)), abs=3.0)
 
 
 @pytest.mark.parametrize("off", [-0.02, 0.02])
 def test_a_cradle_hits_at_the_angle_that_geometry_gives(off):
     """In degrees; 0.02 deg too far are 0.03 mm, in blocks of one degree."""
-    machine, at = trunnion(CRADLE, wall(100.0)), math.degrees(math.atan2(120.0, 60.0) - math.acos(100.0 / CORNER))
+    machine, at = (
+        trunnion(CRADLE, wall(100.0)),
+        math.degrees(math.atan2(120.0, 60.0) - math.acos(100.0 / CORNER)),
+    )
     turned = [*np.arange(0.0, at, 1.0).tolist(), at + off]
     ways = [words_at(machine, *({"A": sign * one} for one in turned)) for sign in (1.0, -1.0)]
     found = [one for words in ways for one in checked(machine, words)]
@@ -96,7 +121,8 @@ def test_a_cradle_hits_at_the_angle_that_geometry_gives(off):
 
 
 def test_a_forgotten_bend_would_be_noticed(monkeypatch):
-    """What swings away from a wall about the middle of a block stands still there: by its speed alone it never comes near."""
+    """What swings away from a wall about the middle of a block stands still there: by its speed alone it
+    never comes near."""
 
     def straight(self, lines, half):
         bend, far = travel(self, lines, half)
@@ -122,7 +148,9 @@ def test_spheres_meet_at_the_sum_of_their_radii():
         found = checked(machine, words_at(machine, {"Z": 0.0}, {"Z": -390.0}))
         assert codes(found) == ["machine-collision"] * hits
         if hits:
-            assert 0.8 * 0.05 < found[0].value <= 0.05 and found[0].hit.u == pytest.approx(200.0 / 390.0, abs=0.02)
+            assert 0.8 * 0.05 < found[0].value <= 0.05 and found[0].hit.u == pytest.approx(
+                200.0 / 390.0, abs=0.02
+            )
 
 
 @pytest.mark.parametrize(("stop", "hits"), [(-59.99, False), (-60.05, True)])
@@ -132,7 +160,9 @@ def test_a_housing_on_the_spindle_goes_down_to_a_post_of_the_table_and_no_farthe
     machine = trunnion(housing, post)
     found = checked(machine, words_at(machine, {"Z": 100.0}, {"Z": stop}))
     assert codes(found) == ["machine-collision"] * hits
-    assert not hits or (found[0].value == pytest.approx(0.05, rel=0.2) and found[0].hit.u == pytest.approx(1.0, abs=0.01))
+    assert not hits or (
+        found[0].value == pytest.approx(0.05, rel=0.2) and found[0].hit.u == pytest.approx(1.0, abs=0.01)
+    )
 
 
 def test_the_housing_is_kept_out_of_part_and_fixture_and_needs_the_tools_length():
@@ -140,9 +170,15 @@ def test_the_housing_is_kept_out_of_part_and_fixture_and_needs_the_tools_length(
     machine, low = trunnion(housing), np.array([-10.0, 90.0, -100.0])
     block = from_triangles(box(low, low + (20.0, 20.0, 40.0)) - ORIGIN)
     words = words_at(machine, {"Z": 100.0}, {"Z": -63.0})
-    (of_part,), (of_fixture,) = checked(machine, words, part=block), checked(machine, words, fixtures=[Fixture("vise", block)])
+    (of_part,), (of_fixture,) = (
+        checked(machine, words, part=block),
+        checked(machine, words, fixtures=[Fixture("vise", block)]),
+    )
     assert of_part.value == of_fixture.value == pytest.approx(3.0, rel=0.1)
-    assert (of_part.hit, of_fixture.hit) == (Hit("housing", "", of_part.hit.u), Hit("housing", "vise", of_part.hit.u))
+    assert (of_part.hit, of_fixture.hit) == (
+        Hit("housing", "", of_part.hit.u),
+        Hit("housing", "vise", of_part.hit.u),
+    )
     (blind,) = checked(machine, words, part=block, length=None)
     assert blind.code == "machine-unproven" and "housing" in blind.text and "--tool-length" in blind.text
 
@@ -165,11 +201,14 @@ def test_the_holder_is_kept_out_of_a_body_that_an_axis_of_the_head_carries():
     letter = next(axis.letter for axis in plain.fitted if axis.rotary and axis is not first)
     swing = words_at(machine, {letter: -60.0}, {letter: 60.0})
     found = checked(machine, swing)
-    assert codes(found) == ["machine-collision"] and (found[0].hit.enters, found[0].hit.entered) == ("holder", "arm")
+    assert codes(found) == ["machine-collision"] and (found[0].hit.enters, found[0].hit.entered) == (
+        "holder",
+        "arm",
+    )
     assert not checked(machine, words_at(machine, {first.letter: -60.0}, {first.letter: 60.0}))
 
 
-# ------------------------------------------------------------------------------------------------ what is looked at
+# ------------------------------------------------------------------------------------------ what is looked at
 
 
 def test_neighbours_that_touch_at_zero_are_left_out_and_said():
@@ -213,7 +252,9 @@ def test_of_a_block_that_takes_too_many_cells_it_is_told_that_it_is_not_proven(m
     monkeypatch.setattr(body_search, "MOST_CELLS", 2)
     machine = trunnion(CRADLE, wall(CORNER + 0.002))
     (one,) = checked(machine, words_at(machine, {"A": 0.0}, {"A": -110.0}, {"A": 110.0}))
-    assert one.code == "machine-unproven" and "cradle" in one.text and "wall" in one.text and one.line in (2, 3)
+    assert (
+        one.code == "machine-unproven" and "cradle" in one.text and "wall" in one.text and one.line in (2, 3)
+    )
 
 
 def test_of_a_machine_without_bodies_nothing_is_asked(monkeypatch):
@@ -224,12 +265,12 @@ def test_of_a_machine_without_bodies_nothing_is_asked(monkeypatch):
     assert checked(plain, words_at(plain, {"A": 0.0}, {"A": 90.0})) == ()
 
 
-# ------------------------------------------------------------------------------------------------ dense samples
+# ---------------------------------------------------------------------------------------------- dense samples
 
 
 def places(machine, joints):
-    """Where each carrier stands in the machine frame (4, 4): from the base outwards; a table's axis moves what it carries the other
-    way."""
+    """Where each carrier stands in the machine frame (4, 4): from the base outwards; a table's axis moves
+    what it carries the other way."""
     found = {"base": np.eye(4)}
     for side, sign in (("table", -1.0), ("head", 1.0)):
         place = np.eye(4)
@@ -273,8 +314,12 @@ def random_scene(rng, plain):
     bodies = []
     for name in rng.choice(names, 2, replace=False):
         middle, half = rng.uniform(-40, 40, 3), rng.uniform(10, 30, 3)
-        bodies.append(MachineBody(f"on {name}", str(name), "box", (tuple(middle - half), tuple(middle + half))))
-    words = words_at(plain, {}, {}) + np.concatenate([rng.uniform(-40, 40, (2, 3)), rng.uniform(-70, 70, (2, 2))], axis=1)
+        bodies.append(
+            MachineBody(f"on {name}", str(name), "box", (tuple(middle - half), tuple(middle + half)))
+        )
+    words = words_at(plain, {}, {}) + np.concatenate(
+        [rng.uniform(-40, 40, (2, 3)), rng.uniform(-70, 70, (2, 2))], axis=1
+    )
     return replace(plain, bodies=tuple(bodies)), words
 
 
@@ -286,7 +331,9 @@ def compare(name, scenes):
         found = checked(machine, words)
         if any(one.code == "machine-touching" for one in found):
             continue
-        told = max((one.value for one in found if "on " in one.hit.enters and "on " in one.hit.entered), default=0.0)
+        told = max(
+            (one.value for one in found if "on " in one.hit.enters and "on " in one.hit.entered), default=0.0
+        )
         sampled = sampled_depth(machine, words, *machine.bodies)
         if sampled > 0.02:
             assert told > 0.0, (machine.bodies, sampled)
@@ -308,15 +355,22 @@ def test_an_axis_that_turns_the_other_way_would_be_noticed(monkeypatch):
     from freecad_fiveaxis.core.gouge import carried_motion
 
     there = carried_motion.carriers_from_base
-    monkeypatch.setattr(carried_motion, "carriers_from_base", lambda machine, carrier: (there(machine, carrier)[0], 1.0))
+    monkeypatch.setattr(
+        carried_motion, "carriers_from_base", lambda machine, carrier: (there(machine, carrier)[0], 1.0)
+    )
     with pytest.raises(AssertionError):
         compare("trunnion_ac", 40)
 
 
 def in_long_program(grids=True):
     """Which blocks of 400, to and fro, have a cradle in a wall: with grids, or block by block."""
-    rng, motion = np.random.default_rng(6), CarriedMotion(steps_between(trunnion(), "base", "C"), convex_hull(points_of(CRADLE)))
-    joints = np.stack([np.cumsum(rng.uniform(-0.1, 0.1, 401)), np.cumsum(rng.uniform(-0.3, 0.3, 401))], axis=1)
+    rng, motion = (
+        np.random.default_rng(6),
+        CarriedMotion(steps_between(trunnion(), "base", "C"), convex_hull(points_of(CRADLE))),
+    )
+    joints = np.stack(
+        [np.cumsum(rng.uniform(-0.1, 0.1, 401)), np.cumsum(rng.uniform(-0.3, 0.3, 401))], axis=1
+    )
     with pytest.MonkeyPatch.context() as patch:
         if not grids:
             patch.setattr(body_search, "open_blocks", lambda pair, low, high: np.arange(len(low)))
@@ -342,7 +396,8 @@ def test_cells_of_a_grid_that_are_too_small_would_be_noticed(monkeypatch):
 
 
 def test_the_command_line_tells_of_a_cradle_in_a_column(tmp_path):
-    """Of a part that is tilted to both sides; farther away the column is free, and the NC file is the same."""
+    """Of a part that is tilted to both sides; farther away the column is free, and the NC file is the
+    same."""
     write_stl(from_triangles(box((-10, -10, 0), (10, 10, 10))), tmp_path / "part.stl")
     cradle = {"name": "cradle", "carrier": "A", "box": {"low": [-100, -60, -170], "high": [100, 60, -140]}}
     codes_, texts = [], []
@@ -358,25 +413,56 @@ def test_the_command_line_tells_of_a_cradle_in_a_column(tmp_path):
         "--spindle",
         "off",
     ]
-    given += ["--tool-axis", "facet_mean", "--max-axis-angle", "91", "--quiet", "--report", str(tmp_path / "r.json")]
+    given += [
+        "--tool-axis",
+        "facet_mean",
+        "--max-axis-angle",
+        "91",
+        "--quiet",
+        "--report",
+        str(tmp_path / "r.json"),
+    ]
     for name, at in (("near", 100), ("far", 400)):
-        column = {"name": "column", "carrier": "base", "box": {"low": [-200, at, -300], "high": [200, at + 50, 300]}}
+        column = {
+            "name": "column",
+            "carrier": "base",
+            "box": {"low": [-200, at, -300], "high": [200, at + 50, 300]},
+        }
         machine = machine_file(tmp_path, [cradle, column])
         codes_.append(cli.main([*given, "--machine", str(machine), "-o", str(tmp_path / f"{name}.ngc")]))
         texts.append([one["text"] for one in json.loads((tmp_path / "r.json").read_text())["findings"]])
-    assert codes_[0] == 1 and any("The cradle goes at least" in text and "column" in text for text in texts[0])
+    assert codes_[0] == 1 and any(
+        "The cradle goes at least" in text and "column" in text for text in texts[0]
+    )
     assert not any("goes at least" in text for text in texts[1])
     assert (tmp_path / "near.ngc").read_bytes() == (tmp_path / "far.ngc").read_bytes()
-    audit = ["audit", str(tmp_path / "near.ngc"), "--quiet", "--report", str(tmp_path / "a.json"), "--machine"]
-    machine = machine_file(tmp_path, [cradle, {**column, "box": {"low": [-200, 100, -300], "high": [200, 150, 300]}}])
+    audit = [
+        "audit",
+        str(tmp_path / "near.ngc"),
+        "--quiet",
+        "--report",
+        str(tmp_path / "a.json"),
+        "--machine",
+    ]
+    machine = machine_file(
+        tmp_path, [cradle, {**column, "box": {"low": [-200, 100, -300], "high": [200, 150, 300]}}]
+    )
     assert cli.main([*audit, str(machine)]) == 1
-    assert "machine-collision" in [one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]]
+    assert "machine-collision" in [
+        one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]
+    ]
 
 
 def test_the_head_table_machine_of_the_examples_moves_free_and_hits_where_it_leans_low():
-    """Its fork and housing stay out of everything while it leans to both sides above the table, and lean into it below."""
+    """Its fork and housing stay out of everything while it leans to both sides above the table, and lean into
+    it below."""
     machine = load_machine(EXAMPLES / "head_table_with_bodies.fcm")
-    above = [{"Z": 50.0}, {"Z": 50.0, "B": 90.0, "C": 200.0}, {"Z": 40.0, "B": -90.0, "X": 200.0}, {"Z": 45.0, "Y": 150.0}]
+    above = [
+        {"Z": 50.0},
+        {"Z": 50.0, "B": 90.0, "C": 200.0},
+        {"Z": 40.0, "B": -90.0, "X": 200.0},
+        {"Z": 45.0, "Y": 150.0},
+    ]
     found = checked(machine, words_at(machine, *above), rapids="independent")
     assert codes(found) == ["machine-touching"] and "table slide, platter" in found[0].text
     low = checked(machine, words_at(machine, {"Z": 50.0}, {"Z": 50.0, "B": 90.0}, {"Z": -220.0, "B": 90.0}))
@@ -392,14 +478,29 @@ def test_a_part_is_milled_free_of_bodies_on_that_machine_where_it_stands_high_en
     from freecad_fiveaxis.core.pipeline.settings import build_settings
 
     write_stl(from_triangles(box((-30, -20, height), (30, 20, height + 10))), tmp_path / "part.stl")
-    given = {"machine": str(EXAMPLES / "head_table_with_bodies.fcm"), "cutter": "ball:6:30", "passes": "planes", "stepover": 6}
-    given |= {"tool_axis": "facet_mean", "max_axis_angle": 91, "spindle": "off", "linearize": "off", "gouge": "off"}
-    found = job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "tool_length": 150})).findings
+    given = {
+        "machine": str(EXAMPLES / "head_table_with_bodies.fcm"),
+        "cutter": "ball:6:30",
+        "passes": "planes",
+        "stepover": 6,
+    }
+    given |= {
+        "tool_axis": "facet_mean",
+        "max_axis_angle": 91,
+        "spindle": "off",
+        "linearize": "off",
+        "gouge": "off",
+    }
+    found = job.run(
+        build_settings("mill", str(tmp_path / "part.stl"), {**given, "tool_length": 150})
+    ).findings
     met = {(one.hit.enters, one.hit.entered) for one in found if one.code == "machine-collision"}
     assert (not met) == free and (free or any("table slide" in pair and "housing" in pair for pair in met))
 
 
-@pytest.mark.parametrize("text", ["ball:10", "flat:10", "bull:10:2", "taperbull:8:1.5:8deg", "lollipop:10:5", "barrel:10:85:2"])
+@pytest.mark.parametrize(
+    "text", ["ball:10", "flat:10", "bull:10:2", "taperbull:8:1.5:8deg", "lollipop:10:5", "barrel:10:85:2"]
+)
 def test_what_the_tool_carries_holds_all_of_it(text):
     """Points of the tool's own body, at all heights, are in one of its convex pieces."""
     machine, body = load_machine("trunnion_ac"), tool_body.body_of(parse_cutter(text))
@@ -407,7 +508,11 @@ def test_what_the_tool_carries_holds_all_of_it(text):
     tip = np.array(machine.gauge_point) - (0.0, 0.0, 120.0)
     at = np.random.default_rng(2).uniform((-6.0, -6.0, -1.0), (6.0, 6.0, 40.0), (20000, 3))
     inside = at[tool_body.depth_of(body, np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]), at) > 0.0] + tip
-    off = [(inside @ one.plane[:, :3].T + one.plane[:, 3]).max(axis=1) - one.round for one in pieces if len(one.plane)]
+    off = [
+        (inside @ one.plane[:, :3].T + one.plane[:, 3]).max(axis=1) - one.round
+        for one in pieces
+        if len(one.plane)
+    ]
     off += [np.linalg.norm(inside - np.clip(inside, one.corner.min(axis=0), one.corner.max(axis=0)), axis=1) - one.round
             for one in pieces if not len(one.plane)]  # fmt: skip
     assert len(inside) > 1000 and np.min(off, axis=0).max() < 1e-6

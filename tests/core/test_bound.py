@@ -10,9 +10,23 @@ from five_kinds import KINDS, interleaved, kinematics_of, random_blocks, sampled
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.machine.kinematics import forward, linear_words, words_to_q
 from freecad_fiveaxis.core.motion.deviation import measure, quick_bound
-from freecad_fiveaxis.core.motion.deviation.bound import ABSOLUTE, RELATIVE, bending, close_levers, end_levers, quick_levers
+from freecad_fiveaxis.core.motion.deviation.bound import (
+    ABSOLUTE,
+    RELATIVE,
+    bending,
+    close_levers,
+    end_levers,
+    quick_levers,
+)
 from freecad_fiveaxis.core.motion.deviation.quartic import POINT, REMAINDER
-from freecad_fiveaxis.core.motion.deviation.search import FIRST_PIECES, Chords, _local, _Pieces, _proven, farthest
+from freecad_fiveaxis.core.motion.deviation.search import (
+    FIRST_PIECES,
+    Chords,
+    _local,
+    _Pieces,
+    _proven,
+    farthest,
+)
 from freecad_fiveaxis.core.motion.trajectory import at, derivatives, frames, inner, motion, tip, tip_at
 
 STEPS = 16
@@ -29,7 +43,11 @@ def all_levers(kinematics, start, end):
     frame = frames(kinematics)
     move = motion(frame, start, end)
     ends = [inner(frame, at(move, np.full(len(start), u))) for u in (0.0, 1.0)]
-    return [quick_levers(move), end_levers(move, *(np.hypot(y[0], y[1]) for y in ends)), close_levers(frame, move)]
+    return [
+        quick_levers(move),
+        end_levers(move, *(np.hypot(y[0], y[1]) for y in ends)),
+        close_levers(frame, move),
+    ]
 
 
 def sampled_bending(kinematics, start, end, order):
@@ -74,7 +92,9 @@ def test_quick_bound_needs_no_blocks(kinematics):
 
 
 def test_quick_bound_refuses_words_that_are_no_numbers(kinematics):
-    with pytest.raises(ProgramError, match=r"word 1 of row 1 is nan; .* up to 1000000 mm or degrees: correct it"):
+    with pytest.raises(
+        ProgramError, match=r"word 1 of row 1 is nan; .* up to 1000000 mm or degrees: correct it"
+    ):
         quick_bound(kinematics, [[0.0] * 5, [np.nan] * 5])
 
 
@@ -84,7 +104,7 @@ def test_bound_is_as_close_as_promised(kinematics):
     assert (found.bound <= found.segment + np.maximum(1e-6, 1e-5 * found.segment)).all()
 
 
-# ------------------------------------------------------------------------------------------------ extended precision
+# ----------------------------------------------------------------------------------------- extended precision
 
 
 def long_turn(vector, axis, angle):
@@ -99,7 +119,10 @@ def long_tip(kinematics, words):
     """The tip from the words alone, by the definition of the chain, in extended precision."""
     words, slots = words.astype(LONG), np.array(kinematics.slot)
     angle = words[..., 3:] * (PI / 180)
-    sums = [words[..., :3] @ (kinematics.direction[:3] * (slots == slot)[:, None]).astype(LONG) for slot in range(3)]
+    sums = [
+        words[..., :3] @ (kinematics.direction[:3] * (slots == slot)[:, None]).astype(LONG)
+        for slot in range(3)
+    ]
     c1, c2 = kinematics.point1.astype(LONG), kinematics.point2.astype(LONG)
     y = c2 + long_turn(sums[2] - c2, kinematics.direction[4], angle[..., 1])
     return sums[0] + c1 + long_turn(sums[1] + y - c1, kinematics.direction[3], angle[..., 0])
@@ -107,7 +130,12 @@ def long_tip(kinematics, words):
 
 def long_deviation(kinematics, start, end, samples=400):
     u = np.linspace(0, 1, samples + 1).astype(LONG)[:, None]
-    path = np.stack([long_tip(kinematics, s.astype(LONG) + u * (e.astype(LONG) - s)) for s, e in zip(start, end, strict=True)])
+    path = np.stack(
+        [
+            long_tip(kinematics, s.astype(LONG) + u * (e.astype(LONG) - s))
+            for s, e in zip(start, end, strict=True)
+        ]
+    )
     off, chord = path - path[:, :1], path[:, -1:] - path[:, :1]
     share = np.clip((off * chord).sum(2) / np.maximum((chord**2).sum(2), LONG(1e-40)), 0, 1)
     return np.sqrt(((off - share[:, :, None] * chord) ** 2).sum(2)).max(axis=1)
@@ -115,7 +143,8 @@ def long_deviation(kinematics, start, end, samples=400):
 
 @pytest.mark.parametrize("turn", [0.0, 1e-9, 1e-6, 1e-3, 1.0, 100.0])
 def test_rounding_never_takes_the_bound_below_the_truth(kinematics, turn):
-    """Blocks so small that the deviation is rounding, and such as turn much, at large coordinates and many turns."""
+    """Blocks so small that the deviation is rounding, and such as turn much, at large coordinates and many
+    turns."""
     rng = np.random.default_rng(25)
     start = rng.uniform(-1, 1, (30, 5)) * (2000, 2000, 2000, 36000, 3600)
     end = start + rng.normal(size=(30, 5)) * (turn, turn, turn, turn, turn)
@@ -125,11 +154,12 @@ def test_rounding_never_takes_the_bound_below_the_truth(kinematics, turn):
     assert (quick_bound(kinematics, words)[1::2] >= truth).all()
 
 
-# ------------------------------------------------------------------------------------------------ chords that are points
+# ------------------------------------------------------------------------------------- chords that are points
 
 
 def blocks_with_chords_of(kinematics, length, count=20):
-    """Turns of 5 to 30 deg of both axes whose ends are so many mm apart; and their real path in extended precision."""
+    """Turns of 5 to 30 deg of both axes whose ends are so many mm apart; and their real path in extended
+    precision."""
     rng = np.random.default_rng(27)
     start = rng.uniform(-1, 1, (5 * count, 5)) * (500, 500, 500, 180, 90)
     end = start + rng.uniform(5, 30, (5 * count, 5)) * (0, 0, 0, 1, 1) * rng.choice((-1, 1), (5 * count, 5))
@@ -138,7 +168,10 @@ def blocks_with_chords_of(kinematics, length, count=20):
     end[:, :3] = linear_words(kinematics, tips, words_to_q(end)[:, 3:])
     near = np.flatnonzero(np.abs(end[:, :3]).max(axis=1) < 3000.0)[:count]
     u = np.linspace(0, 1, 1001).astype(LONG)[:, None]
-    path = [long_tip(kinematics, s.astype(LONG) + u * (e.astype(LONG) - s)) for s, e in zip(start[near], end[near], strict=True)]
+    path = [
+        long_tip(kinematics, s.astype(LONG) + u * (e.astype(LONG) - s))
+        for s, e in zip(start[near], end[near], strict=True)
+    ]
     return start[near], end[near], np.stack(path), u
 
 
@@ -146,7 +179,9 @@ def blocks_with_chords_of(kinematics, length, count=20):
 def test_a_chord_too_short_for_a_direction_is_measured_from_its_point_of_the_same_u(kinematics, length):
     """Its direction is rounding, and so were its line deviation: up to 0.1 mm of it at 1e-9 mm."""
     start, end, path, u = blocks_with_chords_of(kinematics, length)
-    same_u = np.linalg.norm((path - path[:, :1] - u * (path[:, -1:] - path[:, :1])).astype(float), axis=2).max(axis=1)
+    same_u = np.linalg.norm(
+        (path - path[:, :1] - u * (path[:, -1:] - path[:, :1])).astype(float), axis=2
+    ).max(axis=1)
     found = measure(kinematics, interleaved(start, end))
     for distance in (found.line[1::2], found.segment[1::2]):
         assert distance == pytest.approx(same_u, rel=1e-5, abs=1e-6)
@@ -154,7 +189,9 @@ def test_a_chord_too_short_for_a_direction_is_measured_from_its_point_of_the_sam
 
 
 @pytest.mark.parametrize("length", [1.1 * POINT, 1e-4])
-def test_a_chord_just_long_enough_for_a_direction_has_the_line_deviation_of_extended_precision(kinematics, length):
+def test_a_chord_just_long_enough_for_a_direction_has_the_line_deviation_of_extended_precision(
+    kinematics, length
+):
     start, end, path, _ = blocks_with_chords_of(kinematics, length)
     off, chord = path - path[:, :1], path[:, -1:] - path[:, :1]
     foot = (off * chord).sum(axis=2, keepdims=True) / (chord * chord).sum(axis=2, keepdims=True)
@@ -162,7 +199,7 @@ def test_a_chord_just_long_enough_for_a_direction_has_the_line_deviation_of_exte
     assert measure(kinematics, interleaved(start, end)).line[1::2] == pytest.approx(line, rel=1e-5, abs=1e-6)
 
 
-# ------------------------------------------------------------------------------------------------ the two proofs
+# --------------------------------------------------------------------------------------------- the two proofs
 
 
 def test_a_quintic_leaves_its_quartic_by_the_remainder():
@@ -181,7 +218,9 @@ def test_a_piece_never_exceeds_its_bound(kinematics, pieces):
     size = np.linalg.norm(vector, axis=0)
     along = tuple(vector * (size > 1e-9) / np.maximum(size, 1e-9))
     levers = close_levers(frame, move)
-    chords = Chords(move, ends[0], along, np.zeros(100), size, bending(levers, 2), bending(levers, 3), levers.turn)
+    chords = Chords(
+        move, ends[0], along, np.zeros(100), size, bending(levers, 2), bending(levers, 3), levers.turn
+    )
     half = np.full(100 * pieces, 0.5 / pieces)
     block = np.repeat(np.arange(100), pieces)
     centre = np.tile((np.arange(pieces) + 0.5) / pieces, 100)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes kept within a boundary: against closed forms, against the passes that are not cut, and what is refused."""
+"""Passes kept within a boundary: against closed forms, against the passes that are not cut, and what is
+refused."""
 
 import itertools
 import json
@@ -34,8 +35,13 @@ RECTANGLE, ISLAND = ((5, 5), (35, 5), (35, 25), (5, 25)), ((15, 10), (25, 10), (
 
 def written(path, *curves):
     """The curves, (n, 2) or (n, 3) without the first point again, as a file."""
-    full = [[(*point, 0.0)[:3] for point in (*curve, curve[0])] for curve in (np.asarray(one).tolist() for one in curves)]
-    path.write_text("\n\n".join("\n".join(",".join(f"{x:.17g}" for x in point) for point in one) for one in full) + "\n")
+    full = [
+        [(*point, 0.0)[:3] for point in (*curve, curve[0])]
+        for curve in (np.asarray(one).tolist() for one in curves)
+    ]
+    path.write_text(
+        "\n\n".join("\n".join(",".join(f"{x:.17g}" for x in point) for point in one) for one in full) + "\n"
+    )
     return str(path)
 
 
@@ -46,7 +52,8 @@ def star(count=41, radius=8.0, deep=0.35, middle=(0.0, 0.0), turn=0.1):
 
 
 def wound(curves, point):
-    """Whether points (n, 2) are inside, by the angle that each curve turns about them: another route than rays."""
+    """Whether points (n, 2) are inside, by the angle that each curve turns about them: another route than
+    rays."""
     turns = np.zeros(len(point))
     for curve in curves:
         to = np.asarray(curve, float)[None] - point[:, None]
@@ -82,19 +89,24 @@ def dense(path, by="point", gap=0.02, fills=True):
     end = end if fills else end[~path.fill[end]]
     count = np.ceil(np.linalg.norm(place[end] - place[end - 1], axis=1) / gap).astype(int) + 1
     row = np.repeat(end, count)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)) / count[np.repeat(np.arange(len(end)), count)]
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count)) / count[
+        np.repeat(np.arange(len(end)), count)
+    ]
     return np.concatenate([place[row - 1] + share[:, None] * (place[row] - place[row - 1]), place[end]])
 
 
 @lru_cache
 def hills():
     """The passes over a wavy field, 20 x 20 mm about the origin, aslant to its facets; ball of radius 1.5."""
-    mesh = from_triangles(field(24, lambda x, y: 1.2 * np.sin(0.5 * x) * np.cos(0.4 * y), 20 / 24) - np.array([10.0, 10.0, 0.0]))
+    mesh = from_triangles(
+        field(24, lambda x, y: 1.2 * np.sin(0.5 * x) * np.cos(0.4 * y), 20 / 24) - np.array([10.0, 10.0, 0.0])
+    )
     return mesh, close_gaps(slice_mesh(mesh, np.linspace(-13, 13, 53), 0.4), mesh, 1.5, 0.01)
 
 
 def compared(uncut, cut, curves, by="point"):
-    """What lies inside of the uncut passes is on the cut ones, and nothing else is; ends lie on the boundary or are old ends."""
+    """What lies inside of the uncut passes is on the cut ones, and nothing else is; ends lie on the boundary
+    or are old ends."""
     where, wanted = dense(cut, by, fills=by != "point"), dense(uncut, by, fills=by != "point")
     seen = where[:, :2]
     assert (wound(curves, seen) | (off(curves, seen) < 1e-9)).all()
@@ -107,7 +119,7 @@ def compared(uncut, cut, curves, by="point"):
     assert (off(curves, getattr(cut, by)[ends[~old]][:, :2]) < 1e-9 * 16).all() and (~old).sum() > 20
 
 
-# ------------------------------------------------------------------------------------------------ what is inside
+# --------------------------------------------------------------------------------------------- what is inside
 
 
 def test_inside_is_what_the_winding_number_says_also_among_many_edges():
@@ -141,20 +153,26 @@ def test_crossings_of_random_pieces_are_those_of_every_edge_by_itself():
         np.testing.assert_allclose(share[piece == one], sorted(own), atol=1e-10)
 
 
-# ------------------------------------------------------------------------------------------------ flat, in closed form
+# --------------------------------------------------------------------------------------- flat, in closed form
 
 
 def made(tmp_path, curves, triangles=PLATE, **more):
     part = tmp_path / "part.stl"
     write_stl(from_triangles(triangles), part)
-    return job.make(build_settings("mill", str(part), {**JOB, "boundary": written(tmp_path / "b.csv", *curves), **more}))
+    return job.make(
+        build_settings("mill", str(part), {**JOB, "boundary": written(tmp_path / "b.csv", *curves), **more})
+    )
 
 
 def test_a_rectangle_with_an_island_keeps_the_length_of_its_passes(tmp_path):
     offset = made(tmp_path, (RECTANGLE, ISLAND)).offset
-    assert length(offset) == pytest.approx(20 * 30 - 10 * 10, abs=1e-9)  # passes 1 mm apart, between whole millimetres
+    assert length(offset) == pytest.approx(
+        20 * 30 - 10 * 10, abs=1e-9
+    )  # passes 1 mm apart, between whole millimetres
     assert offset.polyline[-1] + 1 == 20 + 10
-    assert set(np.round(offset.point[:, 0], 9)) >= {5, 15, 25, 35} and offset.point[:, 0].min() == pytest.approx(5, abs=1e-9)
+    assert set(np.round(offset.point[:, 0], 9)) >= {5, 15, 25, 35} and offset.point[
+        :, 0
+    ].min() == pytest.approx(5, abs=1e-9)
 
 
 def test_a_round_boundary_keeps_the_chords_of_its_polygon(tmp_path):
@@ -165,7 +183,9 @@ def test_a_round_boundary_keeps_the_chords_of_its_polygon(tmp_path):
         x = [20 + 11 * (math.cos(a) + (y - 15 - 11 * math.sin(a)) / (11 * (math.sin(b) - math.sin(a))) * (math.cos(b) - math.cos(a)))
              for a, b in zip(turn, np.roll(turn, -1), strict=True) if (15 + 11 * math.sin(a) > y) != (15 + 11 * math.sin(b) > y)]  # fmt: skip
         chords += max(x) - min(x)
-    assert length(offset) == pytest.approx(chords, rel=1e-12) and chords == pytest.approx(np.pi * 121, rel=0.01)
+    assert length(offset) == pytest.approx(chords, rel=1e-12) and chords == pytest.approx(
+        np.pi * 121, rel=0.01
+    )
 
 
 def test_passes_that_run_along_the_boundary_stay_and_so_does_a_path_that_lies_inside(tmp_path):
@@ -178,7 +198,10 @@ def test_passes_that_run_along_the_boundary_stay_and_so_does_a_path_that_lies_in
 
 def test_a_pass_that_only_touches_an_island_goes_on(tmp_path):
     offset = made(tmp_path, (RECTANGLE, ((20, 7.5), (22, 9), (20, 9), (18, 9)))).offset
-    assert set(np.bincount(offset.polyline[np.isclose(offset.point[:, 1], 7.5)])) <= {0, 3}  # two ends and a co-edge
+    assert set(np.bincount(offset.polyline[np.isclose(offset.point[:, 1], 7.5)])) <= {
+        0,
+        3,
+    }  # two ends and a co-edge
     assert offset.polyline[-1] + 1 == 20 + 1  # the island divides the pass at 8.5 alone
 
 
@@ -186,20 +209,26 @@ def test_facets_outside_are_left_out_and_their_area_is_told(tmp_path):
     triangles = field(20, lambda x, y: 0 * x, 2.0)
     found = made(tmp_path, [((0, 0), (20, 0), (20, 12), (0, 12))], triangles)
     told = next(one for one in found.findings if one.code == "outside-boundary")
-    assert told.value == pytest.approx(40 * 40 - 20 * 12) and found.mesh.area[found.keep].sum() == pytest.approx(240)
+    assert told.value == pytest.approx(40 * 40 - 20 * 12) and found.mesh.area[
+        found.keep
+    ].sum() == pytest.approx(240)
     assert "lie outside boundary b.csv and are not machined" in told.text
     mesh = found.mesh
-    boundary = read_boundary(written(tmp_path / "c.csv", star(30, 9.0, middle=(20, 20))), "c", (0.0, 0.0, 1.0))
+    boundary = read_boundary(
+        written(tmp_path / "c.csv", star(30, 9.0, middle=(20, 20))), "c", (0.0, 0.0, 1.0)
+    )
     kept, _ = facets_within(boundary, mesh, None)
     share = np.stack(np.meshgrid(*[np.linspace(0.01, 0.97, 16)] * 2), axis=-1).reshape(-1, 2)
     share = share[share.sum(axis=1) < 0.995]
     a, b, c = mesh.vertex[mesh.face].transpose(1, 0, 2)[:, :, :2]
     place = a[:, None] + share[:, :1] * (b - a)[:, None] + share[:, 1:] * (c - a)[:, None]
     inside = wound([star(30, 9.0, middle=(20, 20))], place.reshape(-1, 2)).reshape(len(kept), -1)
-    assert not (inside.any(axis=1) & ~kept).any() and (kept & ~inside.any(axis=1)).sum() <= 3  # slivers between the samples
+    assert (
+        not (inside.any(axis=1) & ~kept).any() and (kept & ~inside.any(axis=1)).sum() <= 3
+    )  # slivers between the samples
 
 
-# ------------------------------------------------------------------------------------------------ curved, by dense samples
+# ----------------------------------------------------------------------------------- curved, by dense samples
 
 
 CURVES = (star(), star(12, 2.0, 0.0, (0.5, 1.0)))
@@ -256,7 +285,9 @@ def test_ends_of_a_cut_stand_as_the_ball_does_on_their_facet(tmp_path):
 def test_rows_beside_a_wall_are_still_known_where_others_are_gone(tmp_path):
     mesh = from_triangles(np.asarray(step().vertex)[np.asarray(step().face)])
     floor = (np.abs(mesh.vertex[mesh.face][..., 2]).max(axis=1) == 0.0) & (mesh.normal[:, 2] > 0.9)
-    uncut = close_gaps(slice_mesh(mesh, np.arange(-15, 15.5, 1.0), np.pi / 2, plain=~floor), mesh, 4.0, 0.01, floor)
+    uncut = close_gaps(
+        slice_mesh(mesh, np.arange(-15, 15.5, 1.0), np.pi / 2, plain=~floor), mesh, 4.0, 0.01, floor
+    )
     assert len(uncut.beside) > 20
     curve = ((-10.5, -25), (12.5, -25), (12.5, 5), (-10.5, 5))
     cut, _ = cut_at_boundary(uncut, boundary_of(tmp_path, [curve]))
@@ -284,14 +315,19 @@ def test_turned_shifted_and_scaled_the_cut_is_the_same(tmp_path, scale, by):
     other, _ = cut_at_boundary(replace(uncut, **normals, **places), boundary_of(tmp_path, curves, axis), by)
     assert len(other.point) == len(cut.point) and (other.polyline == cut.polyline).all()
     for name in ("point", "centre"):
-        np.testing.assert_allclose(getattr(other, name), scale * (getattr(cut, name) @ turn.T + shift), atol=1e-9 * scale * 400)
+        np.testing.assert_allclose(
+            getattr(other, name), scale * (getattr(cut, name) @ turn.T + shift), atol=1e-9 * scale * 400
+        )
 
 
 def test_by_the_centre_the_contact_on_a_ball_lies_nearer_to_its_axis(tmp_path):
-    """Over a ball of radius S the centre of one of radius r is (S + r) / S times as far from the axis as the contact."""
+    """Over a ball of radius S the centre of one of radius r is (S + r) / S times as far from the axis as the
+    contact."""
     big, small, far = 10.0, 4.0, 7.0
     mesh = from_triangles(sphere(big, 90, 180))
-    uncut = close_gaps(slice_mesh(mesh, np.linspace(-6, 6, 25), 0.0, mesh.normal[:, 2] > 0.1), mesh, small, 0.01)
+    uncut = close_gaps(
+        slice_mesh(mesh, np.linspace(-6, 6, 25), 0.0, mesh.normal[:, 2] > 0.1), mesh, small, 0.01
+    )
     turn = 2 * np.pi * np.arange(360) / 360
     circle = far * np.stack([np.cos(turn), np.sin(turn)], axis=1)
     ends = {}
@@ -328,7 +364,9 @@ def test_closed_passes_stay_closed_or_become_one_piece_over_the_seam(tmp_path):
         assert half.offset.polyline[-1] + 1 == rings and not closed(half.offset).any()
         assert length(half.offset) == pytest.approx(0.5 * length(free.offset), rel=1e-3)
         assert (sign * half.offset.point[:, 0]).min() > -1e-9
-        cut, _ = cut_at_boundary(free.offset, read_boundary(side, "half.csv", (0.0, 0.0, 1.0)))  # no facet left out before
+        cut, _ = cut_at_boundary(
+            free.offset, read_boundary(side, "half.csv", (0.0, 0.0, 1.0))
+        )  # no facet left out before
         assert cut.polyline[-1] + 1 == rings and length(cut) == pytest.approx(length(half.offset), rel=1e-12)
 
 
@@ -340,7 +378,9 @@ def test_a_wall_beyond_the_boundary_still_keeps_the_ball_off(tmp_path):
     write_stl(step(), tmp_path / "part.stl")
     options = {**JOB, "cutter": "ball:8", "direction": 90, "max_axis_angle": 30}
     curve = written(tmp_path / "b.csv", ((-15, -25), (15, -25), (15, -1), (-15, -1)))
-    offset = job.make(build_settings("mill", str(tmp_path / "part.stl"), {**options, "boundary": curve})).offset
+    offset = job.make(
+        build_settings("mill", str(tmp_path / "part.stl"), {**options, "boundary": curve})
+    ).offset
     assert offset.point[:, 1].max() == pytest.approx(-4, abs=1e-6) and offset.centre[:, 1].max() <= -4 + 1e-9
 
 
@@ -352,7 +392,9 @@ def test_what_the_part_stands_on_stays_out_with_free_axes(tmp_path):
     }))  # fmt: skip
     assert found.mesh.area[found.keep].sum() == pytest.approx(600) and (found.offset.point[:, 2] == 20).all()
     assert found.offset.point[:, :2].min(axis=0) == pytest.approx([5, 5], abs=1.0)
-    assert wound([((5, 5), (20, 5), (20, 15), (5, 15))], found.offset.point[:, :2] * (1 - 1e-9) + 1e-9 * 10).all()
+    assert wound(
+        [((5, 5), (20, 5), (20, 15), (5, 15))], found.offset.point[:, :2] * (1 - 1e-9) + 1e-9 * 10
+    ).all()
 
 
 @pytest.mark.parametrize("cutter", ["flat:6", "bull:6:1", "ball:6"])
@@ -375,9 +417,12 @@ def test_an_axis_other_than_z_and_faces_beside_it(tmp_path):
 @pytest.mark.thorough
 @pytest.mark.parametrize("by", ["contact", "centre"])
 def test_what_is_left_is_looked_for_within_the_boundary_alone(tmp_path, by):
-    """The plate's two facets lie outside for the larger part; beside passes that end at the boundary no more stays than between."""
+    """The plate's two facets lie outside for the larger part; beside passes that end at the boundary no more
+    stays than between."""
     found = job.run(with_rest(made(tmp_path, (RECTANGLE, ISLAND), boundary_by=by).settings))
-    assert found.rest.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.rest.height.max() < 0.1
+    assert (
+        found.rest.area.sum() == pytest.approx(30 * 20 - 10 * 10, rel=0.03) and found.rest.height.max() < 0.1
+    )
     assert not [one for one in found.findings if one.code == "uncut"]
     whole = job.run(with_rest(replace(found.draft.settings, boundary=type(found.draft.settings.boundary)())))
     assert whole.rest.area.sum() == pytest.approx(40 * 30)
@@ -398,16 +443,25 @@ def with_rest(settings):
     return replace(settings, gouge=replace(settings.gouge, rest="on"))
 
 
-# ------------------------------------------------------------------------------------------------ what is refused
+# -------------------------------------------------------------------------------------------- what is refused
 
 
 BAD = [
-    ("0,0,0\n10,0,0\n10,10,0\n", "is not closed: its ends are 14.14 mm apart; repeat the first point at the end"),
+    (
+        "0,0,0\n10,0,0\n10,10,0\n",
+        "is not closed: its ends are 14.14 mm apart; repeat the first point at the end",
+    ),
     ("0,0,0\n10,0,0\n0,0,0\n", "has 2 points; give three or more"),
     ("0,0,0\n10,0,0\n", "has 2 points; give three or more"),
     ("0,0,0\n10,10,0\n10,0,0\n0,10,0\n0,0,0\n", "crosses itself at (5, 5, 0) mm"),
-    ("0,0,0\n20,0,0\n20,20,0\n0,20,0\n0,0,0\n\n10,10,0\n30,10,0\n30,30,0\n10,30,0\n10,10,0\n", "crosses itself"),
-    ("100,0,0\n120,0,0\n120,20,0\n100,0,0\n", "no part of the surface that is to be machined lies inside boundary b.csv"),
+    (
+        "0,0,0\n20,0,0\n20,20,0\n0,20,0\n0,0,0\n\n10,10,0\n30,10,0\n30,30,0\n10,30,0\n10,10,0\n",
+        "crosses itself",
+    ),
+    (
+        "100,0,0\n120,0,0\n120,20,0\n100,0,0\n",
+        "no part of the surface that is to be machined lies inside boundary b.csv",
+    ),
     ("1,1,0\n1,9,0\n1,9,9\n1,1,0\n", "has no area when it is seen along 0,0,1; give another --boundary-axis"),
     ("1,1,0\n1,1,0\n1,1,0\n1,1,0\n", "has no area"),
     ("once upon a time\nthere was\n", "X,Y,Z in mm on a line each"),
@@ -433,7 +487,18 @@ def test_what_is_no_boundary_is_refused_in_one_line(tmp_path, capsys, text, said
 
 def refused(tmp_path, capsys, said, *words):
     out = tmp_path / "out.ngc"
-    common = ["--machine", "trunnion_ac", "--cutter", "ball:6", "--stepover", "2", *PLAIN_WORDS, "-o", str(out), "--quiet"]
+    common = [
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6",
+        "--stepover",
+        "2",
+        *PLAIN_WORDS,
+        "-o",
+        str(out),
+        "--quiet",
+    ]
     assert main(["mill", str(tmp_path / "part.stl"), *common, *words]) == 2
     error = capsys.readouterr().err
     assert said in error and len(error.strip().splitlines()) == 1 and not out.exists()
@@ -446,13 +511,20 @@ def test_an_axis_without_direction_a_missing_file_and_a_word_are_refused(tmp_pat
     refused(tmp_path, capsys, "cannot be read", "--boundary", str(tmp_path / "none.csv"))
     refused(tmp_path, capsys, "", "--boundary", str(tmp_path))
     with pytest.raises(SettingsError, match="boundary-by 'tip' is not one of contact, centre"):
-        build_settings("mill", "part.stl", {"machine": "trunnion_ac", "boundary": "b.csv", "boundary_by": "tip"})
+        build_settings(
+            "mill", "part.stl", {"machine": "trunnion_ac", "boundary": "b.csv", "boundary_by": "tip"}
+        )
 
 
 def test_names_of_columns_blank_lines_and_a_curve_that_is_closed_but_for_rounding_are_read(tmp_path):
-    (tmp_path / "b.csv").write_text("\n\nX,Y,Z\n0,0,0\n10,0,0\n10,10,0\n0.0005,0,0\n\n  \n\n2,1,0\n4,1,0\n4,2,0\n2,1,0\n\n")
+    (tmp_path / "b.csv").write_text(
+        "\n\nX,Y,Z\n0,0,0\n10,0,0\n10,10,0\n0.0005,0,0\n\n  \n\n2,1,0\n4,1,0\n4,2,0\n2,1,0\n\n"
+    )
     found = read_boundary(str(tmp_path / "b.csv"), "b.csv", (0.0, 0.0, 1.0))
-    assert len(found.curves.start) == 6 and (found.curves.start[:3] == np.roll(found.curves.end[:3], 1, axis=0)).all()
+    assert (
+        len(found.curves.start) == 6
+        and (found.curves.start[:3] == np.roll(found.curves.end[:3], 1, axis=0)).all()
+    )
 
 
 def test_where_facets_reach_in_but_no_pass_does_it_is_refused(tmp_path):
@@ -472,10 +544,23 @@ def test_reach_setup_and_compare_keep_to_it_too(tmp_path, capsys, monkeypatch):
     common = ["--machine", "trunnion_ac", "--cutter", "ball:6", "--report", str(report), "--quiet"]
     assert main(["reach", part, *common, *curve]) == 0
     found = json.loads(report.read_text())
-    assert sum(found["summary"]["by_reason"].values()) + found["summary"]["reachable_area"] == pytest.approx(240)
+    assert sum(found["summary"]["by_reason"].values()) + found["summary"]["reachable_area"] == pytest.approx(
+        240
+    )
     assert [one["code"] for one in found["findings"] if "boundary" in one["code"]] == ["outside-boundary"]
     for task, machine in (("setup", "--machine"), ("compare", "--machines")):
-        words = [task, part, machine, "trunnion_ac", "--cutter", "ball:6", "--stepover", "2", *PLAIN_WORDS, "--quiet"]
+        words = [
+            task,
+            part,
+            machine,
+            "trunnion_ac",
+            "--cutter",
+            "ball:6",
+            "--stepover",
+            "2",
+            *PLAIN_WORDS,
+            "--quiet",
+        ]
         assert main([*words, *curve, "--boundary-by", "centre"]) in (0, 1)
         assert main([*words, "--boundary", str(tmp_path / "none.csv")]) == 2
         cl = tmp_path / "path.apt"
@@ -486,14 +571,26 @@ def test_reach_setup_and_compare_keep_to_it_too(tmp_path, capsys, monkeypatch):
 
 @pytest.mark.thorough
 def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
-    """Guides and boundaries may be given as what their files would hold; the job file's folder then does not count."""
+    """Guides and boundaries may be given as what their files would hold; the job file's folder then does not
+    count."""
     stl = tmp_path / "plate.stl"
     write_stl(from_triangles(PLATE), stl)
     file = written(tmp_path / "outline.csv", RECTANGLE, ISLAND)
     lines = ";".join(Path(file).read_text().splitlines())
     assert lines.count(";;") == 1
     nc = [str(tmp_path / f"{name}.ngc") for name in "ab"]
-    base = ["mill", str(stl), "--machine", "trunnion_ac", "--controller", "linuxcnc", "--cutter", "ball:6", "--stepover", "1"]
+    base = [
+        "mill",
+        str(stl),
+        "--machine",
+        "trunnion_ac",
+        "--controller",
+        "linuxcnc",
+        "--cutter",
+        "ball:6",
+        "--stepover",
+        "1",
+    ]
     base += ["--passes", "scallop", "--spindle", "off", "--quiet", "--boundary"]
     guide = tmp_path / "guide.csv"
     guide.write_text("x,y,z\n5,5,0\n5,25,0\n")
@@ -511,7 +608,13 @@ def test_the_lines_in_place_of_the_file_give_the_same_program(tmp_path):
         "cutter": "ball:6",
         "stepover": 1,
     }
-    given |= {"passes": "scallop", "spindle": "off", "boundary": lines, "from": "5,5,0;5,25,0", "output": str(tmp_path / "c.ngc")}
+    given |= {
+        "passes": "scallop",
+        "spindle": "off",
+        "boundary": lines,
+        "from": "5,5,0;5,25,0",
+        "output": str(tmp_path / "c.ngc"),
+    }
     job_.write_text(json.dumps(given))
     assert main(["run", str(job_), "--quiet"]) == 0
     assert (tmp_path / "c.ngc").read_text() == one
@@ -530,6 +633,17 @@ def test_lines_that_are_no_curve_are_refused(tmp_path, capsys, option, given, to
     stl = tmp_path / "plate.stl"
     write_stl(from_triangles(PLATE), stl)
     out = tmp_path / "x.ngc"
-    given = ["--machine", "trunnion_ac", "--controller", "linuxcnc", "--cutter", "ball:6", "--spindle", "off", option, given]
+    given = [
+        "--machine",
+        "trunnion_ac",
+        "--controller",
+        "linuxcnc",
+        "--cutter",
+        "ball:6",
+        "--spindle",
+        "off",
+        option,
+        given,
+    ]
     assert main(["mill", str(stl), "-o", str(out), *given]) == 2
     assert told in capsys.readouterr().err and not out.exists()

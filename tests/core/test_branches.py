@@ -37,17 +37,23 @@ def states_of(angles, limits):
     found = []
     for branch in range(2):
         ranges = [[q + TURN * w for w in range(-2, 3)] for q in angles[branch]]
-        inside = [[q for q in qs if low - 1e-9 <= q <= high + 1e-9] for qs, (low, high) in zip(ranges, limits, strict=True)]
+        inside = [
+            [q for q in qs if low - 1e-9 <= q <= high + 1e-9]
+            for qs, (low, high) in zip(ranges, limits, strict=True)
+        ]
         found += [(branch, *q) for q in itertools.product(*inside)]
     return found
 
 
 def least_cost(angles, limits, cutting, crossing):
-    """The cost of the cheapest of all ways: one dimension of the table for each row, every combination added up."""
+    """The cost of the cheapest of all ways: one dimension of the table for each row, every combination added
+    up."""
     layers = [states_of(angles[:, i], limits) for i in range(angles.shape[1])]
     total = np.zeros([1] * len(layers))
     for i in range(len(layers) - 1):
-        table = np.array([[step_cost(a, b, cutting[i], crossing[i]) for b in layers[i + 1]] for a in layers[i]])
+        table = np.array(
+            [[step_cost(a, b, cutting[i], crossing[i]) for b in layers[i + 1]] for a in layers[i]]
+        )
         shape = [1] * len(layers)
         shape[i : i + 2] = table.shape
         total = total + table.reshape(shape)
@@ -83,7 +89,9 @@ def test_the_way_found_costs_as_much_as_the_cheapest_of_all(limits, rows):
     for _ in range(12):
         angles, cutting, crossing = random_case(rng, rows)
         words, branch = choose(angles, within_limits(angles, low, high), low, high, cutting, crossing)
-        assert cost_of(words, branch, cutting, crossing) == pytest.approx(least_cost(angles, limits, cutting, crossing), abs=1e-7)
+        assert cost_of(words, branch, cutting, crossing) == pytest.approx(
+            least_cost(angles, limits, cutting, crossing), abs=1e-7
+        )
         assert (words >= low).all() and (words <= high).all()
         own = angles[branch, np.arange(rows)]
         np.testing.assert_allclose(np.cos(words - own), 1.0, atol=1e-12)
@@ -108,7 +116,8 @@ def test_a_branch_that_the_limits_forbid_is_not_taken():
 
 
 def test_nearest_windings_alone_cost_more_under_limits():
-    """The comparison above can fail: the step-by-step way breaks at the limit, the best way starts a turn lower."""
+    """The comparison above can fail: the step-by-step way breaks at the limit, the best way starts a turn
+    lower."""
     q1 = np.linspace(0.0, 2.5 * math.pi, 11)
     angles = np.zeros((2, 11, 2))
     angles[0, :, 0] = q1 - TURN * np.ceil((q1 - math.pi) / TURN)
@@ -169,7 +178,8 @@ def test_the_scan_on_two_levels_agrees_with_one_row_after_the_other(steps, count
 
 
 def long_case(rng, rows, jump):
-    """Angles that go on evenly on both branches, like those of a machine of orthogonal axes, or less so the larger ``jump`` is."""
+    """Angles that go on evenly on both branches, like those of a machine of orthogonal axes, or less so the
+    larger ``jump`` is."""
     steps = rng.normal(0.0, 0.3, (2, rows, 2))
     steps[1] = steps[0] * [1.0, -1.0] + rng.normal(0.0, jump, (rows, 2))
     angles = np.cumsum(steps, 1) + [[[0.3, 0.8]], [[0.3 + math.pi, -0.8]]]
@@ -177,10 +187,13 @@ def long_case(rng, rows, jump):
 
 
 @pytest.mark.parametrize(
-    ("jump", "gates", "lost", "shorter"), [(0.0, 0.1, 0.002, True), (0.3, 0.1, 0.002, True), (0.0, 0.01, 0.05, False)]
+    ("jump", "gates", "lost", "shorter"),
+    [(0.0, 0.1, 0.002, True), (0.3, 0.1, 0.002, True), (0.0, 0.01, 0.05, False)],
 )
 @pytest.mark.parametrize("chunk", [7, 64, 16384])
-def test_the_shorter_graph_of_gates_and_branch_runs_has_the_best_way_or_none(jump, gates, lost, shorter, chunk, monkeypatch):
+def test_the_shorter_graph_of_gates_and_branch_runs_has_the_best_way_or_none(
+    jump, gates, lost, shorter, chunk, monkeypatch
+):
     monkeypatch.setattr(columns, "CHUNK", chunk)
     rng, changes = np.random.default_rng(11), 0
     free = np.array([-math.inf] * 2), np.array([math.inf] * 2)
@@ -197,12 +210,15 @@ def test_the_shorter_graph_of_gates_and_branch_runs_has_the_best_way_or_none(jum
         assert (state is not None) is shorter
         if state is not None:
             at, changes = np.arange(1999), changes + np.count_nonzero(np.diff(state))
-            assert cost[state[:-1], state[1:], at].sum() == pytest.approx(cost[best[:-1], best[1:], at].sum(), abs=1e-8)
+            assert cost[state[:-1], state[1:], at].sum() == pytest.approx(
+                cost[best[:-1], best[1:], at].sum(), abs=1e-8
+            )
     assert changes > 3 or not shorter
 
 
 def test_a_break_that_has_to_be_made_inside_a_branch_run_is_found():
-    """Branch 0 ends and branch 1 begins within one cut: no gate helps, so the shorter graph must not answer."""
+    """Branch 0 ends and branch 1 begins within one cut: no gate helps, so the shorter graph must not
+    answer."""
     angles = np.zeros((2, 60, 2))
     angles[0], angles[1] = [0.0, 1.0], [math.pi, -1.0]
     fits = np.ones((2, 60), bool)

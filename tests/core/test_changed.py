@@ -36,7 +36,9 @@ def house(tmp_path):
     for name in ("tests/import_graph.py", "tests/conftest.py", "scripts/changed"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
-    (tmp_path / "pyproject.toml").write_text('[tool.pytest.ini_options]\nmarkers = ["rs274", "slow"]\npythonpath = ["."]\n')
+    (tmp_path / "pyproject.toml").write_text(
+        '[tool.pytest.ini_options]\nmarkers = ["rs274", "slow"]\npythonpath = ["."]\n'
+    )
     git(tmp_path, "init", "-q")
     commit(tmp_path)
     return tmp_path
@@ -55,8 +57,15 @@ def commit(folder):
 
 def changed(folder, *words, **around):
     command = [sys.executable, "scripts/changed", *words]
-    around = {**os.environ, "PYTEST_ADDOPTS": "-p no:cacheprovider", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "", **around}
-    return subprocess.run(command, cwd=folder, env=around, capture_output=True, text=True, timeout=120, check=False)
+    around = {
+        **os.environ,
+        "PYTEST_ADDOPTS": "-p no:cacheprovider",
+        "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "",
+        **around,
+    }
+    return subprocess.run(
+        command, cwd=folder, env=around, capture_output=True, text=True, timeout=120, check=False
+    )
 
 
 def listed(folder, *words):
@@ -67,17 +76,25 @@ def listed(folder, *words):
 
 def test_the_tests_that_reach_a_change_are_named_nearest_first(house):
     (house / "house/wood.py").write_text("beam = 3\n")
-    assert listed(house) == ["1 tests/core/test_wood.py", "2 tests/core/test_roof.py", "2 tests/gui/test_window.py"]
+    assert listed(house) == [
+        "1 tests/core/test_wood.py",
+        "2 tests/core/test_roof.py",
+        "2 tests/gui/test_window.py",
+    ]
     commit(house)
     assert len(listed(house)) == 3, "nothing is changed: the last commit counts"
     (house / "house/wall.py").write_text("bricks = 2\n")
-    assert listed(house) == ["1 tests/core/test_wall.py"], "what a package brings together is used by who takes it"
+    assert listed(house) == ["1 tests/core/test_wall.py"], (
+        "what a package brings together is used by who takes it"
+    )
     assert len(listed(house, "HEAD~1")) == 4
 
 
 def test_a_file_that_is_no_python_is_reached_by_those_that_name_it(house):
     (house / "house/plan.txt").write_text("south\n")
-    assert "0 tests/core/test_plan.py" in listed(house) and len(listed(house)) == 5, "and by the files of its own folder"
+    assert "0 tests/core/test_plan.py" in listed(house) and len(listed(house)) == 5, (
+        "and by the files of its own folder"
+    )
     (house / "house/plan.txt").write_text("north\n")
     (house / "README.md").write_text("roof\n")
     assert listed(house) == []
@@ -106,7 +123,9 @@ def test_an_unknown_commit_is_one_line(house):
 def test_the_graph_of_this_project_leads_from_a_module_to_its_tests():
     core = ROOT / "freecad_fiveaxis/core"
     files = [*core.rglob("*.py"), ROOT / "tests/core/test_vectors.py", ROOT / "tests/core/test_quantity.py"]
-    steps = distances(build_graph(files, [ROOT, ROOT / "tests", ROOT / "tests/core"]), [core / "base/vectors.py"])
+    steps = distances(
+        build_graph(files, [ROOT, ROOT / "tests", ROOT / "tests/core"]), [core / "base/vectors.py"]
+    )
     assert steps[ROOT / "tests/core/test_vectors.py"] == 1 and steps[core / "pipeline/job.py"] > 1
     assert core / "base/errors.py" not in steps and ROOT / "tests/core/test_quantity.py" not in steps
     assert core / "base/vectors.py" in set(imports_of(ROOT / "tests/core/test_vectors.py", [ROOT]))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two threads over portions: the same results as one, in their order; exceptions pass through; no thread is left behind."""
+"""Two threads over portions: the same results as one, in their order; exceptions pass through; no thread is
+left behind."""
 
 import threading
 import time
@@ -29,7 +30,8 @@ def two_threads(monkeypatch):
 
 
 def both_taking_part(work=lambda part: None):
-    """``work`` on two threads, neither of which ends its first part before the other has begun one, however busy the machine."""
+    """``work`` on two threads, neither of which ends its first part before the other has begun one, however
+    busy the machine."""
     seen, both = set(), threading.Barrier(2)
 
     def wait_and_work(part):
@@ -65,7 +67,8 @@ def test_with_one_processor_all_stays_on_the_calling_thread(monkeypatch):
 
 @pytest.mark.parametrize("processors", [3, 8])
 def test_as_many_threads_as_processors_are_at_work_at_once(monkeypatch, processors):
-    """Each part waits until there are so many of them: fewer threads would wait for ever, and break the barrier."""
+    """Each part waits until there are so many of them: fewer threads would wait for ever, and break the
+    barrier."""
     monkeypatch.setattr(chunks_module, "PROCESSORS", processors)
     together = threading.Barrier(processors)
     assert sorted(in_threads(lambda part: together.wait(60.0), range(processors))) == list(range(processors))
@@ -163,4 +166,6 @@ def test_the_pipeline_gives_the_same_bits_with_one_thread_and_two(monkeypatch, p
     for record in ("mesh", "contact", "offset", "path", "joints", "program"):
         for field, column in vars(getattr(one, record)).items():
             if isinstance(column, np.ndarray):
-                np.testing.assert_array_equal(column, getattr(getattr(two, record), field), err_msg=f"{record}.{field}")
+                np.testing.assert_array_equal(
+                    column, getattr(getattr(two, record), field), err_msg=f"{record}.{field}"
+                )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cutters that are no balls through the whole pipeline: they keep out of the part, leave the scallop asked for, and say where they do not."""
+"""Cutters that are no balls through the whole pipeline: they keep out of the part, leave the scallop asked
+for, and say where they do not."""
 
 import json
 from dataclasses import replace
@@ -47,7 +48,7 @@ def on_part(made):
     return made.path.tip[cuts], made.path.axis[cuts]
 
 
-# ------------------------------------------------------------------------------------------------ through the whole pipeline
+# --------------------------------------------------------------------------------- through the whole pipeline
 
 
 @pytest.mark.parametrize("cutter", CUTTERS)
@@ -97,7 +98,9 @@ def test_a_heel_in_a_hollow_along_the_pass_is_as_deep_as_estimated(cutter, parts
 
 @some_in_core("cutter", ["bull:8:1.5", "flat:6"], kept=(1,))
 @pytest.mark.parametrize("gouge", ["off", "report"])
-def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_settles_it(cutter, gouge, estimated):
+def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_settles_it(
+    cutter, gouge, estimated
+):
     """A ball in a corner. With the check on, its own finding says how deep."""
     mesh = knob_in_corner(cells=24)
     given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 6, "direction": 0, "tool_length": 120}
@@ -113,7 +116,14 @@ def test_across_the_pass_a_heel_may_be_deeper_so_no_depth_is_told_and_the_check_
 
 @pytest.mark.thorough
 def test_after_a_lift_nothing_says_that_the_heel_stands_in_the_part(parts):
-    given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 20, "tool_length": 120, **UNCURED, "gouge": "lift"}
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": "bull:10:2",
+        "stepover": 20,
+        "tool_length": 120,
+        **UNCURED,
+        "gouge": "lift",
+    }
     result = job.prove(job.make(build_settings("mill", str(parts / "saddle.stl"), given)))
     assert heels_of(result.draft) and not heels_of(result)
     assert "lifted" in {one.code for one in result.findings}
@@ -129,7 +139,10 @@ def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, le
     assert (~own).sum() == 2
     tip, axis = forward(kinematics, words_to_q(read.words[own]))
     row = result.draft.program.row
-    assert np.linalg.norm(tip - path.tip[row], axis=1).max() < 2e-3 and np.linalg.norm(axis - path.axis[row], axis=1).max() < 1e-5
+    assert (
+        np.linalg.norm(tip - path.tip[row], axis=1).max() < 2e-3
+        and np.linalg.norm(axis - path.axis[row], axis=1).max() < 1e-5
+    )
     block = np.argsort(result.deviation.segment)[[-1, -2, -30, -100, 40]]
     q, u = words_to_q(words), np.linspace(0, 1, 2001)[:, None]
     for b in block[block > 0]:
@@ -148,7 +161,8 @@ def test_the_program_is_the_path_and_its_deviation_that_of_a_dense_walk(part, le
     kept=(2,),
 )  # fmt: skip
 def test_the_tip_follows_an_axis_that_was_led(cutter, options, milled, points):
-    """The axes are others than the strategy's, and still the cutter touches the dome and does not enter it."""
+    """The axes are others than the strategy's, and still the cutter touches the dome and does not enter
+    it."""
     given = {"cutter": cutter, "stepover": 5, "max_axis_angle": 11}
     made = milled("dome", "trunnion_ac", **given, **options).draft
     plain = milled("dome", "trunnion_ac", **given).draft
@@ -184,10 +198,15 @@ def test_on_a_plane_every_tip_is_that_of_its_contact(shape, lead, tilt, tmp_path
         "direction": 20,
         "order": "one_way",
     }
-    path, cutter = job.make(build_settings("mill", str(tmp_path / "plane.stl"), given)).path, parse_cutter(shape)
+    path, cutter = (
+        job.make(build_settings("mill", str(tmp_path / "plane.stl"), given)).path,
+        parse_cutter(shape),
+    )
     cuts = path.motion <= Motion.FILL
     normal = np.array([[0.0, -0.3, 1.0]]).repeat(cuts.sum(), 0) / np.hypot(1, 0.3)
-    feed = np.array([[np.cos(np.radians(20)), np.sin(np.radians(20)), 0.3 * np.sin(np.radians(20))]]).repeat(cuts.sum(), 0)
+    feed = np.array([[np.cos(np.radians(20)), np.sin(np.radians(20)), 0.3 * np.sin(np.radians(20))]]).repeat(
+        cuts.sum(), 0
+    )
     feed /= np.linalg.norm(feed, axis=1)[:, None]
     np.testing.assert_allclose(
         path.tip[cuts], cutter.tip_from_contact(path.contact[cuts], normal, path.axis[cuts], feed), atol=1e-4
@@ -204,7 +223,8 @@ def test_a_ball_is_not_seated():
 
 
 def roof(slope):
-    """Two planes that meet in a ridge along y at x = 0, each falling by ``slope`` rad; with sides and a bottom."""
+    """Two planes that meet in a ridge along y at x = 0, each falling by ``slope`` rad; with sides and a
+    bottom."""
     z = 30 - 30 * np.tan(slope)
     top = [(-30, -30, z), (-30, 30, z), (0, -30, 30), (0, 30, 30), (30, -30, z), (30, 30, z)]
     low = [(x, y, 0) for x, y, _ in top]
@@ -216,7 +236,8 @@ def roof(slope):
 @pytest.mark.parametrize("cutter", ["flat:10", "bull:10:2", "bull:10:0.5"])
 @pytest.mark.parametrize("slope", [8, 20, 40])
 def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
-    """The axis turns over each long facet; rows between keep the bottom on it within the co-edge tolerance."""
+    """The axis turns over each long facet; rows between keep the bottom on it within the co-edge
+    tolerance."""
     mesh = roof(np.radians(slope))
     write_stl(mesh, tmp_path / "roof.stl")
     given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **UNCURED}
@@ -235,11 +256,21 @@ def test_over_a_ridge_no_cutter_cuts_the_edge(cutter, slope, tmp_path):
 @pytest.mark.parametrize(("slope", "options", "gouges"), [
     (-5, {}, True), (-5, {"tool_axis": "fixed"}, True), (-5, {"lead": 10}, False), (-20, {"lead": 10}, True), (-45, {}, True),
 ])  # fmt: skip
-def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(cutter, slope, options, gouges, tmp_path, estimated):
-    """Concave edges are trimmed for the corner circle alone; what the rest of the bottom does there is said."""
+def test_in_a_valley_the_bottom_is_told_of_where_it_cuts_and_only_there(
+    cutter, slope, options, gouges, tmp_path, estimated
+):
+    """Concave edges are trimmed for the corner circle alone; what the rest of the bottom does there is
+    said."""
     mesh = roof(np.radians(slope))
     write_stl(mesh, tmp_path / "valley.stl")
-    given = {"machine": "trunnion_ac", "cutter": cutter, "stepover": 20, "max_axis_angle": 60, **UNCURED, **options}
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": cutter,
+        "stepover": 20,
+        "max_axis_angle": 60,
+        **UNCURED,
+        **options,
+    }
     made = job.make(build_settings("mill", str(tmp_path / "valley.stl"), given))
     deep = depth(parse_cutter(cutter), *on_part(made), facet_points(mesh, 1.0)).max()
     assert (deep > 0.1) == gouges == bool(heels_of(made))
@@ -278,21 +309,28 @@ SURFACES = {
 
 
 def rest_over(made, cutter, height, most):
-    """What stands above the surface mid-way along the passes, from the first to the last of them, mm: sampled columns of material
-    that every position of the cutter, the passes finely divided, cuts down."""
+    """What stands above the surface mid-way along the passes, from the first to the last of them, mm: sampled
+    columns of material that every position of the cutter, the passes finely divided, cuts down."""
     path = made.path
-    cuts = np.flatnonzero((path.motion[1:] <= Motion.FILL) & (path.pass_[1:] == path.pass_[:-1]) & (path.pass_[1:] >= 0)) + 1
+    cuts = (
+        np.flatnonzero(
+            (path.motion[1:] <= Motion.FILL) & (path.pass_[1:] == path.pass_[:-1]) & (path.pass_[1:] >= 0)
+        )
+        + 1
+    )
     cuts = cuts[np.abs(path.contact[cuts, 0] - 0.37) < 2 * cutter.ring]
     share = np.linspace(0, 1, 4)[:, None, None]
-    tip, axis = (((1 - share) * part[cuts - 1] + share * part[cuts]).reshape(-1, 3) for part in (path.tip, path.axis))
+    tip, axis = (
+        ((1 - share) * part[cuts - 1] + share * part[cuts]).reshape(-1, 3) for part in (path.tip, path.axis)
+    )
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     y = np.sort(np.unique(np.round(path.contact[cuts, 1], 6)))
     y = np.linspace(y[0], y[-1], 102)[1:-1]
     step, x = 1e-4, np.full(len(y), 0.37)
     foot = np.stack([x, y, height(x, y)], axis=1)
-    slope = np.stack([(height(x + step, y) - height(x - step, y)), (height(x, y + step) - height(x, y - step))], axis=1) / (
-        2 * step
-    )
+    slope = np.stack(
+        [(height(x + step, y) - height(x - step, y)), (height(x, y + step) - height(x, y - step))], axis=1
+    ) / (2 * step)
     normal = np.column_stack([-slope, np.ones(len(y))])
     normal /= np.linalg.norm(normal, axis=1)[:, None]
     level = np.linspace(0, most, 101)
@@ -300,7 +338,12 @@ def rest_over(made, cutter, height, most):
     for row in range(len(y)):
         near = np.flatnonzero(np.linalg.norm(hub - foot[row], axis=1) < cutter.radius + 1)
         column = (foot[row] + level[:, None] * normal[row])[None] - hub[near, None]
-        cut = inside(cutter, column.reshape(-1, 3), np.repeat(axis[near], len(level), axis=0)).reshape(-1, len(level)) >= 0
+        cut = (
+            inside(cutter, column.reshape(-1, 3), np.repeat(axis[near], len(level), axis=0)).reshape(
+                -1, len(level)
+            )
+            >= 0
+        )
         rest[row] = level[cut.any(axis=0).argmax()] if cut.any() else most
     return rest
 
@@ -314,7 +357,14 @@ def rest_over(made, cutter, height, most):
 def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
     scallop, cutter = 0.05, parse_cutter(shape)
     write_stl(surface(SURFACES[name]), tmp_path / "part.stl")
-    given = {"machine": "trunnion_ac", "cutter": shape, "lead": lead, "scallop": scallop, "order": "one_way", **UNCURED}
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": shape,
+        "lead": lead,
+        "scallop": scallop,
+        "order": "one_way",
+        **UNCURED,
+    }
     made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
     rest = rest_over(made, cutter, SURFACES[name], 3 * scallop)
     assert rest.max() <= 1.05 * scallop
@@ -325,7 +375,14 @@ def test_the_scallop_left_is_what_was_asked_for(name, shape, lead, tmp_path):
 
 def test_a_scallop_that_is_too_high_would_be_noticed(tmp_path):
     write_stl(surface(SURFACES["plane"]), tmp_path / "part.stl")
-    given = {"machine": "trunnion_ac", "cutter": "bull:6:1", "lead": 5, "stepover": 5, "order": "one_way", **UNCURED}
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": "bull:6:1",
+        "lead": 5,
+        "stepover": 5,
+        "order": "one_way",
+        **UNCURED,
+    }
     made = job.make(build_settings("mill", str(tmp_path / "part.stl"), given))
     assert rest_over(made, parse_cutter("bull:6:1"), SURFACES["plane"], 0.3).max() > 0.1
 
@@ -345,7 +402,7 @@ def test_under_a_fixed_axis_the_narrowest_stand_counts():
     assert radius(Cutter(10.0), ~level, "fixed") == 5.0
 
 
-# ------------------------------------------------------------------------------------------------ CL files, job files, heads
+# --------------------------------------------------------------------------------- CL files, job files, heads
 
 
 @pytest.mark.parametrize("shape", [*CUTTERS, "ball:10", "taperbull:8:0:3deg:40"])
@@ -353,7 +410,9 @@ def test_a_cl_file_says_the_cutter_and_gives_it_back(shape, milled):
     path, cutter = milled("dome", "trunnion_ac", stepover=20).draft.path, parse_cutter(shape)
     text = write_apt(path, cutter, "dome")
     back = read_cl_file(text).head.cutter
-    assert (back.diameter, back.corner, back.taper) == pytest.approx((cutter.diameter, cutter.corner, cutter.taper), abs=2e-4)
+    assert (back.diameter, back.corner, back.taper) == pytest.approx(
+        (cutter.diameter, cutter.corner, cutter.taper), abs=2e-4
+    )
     assert back.length == (cutter.length if cutter.taper else 50.0)
     np.testing.assert_allclose(read_apt(text).tip, path.tip, atol=1e-6)
 
@@ -366,20 +425,34 @@ def test_a_cl_file_says_the_cutter_and_gives_it_back(shape, milled):
      ("CUTTER/10,6", None), ("CUTTER/10,2,-3,2,0,0,40", None)],
 )  # fmt: skip
 def test_cutter_statements_of_other_systems(statement, sizes):
-    head = read_cl_file(f"{statement}\nMULTAX/ON\nFEDRAT/100\nGOTO/0,0,0,0,0,1\nGOTO/1,0,0,0,0,1\nFINI\n").head
+    head = read_cl_file(
+        f"{statement}\nMULTAX/ON\nFEDRAT/100\nGOTO/0,0,0,0,0,1\nGOTO/1,0,0,0,0,1\nFINI\n"
+    ).head
     if sizes is None:
         assert head.cutter is None and head.diameter > 0.0
     else:
-        assert (head.cutter.diameter, head.cutter.corner, np.degrees(head.cutter.taper)) == pytest.approx(sizes, abs=2e-4)
+        assert (head.cutter.diameter, head.cutter.corner, np.degrees(head.cutter.taper)) == pytest.approx(
+            sizes, abs=2e-4
+        )
 
 
 def test_post_notes_another_shape(parts, tmp_path):
-    given = {"machine": "trunnion_ac", "cutter": "bull:10:2", "stepover": 15, "cl": str(tmp_path / "a.apt"), **UNCURED}
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": "bull:10:2",
+        "stepover": 15,
+        "cl": str(tmp_path / "a.apt"),
+        **UNCURED,
+    }
     outputs.write_outputs(job.run(build_settings("mill", str(parts / "dome.stl"), given)))
 
     def notes(cutter):
         made = job.make(
-            build_settings("post", str(tmp_path / "a.apt"), {"machine": "trunnion_ac", "cutter": cutter, "linearize": "off"})
+            build_settings(
+                "post",
+                str(tmp_path / "a.apt"),
+                {"machine": "trunnion_ac", "cutter": cutter, "linearize": "off"},
+            )
         )
         return [finding for finding in made.findings if finding.code == "cutter-differs"]
 
@@ -390,12 +463,16 @@ def test_post_notes_another_shape(parts, tmp_path):
 @pytest.mark.parametrize("shape", CUTTERS)
 def test_a_job_file_and_the_head_name_the_cutter(shape, parts):
     settings = build_settings(
-        "mill", str(parts / "dome.stl"), {"machine": "trunnion_ac", "cutter": shape, "stepover": 20, **UNCURED}
+        "mill",
+        str(parts / "dome.stl"),
+        {"machine": "trunnion_ac", "cutter": shape, "stepover": 20, **UNCURED},
     )
     options = json.loads(json.dumps(flat_options(settings)))
     assert build_settings(options.pop("task"), options.pop("source"), options) == settings
     nc = job.make(settings).nc.decode()
-    assert shape.partition(":")[0].replace("taper", "taper ") in nc.lower().partition("g")[0] + nc[:400].lower()
+    assert (
+        shape.partition(":")[0].replace("taper", "taper ") in nc.lower().partition("g")[0] + nc[:400].lower()
+    )
 
 
 def test_the_tool_length_of_a_head_reaches_to_the_hub():

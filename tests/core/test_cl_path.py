@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The linked path: order, provenance, feeds, and rapids against the inflated box by an independent segment-box test."""
+"""The linked path: order, provenance, feeds, and rapids against the inflated box by an independent
+segment-box test."""
 
 from dataclasses import replace
 
@@ -45,7 +46,8 @@ def upright(path):
 
 
 def crosses_box(start, end, low, high, samples=None):
-    """Does the open inside of the box meet the segment? By clipping its parameter range with one slab after the other."""
+    """Does the open inside of the box meet the segment? By clipping its parameter range with one slab after
+    the other."""
     near, far = 0.0, 1.0
     for k in range(3):
         step = end[k] - start[k]
@@ -79,7 +81,8 @@ def test_the_segment_box_test_can_tell():
     assert not crosses_box((-1, 0.9, 0.5), (0.5, 2.5, 0.5), low, high)
 
 
-# ---- order -----------------------------------------------------------------------------------------------------------
+# ---- order
+# -----------------------------------------------------------------------------------------------------------
 
 
 def test_the_passes_keep_their_order():
@@ -99,7 +102,8 @@ def test_fill_is_the_move_that_stays_where_it_is():
         assert (path.motion[row] == Motion.FILL) == still
 
 
-# ---- tip, feeds, rows between ----------------------------------------------------------------------------------------
+# ---- tip, feeds, rows between
+# ----------------------------------------------------------------------------------------
 
 
 def test_the_tip_lies_one_radius_behind_the_centre_and_the_centre_can_be_driven():
@@ -117,7 +121,9 @@ def test_motions_and_feeds_of_one_link():
     assert names == "RRLC" + "LRRRLC" + "LR"
     assert path.feed.tolist() == [0, 0, 200, 900, 900, 0, 0, 0, 200, 900, 900, 0]
     clear, safe = 20 + 3 + 0.001, 20 + 3 + 0.001 + 2
-    np.testing.assert_allclose(path.tip[:, 2], [safe, clear, 0, 0, clear, safe, safe, clear, 0, 0, clear, safe])
+    np.testing.assert_allclose(
+        path.tip[:, 2], [safe, clear, 0, 0, clear, safe, safe, clear, 0, 0, clear, safe]
+    )
     np.testing.assert_allclose(path.tip[:, 0], [0, 0, 0, 10, 10, 10, 0, 0, 0, 10, 10, 10])
 
 
@@ -140,7 +146,8 @@ def test_polylines_that_touch_go_on_without_a_retract():
     assert path.feed[4] == 900
 
 
-# ---- rapids ----------------------------------------------------------------------------------------------------------
+# ---- rapids
+# ----------------------------------------------------------------------------------------------------------
 
 
 def test_the_path_begins_and_ends_with_a_rapid_on_the_safe_plane():
@@ -161,7 +168,8 @@ def test_links_run_along_the_tool_axis():
 
 
 def random_part(seed):
-    """A random part, cut on all sides or from above, with random passes and axes that may be horizontal or look down."""
+    """A random part, cut on all sides or from above, with random passes and axes that may be horizontal or
+    look down."""
     rng = np.random.default_rng(seed)
     kind = seed % 3
     if kind == 0:
@@ -234,12 +242,16 @@ def test_a_path_that_looks_up_has_no_findings():
     assert linked(offset, upright(offset)).findings == ()
 
 
-# ---- settings --------------------------------------------------------------------------------------------------------
+# ---- settings
+# --------------------------------------------------------------------------------------------------------
 
 
 def test_no_passes_is_said():
     offset = three_passes()
-    empty = replace(offset, **{name: getattr(offset, name)[:0] for name in offset.__dataclass_fields__ if name != "findings"})
+    empty = replace(
+        offset,
+        **{name: getattr(offset, name)[:0] for name in offset.__dataclass_fields__ if name != "findings"},
+    )
     with pytest.raises(SettingsError, match="no passes"):
         linked(empty, np.empty((0, 3)))
 

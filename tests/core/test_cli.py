@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The public face: exit codes, messages, files. Small parts; the numbers are proven in the modules' own tests."""
+"""The public face: exit codes, messages, files. Small parts; the numbers are proven in the modules' own
+tests."""
 
 import csv
 import errno
@@ -22,9 +23,7 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.machine import shipped_machines
 from freecad_fiveaxis.core.pipeline import job
 
-TABLE_2 = (
-    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
-)
+TABLE_2 = "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
 
 
 @pytest.fixture
@@ -61,13 +60,25 @@ def test_mill_writes_every_file_that_is_asked_for(roof, tmp_path, capsys):
     assert data["version"] == 1 and data["summary"]["blocks"] == len(rows)
     lines = out["a.ngc"].read_text().splitlines()
     for row in rows[:: max(1, len(rows) // 20)]:
-        assert f"X{float(row['X']):.4f}" in lines[int(row["line"]) - 1] or "X" not in lines[int(row["line"]) - 1]
+        assert (
+            f"X{float(row['X']):.4f}" in lines[int(row["line"]) - 1] or "X" not in lines[int(row["line"]) - 1]
+        )
     assert "wrote" in capsys.readouterr().out
 
 
 def test_the_inputs_of_a_report_are_a_job_file_that_makes_the_same_bytes(roof, tmp_path):
     first, second, report = tmp_path / "1.ngc", tmp_path / "2.ngc", tmp_path / "1.json"
-    words = ("--machine", "trunnion_bc", "--scallop", "0.5", "--direction", "20", "--tolerance", "100", "--quiet")
+    words = (
+        "--machine",
+        "trunnion_bc",
+        "--scallop",
+        "0.5",
+        "--direction",
+        "20",
+        "--tolerance",
+        "100",
+        "--quiet",
+    )
     assert run("mill", roof, *words, "-o", first, "--report", report) == 0
     inputs = json.loads(report.read_text())["inputs"]
     (tmp_path / "job.json").write_text(json.dumps(inputs | {"output": str(second), "report": []}))
@@ -88,7 +99,14 @@ def test_the_former_name_of_an_option_makes_the_same_files_and_is_noted(words, r
 
 
 def test_the_former_name_is_not_noted_where_all_is_quiet_and_a_job_file_has_it(roof, tmp_path, capsys):
-    job = {"task": "mill", "source": "roof.stl", "machine": "trunnion_ac", "stepover": 5, "tolerance": 100, "left": "on"}
+    job = {
+        "task": "mill",
+        "source": "roof.stl",
+        "machine": "trunnion_ac",
+        "stepover": 5,
+        "tolerance": 100,
+        "left": "on",
+    }
     (tmp_path / "job.json").write_text(json.dumps(job | {"output": "a.ngc", "report": ["a.json"]}))
     assert run("run", tmp_path / "job.json", "--quiet") == 0
     assert "left" in json.loads((tmp_path / "a.json").read_text()) and capsys.readouterr().err == ""
@@ -127,7 +145,21 @@ def test_table_2_of_so_is_audited(tmp_path):
 
 def test_post_takes_the_cl_file_that_mill_wrote(roof, tmp_path):
     words = ("--machine", "trunnion_ac", "--tolerance", "100", "--quiet")
-    assert run("mill", roof, "--stepover", "10", *PLAIN_WORDS, *words, "-o", tmp_path / "a.ngc", "--cl", tmp_path / "a.apt") == 0
+    assert (
+        run(
+            "mill",
+            roof,
+            "--stepover",
+            "10",
+            *PLAIN_WORDS,
+            *words,
+            "-o",
+            tmp_path / "a.ngc",
+            "--cl",
+            tmp_path / "a.apt",
+        )
+        == 0
+    )
     assert run("post", tmp_path / "a.apt", *words, "-o", tmp_path / "b.ngc") == 0
     assert (tmp_path / "b.ngc").stat().st_size > 100
 
@@ -156,7 +188,9 @@ BAD_STL = {
     "lying count": b"\0" * 80 + struct.pack("<I", 1000000) + b"\0" * 100,
     "nan": b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[float("nan")] * 12, 0),
     "infinite": b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[float("inf")] * 12, 0),
-    "huge": b"\0" * 80 + struct.pack("<I", 1) + struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1e9, 0, 0, 0, 1e9, 0, 0),
+    "huge": b"\0" * 80
+    + struct.pack("<I", 1)
+    + struct.pack("<12fH", 0, 0, 1, 0, 0, 0, 1e9, 0, 0, 0, 1e9, 0, 0),
 }
 
 
@@ -173,7 +207,9 @@ def refused(capsys, tmp_path, *words):
 @pytest.mark.parametrize("kind", BAD_STL)
 def test_a_bad_stl_is_refused(kind, tmp_path, capsys):
     (tmp_path / "bad.stl").write_bytes(BAD_STL[kind])
-    refused(capsys, tmp_path, "mill", tmp_path / "bad.stl", "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
+    refused(
+        capsys, tmp_path, "mill", tmp_path / "bad.stl", "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc"
+    )
 
 
 @pytest.mark.parametrize(
@@ -190,11 +226,17 @@ def test_a_bad_option_is_refused_and_named(words, named, roof, tmp_path, capsys)
 
 def test_a_missing_file_a_missing_folder_and_the_source_as_output_are_refused(roof, tmp_path, capsys):
     machine = ("--machine", "trunnion_ac")
-    assert "gone.stl" in refused(capsys, tmp_path, "mill", tmp_path / "gone.stl", *machine, "-o", tmp_path / "a.ngc")
-    assert "nowhere" in refused(capsys, tmp_path, "mill", roof, *machine, "-o", tmp_path / "nowhere" / "a.ngc")
+    assert "gone.stl" in refused(
+        capsys, tmp_path, "mill", tmp_path / "gone.stl", *machine, "-o", tmp_path / "a.ngc"
+    )
+    assert "nowhere" in refused(
+        capsys, tmp_path, "mill", roof, *machine, "-o", tmp_path / "nowhere" / "a.ngc"
+    )
     assert "roof.stl" in refused(capsys, tmp_path, "mill", roof, *machine, "-o", roof)
     assert "-o" in refused(capsys, tmp_path, "mill", roof, *machine)
-    assert ".pdf" in refused(capsys, tmp_path, "mill", roof, *machine, "-o", tmp_path / "a.ngc", "--report", tmp_path / "a.pdf")
+    assert ".pdf" in refused(
+        capsys, tmp_path, "mill", roof, *machine, "-o", tmp_path / "a.ngc", "--report", tmp_path / "a.pdf"
+    )
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{", '{"task": "mill"}', '{"task": "dance", "source": "a"}', '{"task": "mill", "source": 3}',
@@ -222,15 +264,23 @@ def test_cancelling_from_the_progress_call_stops_the_pipeline(roof):
 
 
 def test_the_lists_name_what_is_there(capsys):
-    for word, known in (("machines", "mikron_ucp710"), ("controllers", "fanuc"), ("strategies", "step_weighted")):
+    for word, known in (
+        ("machines", "mikron_ucp710"),
+        ("controllers", "fanuc"),
+        ("strategies", "step_weighted"),
+    ):
         assert run(word) == 0
         assert known in capsys.readouterr().out
 
 
 def test_the_module_runs_as_a_program():
-    done = subprocess.run([sys.executable, "-m", "freecad_fiveaxis", "machines"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-m", "freecad_fiveaxis", "machines"], capture_output=True, text=True, timeout=60
+    )
     assert done.returncode == 0 and "trunnion_ac" in done.stdout
-    done = subprocess.run([sys.executable, "-m", "freecad_fiveaxis", "mill"], capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-m", "freecad_fiveaxis", "mill"], capture_output=True, text=True, timeout=60
+    )
     assert done.returncode == 2
 
 
@@ -242,9 +292,20 @@ def program(*words, head="", **how):
 
 
 @pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
-@pytest.mark.parametrize("offset", ["G57.3", "G59.4", "G53", "G54.1 P0", "G54.1 P301", "g54", "G54 P1", "G54.1P\u0661"])
+@pytest.mark.parametrize(
+    "offset", ["G57.3", "G59.4", "G53", "G54.1 P0", "G54.1 P301", "g54", "G54 P1", "G54.1P\u0661"]
+)
 def test_a_work_offset_that_the_controller_has_not_is_refused(controller, offset, roof, tmp_path, capsys):
-    words = ("--machine", "trunnion_ac", "--stepover", "20", "--controller", controller, "--work-offset", offset)
+    words = (
+        "--machine",
+        "trunnion_ac",
+        "--stepover",
+        "20",
+        "--controller",
+        controller,
+        "--work-offset",
+        offset,
+    )
     error = refused(capsys, tmp_path, "mill", roof, *words, "-o", tmp_path / "a.ngc")
     assert "work offset" in error and "G54 to G59" in error
 
@@ -254,7 +315,9 @@ def test_a_work_offset_that_the_controller_has_not_is_refused(controller, offset
     [("fanuc", "linuxcnc", "G54.1 P1"), ("fanuc", "linuxcnc", "G54.1P48"), ("fanuc", "linuxcnc", "G54.1 P300"),
      ("linuxcnc", "fanuc", "G59.1"), ("linuxcnc", "fanuc", "G59.3")],
 )  # fmt: skip
-def test_a_work_offset_of_another_controller_is_refused_by_name(controller, other, offset, roof, tmp_path, capsys):
+def test_a_work_offset_of_another_controller_is_refused_by_name(
+    controller, other, offset, roof, tmp_path, capsys
+):
     words = (
         "--machine",
         "trunnion_ac",
@@ -318,7 +381,9 @@ def test_a_name_that_no_file_can_have_is_refused_in_a_job_file(name, bad, roof, 
 
 
 def test_a_name_that_no_file_can_have_is_refused_as_an_option(roof, tmp_path, capsys):
-    assert "output" in refused(capsys, tmp_path, "mill", roof, "--machine", "trunnion_ac", "-o", f"{tmp_path}/a\0.ngc")
+    assert "output" in refused(
+        capsys, tmp_path, "mill", roof, "--machine", "trunnion_ac", "-o", f"{tmp_path}/a\0.ngc"
+    )
     refused(capsys, tmp_path, "run", f"{tmp_path}/job\0.json")
 
 
@@ -364,7 +429,9 @@ sys.meta_path.insert(0, Stop())
 """
 
 
-@some_in_core("name", ["numpy", "freecad_fiveaxis.core.pipeline.settings", "freecad_fiveaxis.core.pipeline.job"])
+@some_in_core(
+    "name", ["numpy", "freecad_fiveaxis.core.pipeline.settings", "freecad_fiveaxis.core.pipeline.job"]
+)
 def test_an_interrupt_while_the_core_is_loaded_stops_quietly(name, roof, tmp_path):
     words = ("mill", roof, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
     done = program(*words, head=STOP_AT.format(name=name))
@@ -375,13 +442,19 @@ def test_an_interrupt_before_the_command_line_is_loaded_stops_quietly():
     head = STOP_AT.format(name="freecad_fiveaxis.core.cli")
     code = head + "import runpy\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
     done = subprocess.run([sys.executable, "-c", code, "machines"], capture_output=True, timeout=60)
-    assert (done.returncode, done.stdout, done.stderr) == (cli.STOPPED, b"", b"stopped; nothing was written\n")
+    assert (done.returncode, done.stdout, done.stderr) == (
+        cli.STOPPED,
+        b"",
+        b"stopped; nothing was written\n",
+    )
 
 
 def test_a_source_that_is_a_folder_or_cannot_be_a_file_is_named_for_what_it_is(roof, tmp_path, capsys):
     for source, said in ((tmp_path, "is a folder"), (roof / "x", "Not a directory"), (tmp_path / ("a" * 300), "name too long"),
                          (tmp_path / "gone", "does not exist")):  # fmt: skip
-        assert said in refused(capsys, tmp_path, "mill", source, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc")
+        assert said in refused(
+            capsys, tmp_path, "mill", source, "--machine", "trunnion_ac", "-o", tmp_path / "a.ngc"
+        )
 
 
 def test_an_output_whose_name_is_too_long_is_refused_before_the_work(roof, tmp_path, capsys):
@@ -391,5 +464,19 @@ def test_an_output_whose_name_is_too_long_is_refused_before_the_work(roof, tmp_p
 
 def test_the_cutter_is_an_option_of_post_too(roof, tmp_path):
     words = ("--machine", "trunnion_ac", "--tolerance", "100", "--quiet")
-    assert run("mill", roof, "--stepover", "20", *PLAIN_WORDS, *words, "-o", tmp_path / "a.ngc", "--cl", tmp_path / "a.apt") == 0
+    assert (
+        run(
+            "mill",
+            roof,
+            "--stepover",
+            "20",
+            *PLAIN_WORDS,
+            *words,
+            "-o",
+            tmp_path / "a.ngc",
+            "--cl",
+            tmp_path / "a.apt",
+        )
+        == 0
+    )
     assert run("post", tmp_path / "a.apt", "--cutter", "ball:6", *words, "-o", tmp_path / "b.ngc") == 0

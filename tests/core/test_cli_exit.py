@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a command ends: exit codes, one line of words, no litter; whatever the input and whenever a signal comes."""
+"""How a command ends: exit codes, one line of words, no litter; whatever the input and whenever a signal
+comes."""
 
 import json
 import os
@@ -34,7 +35,10 @@ def dome(tmp_path):
     x, y = np.meshgrid(u, u)
     grid = np.stack([x, y, 10.0 - (x**2 + y**2) / 100.0], axis=-1)
     a, b, c, d = grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]
-    write_stl(from_triangles(np.stack([[a, b, c], [a, c, d]]).transpose(0, 2, 3, 1, 4).reshape(-1, 3, 3)), tmp_path / "dome.stl")
+    write_stl(
+        from_triangles(np.stack([[a, b, c], [a, c, d]]).transpose(0, 2, 3, 1, 4).reshape(-1, 3, 3)),
+        tmp_path / "dome.stl",
+    )
     return tmp_path / "dome.stl"
 
 
@@ -57,7 +61,9 @@ def one_line(capsys):
 # ------------------------------------------------------------------------------------------------ faults
 
 
-@pytest.mark.parametrize("fault", [ZeroDivisionError("two\nlines"), MemoryError(), AssertionError(), RecursionError("too deep")])
+@pytest.mark.parametrize(
+    "fault", [ZeroDivisionError("two\nlines"), MemoryError(), AssertionError(), RecursionError("too deep")]
+)
 def test_a_fault_is_one_line_that_says_where_to_report_it(fault, nc, tmp_path, monkeypatch, capsys):
     def fail(settings, progress):
         raise fault
@@ -76,7 +82,9 @@ def test_the_traceback_is_shown_where_it_is_asked_for(nc, monkeypatch, capsys):
     monkeypatch.setenv(cli.TRACEBACK, "1")
     assert run("audit", nc, *AUDIT) == cli.FAULT
     lines = capsys.readouterr().err.splitlines()
-    assert lines[0].startswith("Traceback") and "ZeroDivisionError" in lines[-2] and cli.REPORT_TO in lines[-1]
+    assert (
+        lines[0].startswith("Traceback") and "ZeroDivisionError" in lines[-2] and cli.REPORT_TO in lines[-1]
+    )
 
 
 def test_a_fault_after_the_files_are_written_says_so(nc, tmp_path, monkeypatch, capsys):
@@ -91,9 +99,14 @@ def test_a_package_that_is_missing_is_named_with_what_to_type(name, tmp_path):
     nc = tmp_path / "part.ngc"
     nc.write_text("G0 X0 Y0 Z0\nG1 X1 F100\n")
     words = [sys.executable, "-m", "freecad_fiveaxis", "audit", str(nc), "--machine", "trunnion_ac"]
-    done = subprocess.run(words, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(tmp_path)}, capture_output=True, text=True)
+    done = subprocess.run(
+        words, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(tmp_path)}, capture_output=True, text=True
+    )
     assert done.returncode == cli.UNUSABLE and done.stdout == ""
-    assert done.stderr.startswith(f"fiveaxis: {name} is not installed") and "pip install numpy scipy" in done.stderr
+    assert (
+        done.stderr.startswith(f"fiveaxis: {name} is not installed")
+        and "pip install numpy scipy" in done.stderr
+    )
     assert done.stderr.count("\n") == 1
 
 
@@ -125,9 +138,7 @@ if hasattr(signal, "SIGHUP"):
 
 def start(*words, head=""):
     """The command line in a process of its own; ``head``: Python to run before."""
-    code = (
-        f"{HEARS}\n{head}\nimport sys, runpy\nsys.argv[0] = 'fiveaxis'\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
-    )
+    code = f"{HEARS}\n{head}\nimport sys, runpy\nsys.argv[0] = 'fiveaxis'\nrunpy.run_module('freecad_fiveaxis', run_name='__main__')"
     command = [sys.executable, "-c", code, *(os.fspath(word) for word in words)]
     return subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
@@ -178,7 +189,9 @@ job.run = run
 
 
 @posix
-def test_a_signal_that_comes_where_python_ignores_exceptions_ends_the_work_before_anything_is_written(dome, tmp_path):
+def test_a_signal_that_comes_where_python_ignores_exceptions_ends_the_work_before_anything_is_written(
+    dome, tmp_path
+):
     done = mill(dome, "10", DELETED)
     _, error = done.communicate(timeout=300)
     assert (done.returncode, error) == (130, b"stopped; nothing was written\n")
@@ -260,9 +273,14 @@ def test_control_characters_in_names_are_shown_escaped(nc, tmp_path, capsys):
     assert "gone\\n\\x1b[2J.ngc does not exist" in one_line(capsys)
     named, blocks = tmp_path / "p\n.ngc", tmp_path / "b\r.csv"
     nc.rename(named)
-    assert run("audit", named, *AUDIT, "--blocks", blocks, "--report", tmp_path / "a.txt") == cli.DONE_WITH_ERRORS
+    assert (
+        run("audit", named, *AUDIT, "--blocks", blocks, "--report", tmp_path / "a.txt")
+        == cli.DONE_WITH_ERRORS
+    )
     shown = capsys.readouterr().out
-    assert shown.startswith("p\\n.ngc: audit on") and "b\\r.csv" in shown.splitlines()[-2] and "\r" not in shown
+    assert (
+        shown.startswith("p\\n.ngc: audit on") and "b\\r.csv" in shown.splitlines()[-2] and "\r" not in shown
+    )
     assert (tmp_path / "a.txt").read_text().startswith("p\\n.ngc: audit on") and blocks.exists()
 
 
@@ -272,7 +290,7 @@ def test_words_that_are_no_options_are_shown_on_one_line_too(capsys):
     assert capsys.readouterr().err.splitlines()[-1].endswith("unrecognized arguments: --no\\nsuch")
 
 
-# ------------------------------------------------------------------------------------------------ hostile input
+# ---------------------------------------------------------------------------------------------- hostile input
 
 
 @posix
@@ -289,7 +307,9 @@ def test_what_has_no_end_is_refused_at_once(words, what, nc, dome, tmp_path, mon
     os.mkfifo("pipe")
     for ending in ("", ".fcm", ".stl", ".apt", ".ini"):
         os.symlink(what, "IT" + ending)
-    (tmp_path / "hal.ini").write_text("[HAL]\nHALFILE = IT\n[KINS]\nKINEMATICS = xyzac-trt-kins\n[TRAJ]\nCOORDINATES = XYZAC\n")
+    (tmp_path / "hal.ini").write_text(
+        "[HAL]\nHALFILE = IT\n[KINS]\nKINEMATICS = xyzac-trt-kins\n[TRAJ]\nCOORDINATES = XYZAC\n"
+    )
     before = sorted(os.listdir())
     assert run(*words) == cli.UNUSABLE
     assert "no ordinary file" in one_line(capsys) and sorted(os.listdir()) == before
@@ -375,7 +395,17 @@ APT = "PARTNO X\nUNITS/MM\nCUTTER/10\nMULTAX\nFEDRAT/1E300,MMPM\nGOTO/0,0,0,0,0,
 )
 def test_numbers_beyond_all_bounds_make_no_warnings(line, code, tmp_path, capsys):
     (tmp_path / "a.apt").write_text(APT.format(line))
-    words = ("post", tmp_path / "a.apt", "--machine", "trunnion_ac", "--tolerance", "100", "-o", tmp_path / "a.ngc", "--quiet")
+    words = (
+        "post",
+        tmp_path / "a.apt",
+        "--machine",
+        "trunnion_ac",
+        "--tolerance",
+        "100",
+        "-o",
+        tmp_path / "a.ngc",
+        "--quiet",
+    )
     assert run(*words) == code, capsys.readouterr().err  # a warning here is an error, so a fault
     assert ("line" in capsys.readouterr().err) == (code == 2)
 

@@ -27,7 +27,8 @@ def codes(path):
 
 @pytest.fixture
 def worst(monkeypatch):
-    """A list of the worst depth and the worst height, mm, that are behind the findings of each path closed (None: none notable)."""
+    """A list of the worst depth and the worst height, mm, that are behind the findings of each path closed
+    (None: none notable)."""
     seen, over = [], gaps._over
 
     def spied(*given):
@@ -47,7 +48,8 @@ def test_a_path_that_goes_on_along_the_co_edge_of_a_groove_is_taken_as_convex():
     assert found.kind[0] == junction.CONVEX and found.trim_start[0] == 0.0
 
 
-# ---- convex ----------------------------------------------------------------------------------------------------------
+# ---- convex
+# ----------------------------------------------------------------------------------------------------------
 
 
 def test_a_convex_co_edge_gets_the_three_points_of_the_paper():
@@ -114,13 +116,21 @@ def test_a_knife_edge_is_rounded_in_the_direction_of_travel():
 CONVEX = {
     "sphere": lambda: ball(120),
     "ellipsoid": lambda: ball(90, (20.0, 10.0, 14.0), 2),
-    "box": lambda: hull(np.array([[x, y, z] for x in (-15.0, 15.0) for y in (-10.0, 10.0) for z in (0.0, 20.0)])),
+    "box": lambda: hull(
+        np.array([[x, y, z] for x in (-15.0, 15.0) for y in (-10.0, 10.0) for z in (0.0, 20.0)])
+    ),
     "half cylinder": lambda: hull(
-        np.array([[18 * np.cos(t), y, 18 * np.sin(t)] for t in np.linspace(0, np.pi, 25) for y in (-20.0, 20.0)])
+        np.array(
+            [[18 * np.cos(t), y, 18 * np.sin(t)] for t in np.linspace(0, np.pi, 25) for y in (-20.0, 20.0)]
+        )
     ),
     "dome": lambda: hull(
         np.array(
-            [[a * np.cos(b), a * np.sin(b), (900 - a * a) ** 0.5] for a in np.linspace(1, 28, 9) for b in np.arange(0, 6.2, 0.4)]
+            [
+                [a * np.cos(b), a * np.sin(b), (900 - a * a) ** 0.5]
+                for a in np.linspace(1, 28, 9)
+                for b in np.arange(0, 6.2, 0.4)
+            ]
         )
     ),
 }
@@ -145,7 +155,8 @@ def test_the_clearance_check_notices_a_path_that_is_too_near():
     assert clearance(path, mesh).min() < 5 - 1e-6
 
 
-# ---- concave ---------------------------------------------------------------------------------------------------------
+# ---- concave
+# ---------------------------------------------------------------------------------------------------------
 
 
 def test_a_groove_is_trimmed_where_the_offsets_cross():
@@ -173,7 +184,8 @@ def test_both_points_of_a_skew_groove_are_on_both_offset_planes(seed):
 
 
 def valley(turn):
-    """Two half planes that meet in a line through the origin at ``turn`` rad to the y axis, sloping 20 and 35 deg."""
+    """Two half planes that meet in a line through the origin at ``turn`` rad to the y axis, sloping 20 and 35
+    deg."""
     along, across = np.array([np.sin(turn), np.cos(turn), 0]), np.array([np.cos(turn), -np.sin(turn), 0])
     corner = [-60 * along, 60 * along]
     for side, slope in ((-1, 0.36), (1, 0.7)):
@@ -210,13 +222,16 @@ def test_chords_on_hollow_parts_keep_off_their_own_facets(part, angle, seed):
     path = close_gaps(slice_mesh(mesh, np.linspace(-15.3, 15.1, 7), angle), mesh, 5.0, 0.01)
     own, row = own_clearance(path, mesh)
     cut = np.isin(path.segment, path.segment[~path.fill])
-    whole = (path.segment[row + 1] - path.segment[row] <= 1) & cut[row] & cut[row + 1]  # no segment was used up here
+    whole = (
+        (path.segment[row + 1] - path.segment[row] <= 1) & cut[row] & cut[row + 1]
+    )  # no segment was used up here
     assert np.count_nonzero(whole) > 0.85 * len(row)
     assert own[whole].min() > 5 - 1e-6
     assert own.min() > 5 - 0.1  # elsewhere no worse than the facets' own steps
 
 
-# ---- where trims use segments up --------------------------------------------------------------------------------------
+# ---- where trims use segments up
+# --------------------------------------------------------------------------------------
 
 
 def test_a_step_lower_than_the_radius_is_rolled_over():
@@ -224,8 +239,12 @@ def test_a_step_lower_than_the_radius_is_rolled_over():
     reach = np.linalg.norm(path.centre - (20, 0, 0), axis=1)
     assert (reach[1:-1] > 5 - 1e-12).all() and (reach[1:-1] < 5.011).all()
     assert path.centre[:, 2].min() == pytest.approx(3, abs=1e-12)
-    assert path.centre[-2, 0] == pytest.approx(24, abs=0.05)  # a ball on the floor that touches the edge: 20 + (25 - 9) ** 0.5
-    assert {tuple(row) for row in np.round(path.before, 12)} == {(0.0, 0.0, 1.0)}  # the wall is gone, and the axis stays upright
+    assert path.centre[-2, 0] == pytest.approx(
+        24, abs=0.05
+    )  # a ball on the floor that touches the edge: 20 + (25 - 9) ** 0.5
+    assert {tuple(row) for row in np.round(path.before, 12)} == {
+        (0.0, 0.0, 1.0)
+    }  # the wall is gone, and the axis stays upright
     assert codes(path) == ["corner-not-reached"]
 
 
@@ -272,7 +291,9 @@ def test_a_fillet_wider_than_the_cutter_is_followed():
 def test_a_short_facet_at_the_border_is_dropped_and_still_kept_off():
     path = closed(prism([(-0.5, 0.5), (0, 0), (30, 0)]))
     assert path.segment.tolist() == [1, 1]
-    np.testing.assert_allclose(path.centre[0], ((25 - 4.5**2) ** 0.5 - 0.5, 0, 5), atol=0.01)  # on the floor, at the border
+    np.testing.assert_allclose(
+        path.centre[0], ((25 - 4.5**2) ** 0.5 - 0.5, 0, 5), atol=0.01
+    )  # on the floor, at the border
     assert np.linalg.norm(path.centre[0] - (-0.5, 0, 0.5)) > 5 - 1e-12
     back = closed(prism([(-30, 0), (0, 0), (0.5, 0.5)]))
     np.testing.assert_allclose(back.centre[::-1] * (-1, 1, 1), path.centre, atol=1e-12)
@@ -342,7 +363,8 @@ def test_rough_ground_gives_finite_rows_and_says_where_it_is_poor():
 
 @pytest.mark.parametrize("radius", [4.0, 5.0])
 def test_on_wavy_ground_no_height_is_told_that_is_not_known(radius, worst):
-    """More stays than is measured to the facets that were dropped: by brute force over all segments against all chords."""
+    """More stays than is measured to the facets that were dropped: by brute force over all segments against
+    all chords."""
     mesh = field(lambda x, y: 1.5 * np.sin(x / 1.5) * np.cos(y / 2.0), 31)
     contact = slice_mesh(mesh, np.linspace(-15, 15, 7), ANGLE)
     path = close_gaps(contact, mesh, radius, 0.01)
@@ -353,12 +375,15 @@ def test_on_wavy_ground_no_height_is_told_that_is_not_known(radius, worst):
     for share in np.linspace(0.0, 1.0, 7):
         off = ((1.0 - share) * contact.point[::2] + share * contact.point[1::2])[:, None] - start[whole]
         t = np.clip((off * step[whole]).sum(-1) / np.maximum((step[whole] ** 2).sum(-1), 1e-30), 0, 1)
-        stays = max(stays, np.linalg.norm(off - t[..., None] * step[whole], axis=-1).min(axis=1).max() - radius)
+        stays = max(
+            stays, np.linalg.norm(off - t[..., None] * step[whole], axis=-1).min(axis=1).max() - radius
+        )
     assert stays > 1.2 * worst[1].worst
     assert corner.value is None and "not known" in corner.text and " mm" not in corner.text
 
 
-# ---- polylines -------------------------------------------------------------------------------------------------------
+# ---- polylines
+# -------------------------------------------------------------------------------------------------------
 
 
 def test_a_closed_polyline_ends_where_it_began():
@@ -406,8 +431,21 @@ def test_polylines_do_not_touch_each_other():
         prism([(0, 0), (20, 0), (20, -9), (26, -9), (26, 0), (46, 0)]),
     ]
     path, alone = closed(joined(*parts)), [closed(part) for part in parts]
-    for name in ("point", "centre", "normal", "before", "after", "step_before", "step_after", "face", "coedge", "fill"):
-        np.testing.assert_array_equal(getattr(path, name), np.concatenate([getattr(one, name) for one in alone]))
+    for name in (
+        "point",
+        "centre",
+        "normal",
+        "before",
+        "after",
+        "step_before",
+        "step_after",
+        "face",
+        "coedge",
+        "fill",
+    ):
+        np.testing.assert_array_equal(
+            getattr(path, name), np.concatenate([getattr(one, name) for one in alone])
+        )
     assert path.polyline.tolist() == np.repeat(np.arange(6), [len(one.point) for one in alone]).tolist()
     np.testing.assert_array_equal(path.pass_, path.polyline)
 
@@ -431,7 +469,8 @@ def test_no_contact_gives_no_rows():
 
 
 @pytest.mark.parametrize(
-    ("radius", "tolerance"), [(0.0, 0.01), (-1.0, 0.01), (np.nan, 0.01), (np.inf, 0.01), (5.0, 0.0), (5.0, np.nan)]
+    ("radius", "tolerance"),
+    [(0.0, 0.01), (-1.0, 0.01), (np.nan, 0.01), (np.inf, 0.01), (5.0, 0.0), (5.0, np.nan)],
 )
 def test_a_radius_or_tolerance_that_is_no_length_is_refused(radius, tolerance):
     with pytest.raises(SettingsError, match="give a length above 0"):
@@ -460,15 +499,27 @@ OPEN = [field(lambda x, y: 3 * np.sin(x / 4) * np.cos(y / 5), 14), field(lambda 
 @pytest.mark.parametrize("mesh", OPEN)
 def test_a_pass_cut_backwards_has_the_same_centres_with_before_and_after_swapped(mesh):
     offsets = np.linspace(-9.7, 9.1, 5)
-    there, both = (close_gaps(slice_mesh(mesh, offsets, ANGLE, order=order), mesh, 5.0, 0.01) for order in ("one_way", "zigzag"))
-    rows = np.concatenate([np.flatnonzero(there.pass_ == k)[:: -1 if k % 2 else 1] for k in np.unique(there.pass_)])
+    there, both = (
+        close_gaps(slice_mesh(mesh, offsets, ANGLE, order=order), mesh, 5.0, 0.01)
+        for order in ("one_way", "zigzag")
+    )
+    rows = np.concatenate(
+        [np.flatnonzero(there.pass_ == k)[:: -1 if k % 2 else 1] for k in np.unique(there.pass_)]
+    )
     back = there.pass_[rows] % 2 == 1
     np.testing.assert_allclose(both.centre, there.centre[rows], atol=1e-9)
-    for one, two in (("before", "after"), ("after", "before"), ("step_before", "step_after"), ("step_after", "step_before")):
+    for one, two in (
+        ("before", "after"),
+        ("after", "before"),
+        ("step_before", "step_after"),
+        ("step_after", "step_before"),
+    ):
         np.testing.assert_allclose(getattr(both, one)[back], getattr(there, two)[rows][back], atol=1e-9)
         np.testing.assert_allclose(getattr(both, one)[~back], getattr(there, one)[rows][~back], atol=1e-9)
     moved = np.flatnonzero((both.polyline[1:] == both.polyline[:-1]) & back[1:]) + 1
-    np.testing.assert_array_equal(both.fill[moved], there.fill[rows[moved - 1]])  # the move is the same, gone the other way
+    np.testing.assert_array_equal(
+        both.fill[moved], there.fill[rows[moved - 1]]
+    )  # the move is the same, gone the other way
 
 
 @pytest.mark.parametrize("mesh", OPEN)  # in the second one trims use up whole facets

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Each term of the gouge check's and the lift's proofs is needed: motions on which the bound without it is exceeded."""
+"""Each term of the gouge check's and the lift's proofs is needed: motions on which the bound without it is
+exceeded."""
 
 import math
 from dataclasses import replace
@@ -30,7 +31,8 @@ UP = np.array([[0.0], [0.0], [1.0]])
 
 
 def upright(height, bend):
-    """One block in which a tip on the axis goes up and down: ``height`` of u, mm, its second derivative within ``bend`` mm."""
+    """One block in which a tip on the axis goes up and down: ``height`` of u, mm, its second derivative
+    within ``bend`` mm."""
 
     def pose(block, u):
         return Poses(np.stack([0.0 * u, 0.0 * u, height(u)]), np.broadcast_to(UP, (3, len(u))))
@@ -42,11 +44,13 @@ def upright(height, bend):
 
 
 def test_a_dip_between_poses_that_are_all_clear_is_in_the_bound():
-    """At both ends and in the middle of each of the first stretches the tool stands over the part; a quarter of one further on it
-    dips in."""
+    """At both ends and in the middle of each of the first stretches the tool stands over the part; a quarter
+    of one further on it dips in."""
     waves = 2.0 * MOST_PARTS
     half = 0.4
-    swept = upright(lambda u: 0.1 - half * (1.0 - np.cos(2.0 * math.pi * waves * u)), half * (2.0 * math.pi * waves) ** 2)
+    swept = upright(
+        lambda u: 0.1 - half * (1.0 - np.cos(2.0 * math.pi * waves * u)), half * (2.0 * math.pi * waves) ** 2
+    )
     tree = facet_tree(prism([(-30, -10), (30, -10), (30, 0), (-30, 0)]))
     found = find_entries(Body((frustum_piece(0.0, 3.0, 20.0, 3.0),)), tree, swept, TOLERANCE)
     assert found.bound[0] >= 2.0 * half - 0.1 - 1e-9 and found.depth[0] > 2.0 * half - 0.1 - 0.02
@@ -54,11 +58,15 @@ def test_a_dip_between_poses_that_are_all_clear_is_in_the_bound():
 
 def test_a_stretch_is_thickened_by_all_that_a_parabola_leaves_its_chord():
     sag = 0.3
-    table = clusters_of(upright(lambda u: 4.0 * sag * u * (1.0 - u), 8.0 * sag), MotionSegments(*np.array([[0], [0], [1]])), 30.0)
+    table = clusters_of(
+        upright(lambda u: 4.0 * sag * u * (1.0 - u), 8.0 * sag),
+        MotionSegments(*np.array([[0], [0], [1]])),
+        30.0,
+    )
     assert table.ways(np.array([table.first])).bend_tip[0] >= sag * (1.0 - 1e-12)
 
 
-# ------------------------------------------------------------------------------------------------ deepest points, buried blocks
+# ------------------------------------------------------------------------------ deepest points, buried blocks
 
 
 @pytest.mark.parametrize(
@@ -70,7 +78,9 @@ def test_the_deepest_point_of_a_facet_across_a_core_is_nearly_that_of_dense_samp
     pose = Poses(np.zeros((3, count)), np.repeat(UP, count, axis=1))
     share = np.concatenate([np.eye(3), rng.dirichlet((1.0, 1.0, 1.0), 1500)])
     samples = np.einsum("sk,kin->isn", share, corner).reshape(3, -1)
-    best = toward(piece, np.broadcast_to(UP, samples.shape), samples)[0].reshape(len(share), count).min(axis=0)
+    best = (
+        toward(piece, np.broadcast_to(UP, samples.shape), samples)[0].reshape(len(share), count).min(axis=0)
+    )
     behind = (deepest(piece, pose, corner).distance - best)[best < -piece.round - 0.2]
     assert len(behind) > 100 and behind.mean() < 0.2
 
@@ -80,7 +90,9 @@ def test_an_entry_half_as_deep_as_the_core_does_not_cross_the_surface_with_it(ce
     tree = facet_tree(prism([(-30, -11), (30, -11), (30, 0), (-30, 0)]))
     tips = np.array([[-2.0, 0.3, centre - 3.0], [2.0, 0.3, centre - 3.0]])
     swept = straight_motion(tips, np.tile([0.0, 0.0, 1.0], (2, 1)))
-    assert buried_blocks(tree, Body((round_piece(0.0, 3.0, 3.0),)), swept, np.array([1.5])).tolist() == [buried]
+    assert buried_blocks(tree, Body((round_piece(0.0, 3.0, 3.0),)), swept, np.array([1.5])).tolist() == [
+        buried
+    ]
 
 
 # ------------------------------------------------------------------------------------------------ lift
@@ -92,14 +104,18 @@ def over_groove(points):
     motion, none = np.full(n, Motion.CUT, np.int8), np.full(n, -1)
     motion[0] = Motion.RAPID
     axes = np.tile([0.0, 0.0, 1.0], (n, 1))
-    return CLPath(tips, axes, motion, np.where(motion == Motion.CUT, 500.0, 0.0), tips, axes, none, none, none)
+    return CLPath(
+        tips, axes, motion, np.where(motion == Motion.CUT, 500.0, 0.0), tips, axes, none, none, none
+    )
 
 
 def lifted(back, sideways=0.0):
     """The path at the groove's bottom lifted, its points ``back`` mm over the tips."""
     path = over_groove([(x, 0.0, -GROOVE) for x in (-5.0, 0.0, 5.0)])
     given = replace(path, tip=path.tip + back * path.axis)
-    return lift_path(given, facet_tree(round_groove(GROOVE)), body_of(Cutter(2.0 * RADIUS)), TOLERANCE, back).path
+    return lift_path(
+        given, facet_tree(round_groove(GROOVE)), body_of(Cutter(2.0 * RADIUS)), TOLERANCE, back
+    ).path
 
 
 def test_a_path_of_centres_is_lifted_as_that_of_its_tips_is():

@@ -24,7 +24,15 @@ from freecad_fiveaxis.core.report import summary
 from freecad_fiveaxis.core.report.figures import axis_rates, feed_blocks
 from freecad_fiveaxis.core.report.text import duration
 from freecad_fiveaxis.core.studies import corrections as cure_table
-from freecad_fiveaxis.core.studies.compare import compare, compare_html, compare_json, compare_text, guide, solved, station
+from freecad_fiveaxis.core.studies.compare import (
+    compare,
+    compare_html,
+    compare_json,
+    compare_text,
+    guide,
+    solved,
+    station,
+)
 from freecad_fiveaxis.core.studies.compare.stations import Share
 from freecad_fiveaxis.core.studies.compare.words import verdict
 from freecad_fiveaxis.core.studies.corrections import CURES, cures, leading
@@ -54,8 +62,14 @@ def halved(path, where, progress):
     def middle(column):
         return 0.5 * (column[low] + column[high])
 
-    taken = {name: getattr(joints.path, name)[high] for name in joints.path.__dataclass_fields__ if name != "findings"}
-    longer = replace(joints.path, **(taken | {name: middle(getattr(joints.path, name)) for name in ("tip", "contact")}))
+    taken = {
+        name: getattr(joints.path, name)[high]
+        for name in joints.path.__dataclass_fields__
+        if name != "findings"
+    }
+    longer = replace(
+        joints.path, **(taken | {name: middle(getattr(joints.path, name)) for name in ("tip", "contact")})
+    )
     q = joint_words(where.kinematics, longer.tip, middle(joints.q[:, 3:]))
     return JointPath(longer, joints.row[high], q, joints.branch[high], joints.sine[high])
 
@@ -71,13 +85,23 @@ def separate(path, where, cure):
     joints = cure(path, where, lambda stage, fraction: None)
     program = build_program(joints, where.kinematics, where.posting.dialect, True)
     deviation, feeds = job.measure(where.kinematics, program.words), feed_blocks(program)
-    rates = axis_rates(program)[feeds].max(axis=0) * np.array([1.0, 1.0, 1.0, math.pi / 180.0, math.pi / 180.0])
+    rates = axis_rates(program)[feeds].max(axis=0) * np.array(
+        [1.0, 1.0, 1.0, math.pi / 180.0, math.pi / 180.0]
+    )
     largest = [column[feeds].max() for column in (deviation.segment, deviation.bound, deviation.axis)]
     return [*largest, len(program.words), len(feeds), program.seconds.sum(), *rates]
 
 
 def cells(row):
-    return [row.deviation, row.bound, row.axis_deviation, row.blocks, row.feed_blocks, row.time, *row.peak_rate]
+    return [
+        row.deviation,
+        row.bound,
+        row.axis_deviation,
+        row.blocks,
+        row.feed_blocks,
+        row.time,
+        *row.peak_rate,
+    ]
 
 
 @pytest.mark.slow
@@ -86,12 +110,16 @@ def test_every_cell_is_that_of_a_separate_run_with_every_cure():
     tried = {**cures(made), "halved": halved, "leaned": leading(AxisCorrection(leaned), made)}
     places = list(stations(made))
     rows = compare(made.path, places, tried, guided=(False,))
-    assert [(row.machine, row.cure) for row in rows] == [(where.name, name) for where in places for name in tried]
+    assert [(row.machine, row.cure) for row in rows] == [
+        (where.name, name) for where in places for name in tried
+    ]
     for row, (where, name) in zip(rows, [(where, name) for where in places for name in tried], strict=True):
         assert cells(row) == pytest.approx(separate(made.path, where, tried[name]), rel=1e-12)
     by_cure = {name: [row for row in rows if row.cure == name] for name in tried}
     for none, half, lean in zip(by_cure["none"], by_cure["halved"], by_cure["leaned"], strict=True):
-        assert half.deviation < 0.5 * none.deviation and half.feed_blocks > 1.9 * none.feed_blocks  # the cures do what they say
+        assert (
+            half.deviation < 0.5 * none.deviation and half.feed_blocks > 1.9 * none.feed_blocks
+        )  # the cures do what they say
         assert lean.deviation != none.deviation
     assert cells(rows[0]) != pytest.approx(cells(rows[len(tried)]), rel=1e-3)  # and machines differ
 
@@ -104,13 +132,21 @@ def test_a_cl_file_compared_is_the_same_as_posted_to_each_machine(tmp_path):
     found = try_machines(build_settings("compare", str(source), {"machines": ",".join(MACHINES), **given}))
     rows = [row for row in found.rows if not row.tool_centre and row.cure == "none"]
     for row, name in zip(rows, MACHINES, strict=True):
-        numbers = summary(job.figures(job.run(build_settings("post", str(source), {"machine": name, **given, **UNDIVIDED}))))
+        numbers = summary(
+            job.figures(job.run(build_settings("post", str(source), {"machine": name, **given, **UNDIVIDED})))
+        )
         assert row.machine == name
         assert [row.deviation, row.bound, row.blocks, row.feed_blocks, row.time] == pytest.approx(
-            [numbers[key] for key in ("max_surface_deviation", "max_surface_bound", "blocks", "feed_blocks", "time_s")], rel=1e-12
+            [
+                numbers[key]
+                for key in ("max_surface_deviation", "max_surface_bound", "blocks", "feed_blocks", "time_s")
+            ],
+            rel=1e-12,
         )
         peaks = {letter: numbers["axes"][letter]["peak_rate"] for letter in row.letters}
-        ours = dict(zip(row.letters, [*row.peak_rate[:3], *map(math.degrees, row.peak_rate[3:])], strict=True))
+        ours = dict(
+            zip(row.letters, [*row.peak_rate[:3], *map(math.degrees, row.peak_rate[3:])], strict=True)
+        )
         assert ours == pytest.approx(peaks, rel=1e-9)
 
 
@@ -124,10 +160,14 @@ OPTIONS = {
 def test_a_solid_compared_is_the_same_as_milled_on_the_first_machine_with_each_cure():
     assert set(OPTIONS) == set(CURES)
     options, mesh = {"stepover": 12.0, "tool_length": 80.0}, cap(rings=8, sectors=24)
-    found = try_machines(build_settings("compare", "cap.stl", {"machines": "trunnion_ac,mikron_ucp710", **options}), mesh=mesh)
+    found = try_machines(
+        build_settings("compare", "cap.stl", {"machines": "trunnion_ac,mikron_ucp710", **options}), mesh=mesh
+    )
     seen = set()
     for row in found.rows[: 2 * len(CURES) : 2]:
-        settings = build_settings("mill", "cap.stl", {"machine": "trunnion_ac", **UNCURED, **options, **OPTIONS[row.cure]})
+        settings = build_settings(
+            "mill", "cap.stl", {"machine": "trunnion_ac", **UNCURED, **options, **OPTIONS[row.cure]}
+        )
         numbers = summary(job.figures(job.prove(job.make(settings, mesh=mesh))))
         assert (row.machine, row.tool_centre) == ("trunnion_ac", False)
         assert [row.deviation, row.bound, row.blocks, row.time] == [
@@ -150,7 +190,9 @@ def test_peaks_under_tool_centre_control_are_those_of_dense_sampling():
         assert np.abs(forward(kinematics, q)[0] - place).max() < 1e-9  # the tip is on its chord
         slope = np.abs(np.gradient(q, u[:, 0], axis=0)).max(axis=0)
         assert course.peak[row] == pytest.approx(slope, rel=2e-3, abs=1e-6)
-        least = max(np.linalg.norm(tip[row] - tip[row - 1]) / 1000.0, (course.peak[row] / kinematics.rate).max())
+        least = max(
+            np.linalg.norm(tip[row] - tip[row - 1]) / 1000.0, (course.peak[row] / kinematics.rate).max()
+        )
         assert course.seconds[row] == pytest.approx(60.0 * least)
     assert (course.rates(np.arange(1, 12)) <= kinematics.rate * (1.0 + 1e-9)).all()
 
@@ -158,7 +200,11 @@ def test_peaks_under_tool_centre_control_are_those_of_dense_sampling():
 def test_with_tool_centre_control_the_tip_stays_on_its_chord_and_the_axes_pay():
     made = milled(tool_length=80.0, **COARSE)
     off, on = compare(made.path, list(stations(made, ["trunnion_ac"])))
-    assert (off.tool_centre, on.tool_centre) == (False, True) and off.deviation > 0.01 and on.deviation == on.bound == 0.0
+    assert (
+        (off.tool_centre, on.tool_centre) == (False, True)
+        and off.deviation > 0.01
+        and on.deviation == on.bound == 0.0
+    )
     assert max(on.peak_rate[:3]) > max(off.peak_rate[:3]) and on.blocks == off.blocks
 
 
@@ -173,16 +219,26 @@ def test_a_machine_that_cannot_and_a_cure_that_refuses_are_rows_with_their_reaso
     assert all(row.problem and math.isnan(row.deviation) for row in rows) and len(rows) == 4
     with pytest.raises(ReachError):
         solved(beneath, next(stations(made, ["mikron_ucp710"])))
-    assert "None of the machines" in verdict(rows) and "impossible" in compare_text(rows) and "wants 2 deg" in compare_html(rows)
+    assert (
+        "None of the machines" in verdict(rows)
+        and "impossible" in compare_text(rows)
+        and "wants 2 deg" in compare_html(rows)
+    )
     assert json.loads(compare_json(rows))["rows"][0]["deviation"] is None
 
 
 def test_a_cure_that_leads_the_axes_needs_the_solid():
     made = milled(**COARSE)
     posted = job.PostedProgram(
-        **{name: value for name, value in vars(made).items() if name in job.PostedProgram.__dataclass_fields__}
+        **{
+            name: value
+            for name, value in vars(made).items()
+            if name in job.PostedProgram.__dataclass_fields__
+        }
     )
-    row, _ = compare(made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(AxisCorrection(leaned), posted)})
+    row, _ = compare(
+        made.path, list(stations(made, ["trunnion_ac"])), {"leaned": leading(AxisCorrection(leaned), posted)}
+    )
     assert "STL" in row.problem
 
 
@@ -191,7 +247,12 @@ def test_nothing_to_compare_is_refused():
     with pytest.raises(SettingsError, match="at least one machine"):
         compare(made.path, [])
     empty = replace(
-        made.path, **{name: getattr(made.path, name)[:0] for name in made.path.__dataclass_fields__ if name != "findings"}
+        made.path,
+        **{
+            name: getattr(made.path, name)[:0]
+            for name in made.path.__dataclass_fields__
+            if name != "findings"
+        },
     )
     with pytest.raises(SettingsError, match="no rows"):
         compare(empty, list(stations(made)))
@@ -209,7 +270,9 @@ def test_a_new_line_in_the_table_of_cures_is_compared(monkeypatch):
     found = try_machines(settings, mesh=cap(rings=8, sectors=24))
     assert [row.cure for row in found.rows] == [name for name in (*CURES, "halved") for _ in range(2)]
     one = try_machines(
-        build_settings("compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0, "cures": "halved"}),
+        build_settings(
+            "compare", "cap.stl", {"machines": "trunnion_ac", "stepover": 12.0, "cures": "halved"}
+        ),
         mesh=cap(rings=8, sectors=24),
     )
     assert one.rows == found.rows[-2:]
@@ -221,7 +284,9 @@ def test_an_unknown_machine_is_refused_before_the_work():
 
     with pytest.raises(MachineError, match="no_such"):
         try_machines(
-            build_settings("compare", "cap.stl", {"machines": "trunnion_ac,no_such"}), never, mesh=cap(rings=8, sectors=24)
+            build_settings("compare", "cap.stl", {"machines": "trunnion_ac,no_such"}),
+            never,
+            mesh=cap(rings=8, sectors=24),
         )
 
 

@@ -29,7 +29,9 @@ def test_on_a_floor_the_contact_is_below_the_centre_whatever_the_lean():
     tip = centre - 3.0 * axis
     np.testing.assert_allclose(known.touched(tip, axis), centre - (0.0, 0.0, 3.0), atol=1e-12)
     up = np.array([0.0, 0.0, 1.0])
-    np.testing.assert_allclose(known.touched(tip + up, axis), centre - 2.0 * up, atol=1e-12)  # lifted, as it is
+    np.testing.assert_allclose(
+        known.touched(tip + up, axis), centre - 2.0 * up, atol=1e-12
+    )  # lifted, as it is
     assert (known.touched(tip + 50.0 * up, axis) == tip + 50.0 * up).all(), "far away it touches nothing"
     assert known.touched(tip[:0], axis[:0]).shape == (0, 3)
 
@@ -43,7 +45,9 @@ def off_the_part(point, mesh):
     """The distance (n,) mm to the nearest facet, all of them tried."""
     corner = mesh.vertex[mesh.face]
     every = [
-        np.linalg.norm(nearest_on_facet(np.repeat(one[:, :, None], len(point), axis=2), point.T).T - point, axis=1)
+        np.linalg.norm(
+            nearest_on_facet(np.repeat(one[:, :, None], len(point), axis=2), point.T).T - point, axis=1
+        )
         for one in corner
     ]
     return np.min(every, axis=0)
@@ -52,7 +56,13 @@ def off_the_part(point, mesh):
 @some_in_core("control_point", ["tip", "centre"], kept=(0,))
 def test_strokes_of_a_free_axis_lie_on_the_part_where_tips_do_not(control_point, monkeypatch):
     take_nodes(monkeypatch, NODES)
-    options = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 3, "control_point": control_point}
+    options = {
+        "machine": "trunnion_ac",
+        "tool_length": 120,
+        "cutter": "ball:6",
+        "stepover": 3,
+        "control_point": control_point,
+    }
     mesh = PARTS["tee"]()
     figures = job.figures(job.prove(job.make(build_settings("mill", "tee", options), mesh=mesh)))
     drawn = draw(figures)

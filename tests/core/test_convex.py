@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Gaps of convex pieces, beside scipy's least squares and linear programmes, and bounds over cells of joints, beside samples."""
+"""Gaps of convex pieces, beside scipy's least squares and linear programmes, and bounds over cells of joints,
+beside samples."""
 
 from itertools import product
 
@@ -18,7 +19,9 @@ from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_betw
 from freecad_fiveaxis.core.machine import load_machine
 
 BAR = convex_hull(box((-50.0, -20.0, -10.0), (50.0, 20.0, 10.0)).reshape(-1, 3))
-CONE = convex_hull(frustum_facets(np.array([0.0, 0.0, -30.0]), np.array([0.0, 0.0, 30.0]), 40.0, 60.0).reshape(-1, 3))
+CONE = convex_hull(
+    frustum_facets(np.array([0.0, 0.0, -30.0]), np.array([0.0, 0.0, 30.0]), 40.0, 60.0).reshape(-1, 3)
+)
 UP = np.array([[0.0, 0.0, 1.0]])
 
 
@@ -28,7 +31,8 @@ def gaps(one, other, shift, within=0.0, turn=None):
 
 
 def apart(one, other, turn, shift):
-    """How far two hulls are apart, by non-negative least squares, and whether they share a point, by a linear programme."""
+    """How far two hulls are apart, by non-negative least squares, and whether they share a point, by a linear
+    programme."""
     points, own = one.corner @ turn.T + shift, len(one.corner)
     sums = np.zeros((2, own + len(other.corner)))
     sums[0, :own] = sums[1, own:] = 1.0
@@ -50,7 +54,9 @@ def compare(count):
         assert met == found.met[k]
         assert met or 0.999 * distance - 1e-3 <= found.least[k] <= distance * (1.0 + 1e-9)
     assert found.met.any() and not found.met.all()
-    assert np.allclose(support_gap(BAR, CONE, Poses(turns, shifts), found.way)[~found.met], found.least[~found.met])
+    assert np.allclose(
+        support_gap(BAR, CONE, Poses(turns, shifts), found.way)[~found.met], found.least[~found.met]
+    )
 
 
 def test_gaps_are_those_of_least_squares_and_meetings_those_of_a_linear_programme():
@@ -58,7 +64,9 @@ def test_gaps_are_those_of_least_squares_and_meetings_those_of_a_linear_programm
 
 
 def test_a_search_that_takes_no_inside_of_a_simplex_would_be_noticed(monkeypatch):
-    monkeypatch.setattr(convex, "_on_sides", lambda point: (np.zeros((len(point), 4, 4)), np.ones((len(point), 4), bool)))
+    monkeypatch.setattr(
+        convex, "_on_sides", lambda point: (np.zeros((len(point), 4, 4)), np.ones((len(point), 4), bool))
+    )
     with pytest.raises(AssertionError):
         compare(120)
 
@@ -77,7 +85,10 @@ def test_points_lines_and_sheets_are_pieces_too():
     line = convex_hull(np.array([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0]]))
     sheet = convex_hull(np.array([[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 9.0, 0.0], [9.0, 9.0, 0.0]]))
     assert gaps(point, line, (5.0, 3.0, 4.0)).least[0] == pytest.approx(5.0)
-    assert gaps(ball, sheet, (5.0, 5.0, 7.0)).least[0] == pytest.approx(3.0) and gaps(ball, sheet, (5.0, 5.0, 3.9)).met[0]
+    assert (
+        gaps(ball, sheet, (5.0, 5.0, 7.0)).least[0] == pytest.approx(3.0)
+        and gaps(ball, sheet, (5.0, 5.0, 3.9)).met[0]
+    )
     assert sheet.inmost[1] == 0.0 and sheet.pared(1.0) is sheet
 
 
@@ -94,10 +105,12 @@ def test_the_point_of_a_simplex_next_to_zero_is_that_of_least_squares():
     assert np.allclose(weight.sum(axis=1), 1.0) and (weight >= 0.0).all()
     for one, given in zip(points, weight, strict=True):
         share, _ = nnls(np.vstack([one.T, np.full(4, 1e3)]), np.array([0.0, 0.0, 0.0, 1e3]))
-        assert np.linalg.norm(given @ one) == pytest.approx(np.linalg.norm(share @ one / share.sum()), abs=1e-5)
+        assert np.linalg.norm(given @ one) == pytest.approx(
+            np.linalg.norm(share @ one / share.sum()), abs=1e-5
+        )
 
 
-# ------------------------------------------------------------------------------------------------ cells of joints
+# -------------------------------------------------------------------------------------------- cells of joints
 
 
 def cell_slack(name, joined, count=60):
@@ -128,12 +141,17 @@ def test_in_no_sample_of_a_cell_the_gap_is_less_than_is_said_to_be_left(name, jo
 
 
 def slack_of_two_turns():
-    """How much less than at the ends of cells of a trunnion's two turns the gap is that is said to be left: the least, mm. The
-    pieces are hulls of some points, so that the corner that both turns take lowest is often one that neither of them does."""
+    """How much less than at the ends of cells of a trunnion's two turns the gap is that is said to be left:
+    the least, mm. The pieces are hulls of some points, so that the corner that both turns take lowest is
+    often one that neither of them does."""
     rng, machine, slack = np.random.default_rng(3), load_machine("trunnion_ac"), []
     for _ in range(20):
-        motion = CarriedMotion(steps_between(machine, "base", "C"), convex_hull(rng.normal(size=(12, 3)) * (200.0, 200.0, 50.0)))
-        for middle, half in zip(rng.uniform(-1.5, 1.5, (20, 1, 2)), rng.choice([0.003, 0.01, 0.1], (20, 1, 2)), strict=True):
+        motion = CarriedMotion(
+            steps_between(machine, "base", "C"), convex_hull(rng.normal(size=(12, 3)) * (200.0, 200.0, 50.0))
+        )
+        for middle, half in zip(
+            rng.uniform(-1.5, 1.5, (20, 1, 2)), rng.choice([0.003, 0.01, 0.1], (20, 1, 2)), strict=True
+        ):
             g = rng.normal(size=(1, 3))
             g /= np.linalg.norm(g)
             left = motion.least_gap(CONE, motion.lines(middle), half, g, False)[0]
@@ -154,7 +172,9 @@ def test_turns_taken_together_that_go_each_as_it_will_would_be_noticed(monkeypat
 def test_turns_that_add_up_would_be_noticed_where_each_is_counted_alone(monkeypatch):
     def alone(self, lines, half):
         size = np.abs(half).T
-        return (0.5 * size * size * lines.lever * self.rotary[:, None]).sum(axis=0), (size * lines.lever).sum(axis=0)
+        return (0.5 * size * size * lines.lever * self.rotary[:, None]).sum(axis=0), (size * lines.lever).sum(
+            axis=0
+        )
 
     monkeypatch.setattr(CarriedMotion, "travel", alone)
     assert min(cell_slack(name, False) for name in MACHINES) < -1.0

@@ -10,7 +10,12 @@ from freecad_fiveaxis.core.tool import Cutter, cutter_sizes, kind_of, parse_cutt
 
 @pytest.mark.parametrize(
     ("text", "diameter", "length"),
-    [("ball:10", 10, 50), ("ball:0.5in", 12.7, 50), (" Ball:6mm:2cm ", 6, 20), ("ball:.25in:1in", 6.35, 25.4)],
+    [
+        ("ball:10", 10, 50),
+        ("ball:0.5in", 12.7, 50),
+        (" Ball:6mm:2cm ", 6, 20),
+        ("ball:.25in:1in", 6.35, 25.4),
+    ],
 )
 def test_a_cutter_is_read_with_its_units(text, diameter, length):
     cutter = parse_cutter(text)
@@ -21,14 +26,26 @@ def test_a_cutter_is_read_with_its_units(text, diameter, length):
 @pytest.mark.parametrize("text", ["cone:10", "lens:10", "10", "", "ball10"])
 def test_another_shape_is_refused_with_those_on_offer(text):
     with pytest.raises(
-        SettingsError, match="only ball, flat, bull, taperball, taperbull, lollipop, barrel cutters are on offer"
+        SettingsError,
+        match="only ball, flat, bull, taperball, taperbull, lollipop, barrel cutters are on offer",
     ) as caught:
         parse_cutter(text)
     assert caught.value.value == text
 
 
 @pytest.mark.parametrize(
-    "text", ["ball:", "ball", "ball:10:20:30", "ball:ten", "ball:0", "ball:-3", "ball:10deg", "ball:10:0", "ball:inf"]
+    "text",
+    [
+        "ball:",
+        "ball",
+        "ball:10:20:30",
+        "ball:ten",
+        "ball:0",
+        "ball:-3",
+        "ball:10deg",
+        "ball:10:0",
+        "ball:inf",
+    ],
 )
 def test_sizes_that_cannot_be_used_are_refused(text):
     with pytest.raises(SettingsError, match="cutter"):
@@ -57,7 +74,13 @@ ALL_SIZES = {"diameter": 10.0, "corner": 2.0, "taper": 7.5, "length": 30.0}
 
 @pytest.mark.parametrize(
     "text",
-    ["ball:10.0:30.0", "flat:10.0:30.0", "bull:10.0:2.0:30.0", "taperball:10.0:7.5deg:30.0", "taperbull:10.0:2.0:7.5deg:30.0"],
+    [
+        "ball:10.0:30.0",
+        "flat:10.0:30.0",
+        "bull:10.0:2.0:30.0",
+        "taperball:10.0:7.5deg:30.0",
+        "taperbull:10.0:2.0:7.5deg:30.0",
+    ],
 )
 def test_kind_and_sizes_make_the_text_and_come_out_of_it(text):
     kind = text.partition(":")[0]

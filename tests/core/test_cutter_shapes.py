@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cutters of every shape touch what they cut, at their contact and nowhere deeper; proven on bodies of points."""
+"""Cutters of every shape touch what they cut, at their contact and nowhere deeper; proven on bodies of
+points."""
 
 from functools import cache
 
@@ -33,14 +34,17 @@ def fine_body(shape):
 
 
 def stands(leads, tilts, seed=3):
-    """Contacts, normals, axes and feeds of a tool that stands with every lead and tilt (deg) on planes of any direction."""
+    """Contacts, normals, axes and feeds of a tool that stands with every lead and tilt (deg) on planes of any
+    direction."""
     rng = np.random.default_rng(seed)
     lead, tilt = (np.radians(part).ravel() for part in np.meshgrid(leads, tilts))
     normal = rng.normal(size=(len(lead), 3))
     normal /= np.linalg.norm(normal, axis=1)[:, None]
     feed = np.cross(normal, rng.normal(size=(len(lead), 3)))
     feed /= np.linalg.norm(feed, axis=1)[:, None]
-    axis = np.concatenate([leaned(n[None], f[None], a, b) for n, f, a, b in zip(normal, feed, lead, tilt, strict=True)])
+    axis = np.concatenate(
+        [leaned(n[None], f[None], a, b) for n, f, a, b in zip(normal, feed, lead, tilt, strict=True)]
+    )
     return rng.uniform(-50, 50, (len(lead), 3)), normal, axis, feed
 
 
@@ -51,7 +55,9 @@ def test_the_cutter_touches_its_facet_for_every_lead_and_tilt(shape):
     points = body(cutter, 720, arc=240)
     rows = stands((0, 5, 30), (0, 30))
     for contact, normal, axis, tip in zip(*rows[:3], cutter.tip_from_contact(*rows), strict=True):
-        frame = placed(np.eye(3), np.zeros(3), axis)  # the normal as the body sees it: cheaper than to place all of its points
+        frame = placed(
+            np.eye(3), np.zeros(3), axis
+        )  # the normal as the body sees it: cheaper than to place all of its points
         height = points @ (frame @ normal) + (tip - contact) @ normal
         assert -NEAR <= height.min() <= NEAR
         lowest = placed(points[height < height.min() + 2 * NEAR], tip, axis)
@@ -118,11 +124,13 @@ def test_a_ball_stands_as_it_always_did():
     contact, normal, axis, feed = stands((0, 5, 30), (0, 30))
     ball = Cutter(10.0)
     centre = contact + 5.0 * normal
-    np.testing.assert_allclose(ball.tip_from_contact(contact, normal, axis, feed), ball.tip_at(centre, axis), atol=1e-14)
+    np.testing.assert_allclose(
+        ball.tip_from_contact(contact, normal, axis, feed), ball.tip_at(centre, axis), atol=1e-14
+    )
     assert ball.ring == 0.0 and ball.corner == ball.radius == 5.0
 
 
-# ------------------------------------------------------------------------------------------------ how wide it cuts
+# ------------------------------------------------------------------------------------------- how wide it cuts
 
 
 @pytest.mark.parametrize("shape", ["ball:10", "flat:10", "bull:10:2", "taperbull:10:2:10deg:25"])
@@ -156,7 +164,9 @@ def test_the_width_is_that_of_the_body_seen_along_the_feed(shape, lead, tilt):
     cutter = parse_cutter(shape)
     _, normal, axis, feed = stands((lead,), (tilt,))
     across = np.cross(normal, feed)
-    frame = placed(np.eye(3), np.zeros(3), axis[0])  # the two directions as the body sees them: cheaper than to place its points
+    frame = placed(
+        np.eye(3), np.zeros(3), axis[0]
+    )  # the two directions as the body sees them: cheaper than to place its points
     above, beside = (fine_body(shape) @ (frame @ np.stack([normal[0], across[0]], axis=1))).T
     for height in (0.02, 0.3):
         seen = beside[above <= above.min() + height]
@@ -175,7 +185,7 @@ def test_no_part_of_the_sweep_below_the_scallop_is_outside_the_equivalent_ball()
             assert half >= np.sqrt(height * (2 * radius - height)) - 1e-6
 
 
-# ------------------------------------------------------------------------------------------------ sizes and texts
+# -------------------------------------------------------------------------------------------- sizes and texts
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -195,7 +205,12 @@ def test_the_profile_is_the_body(shape):
 def test_the_holder_is_kept_apart():
     row = (50.0, 3.0, 80.0, 12.0)
     assert Cutter(6.0, holder=(row,)).profile().holder.tolist() == [list(row)]
-    for bad in ((50.0, 3.0, 50.0, 4.0), (50.0, -1.0, 60.0, 4.0), (-1.0, 1.0, 2.0, 1.0), (0.0, 1.0, float("nan"), 1.0)):
+    for bad in (
+        (50.0, 3.0, 50.0, 4.0),
+        (50.0, -1.0, 60.0, 4.0),
+        (-1.0, 1.0, 2.0, 1.0),
+        (0.0, 1.0, float("nan"), 1.0),
+    ):
         with pytest.raises(SettingsError, match="is no cone"):
             Cutter(6.0, holder=(bad,))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tool axes led past the pole: ten times less on the dome, no pass worse, on every kind of machine, to the program's words."""
+"""Tool axes led past the pole: ten times less on the dome, no pass worse, on every kind of machine, to the
+program's words."""
 
 import shutil
 import subprocess
@@ -35,12 +36,15 @@ def led(*args, change=CHANGE, **options):
 
 
 def turned(offset, words, shortest=1e-6):
-    """Peak rate rad/mm and turn rad of the first word on every polyline, in plain words: the second route to `figures`."""
+    """Peak rate rad/mm and turn rad of the first word on every polyline, in plain words: the second route to
+    `figures`."""
     peak, turn = [], []
     for line in range(offset.polyline.max() + 1):
         rows = np.flatnonzero(offset.polyline == line)
         step = np.abs(np.diff(words[rows, 0]))
-        length = np.linalg.norm(np.diff(offset.point[rows] if offset.fill[rows].any() else offset.centre[rows], axis=0), axis=1)
+        length = np.linalg.norm(
+            np.diff(offset.point[rows] if offset.fill[rows].any() else offset.centre[rows], axis=0), axis=1
+        )
         turn.append(step.sum())
         peak.append((step / np.maximum(length, shortest)).max())
     return np.array(peak), np.array(turn)
@@ -49,11 +53,14 @@ def turned(offset, words, shortest=1e-6):
 def near_pole(offset, axis, kinematics, angle=CHANGE):
     """The polylines of which a row's axis stands within that angle of the pole."""
     tilt = np.linalg.norm(np.cross(axis, kinematics.direction[3]), axis=1)
-    return np.array([tilt[offset.polyline == line].min() <= np.sin(angle) for line in range(offset.polyline.max() + 1)])
+    return np.array(
+        [tilt[offset.polyline == line].min() <= np.sin(angle) for line in range(offset.polyline.max() + 1)]
+    )
 
 
 def short_of_ten(offset, axis, led_axis, kinematics):
-    """Polylines within 2 deg of the pole on which peak rate or travel of the first word did not fall ten times."""
+    """Polylines within 2 deg of the pole on which peak rate or travel of the first word did not fall ten
+    times."""
     before, after = (turned(offset, drive(offset, part, kinematics)) for part in (axis, led_axis))
     near = near_pole(offset, axis, kinematics) & (before[1] > QUIET)
     assert near.any()
@@ -63,7 +70,9 @@ def short_of_ten(offset, axis, led_axis, kinematics):
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", BOTH_WAYS)
 @pytest.mark.parametrize(("stepover", "direction"), [(0.5, 0.0), (1.0, 0.35), (2.0, np.radians(20.0))])
-def test_on_the_dome_c_turns_ten_times_less_and_slower_on_every_pass_within_2_deg_of_the_pole(name, stepover, direction):
+def test_on_the_dome_c_turns_ten_times_less_and_slower_on_every_pass_within_2_deg_of_the_pole(
+    name, stepover, direction
+):
     offset, axis, kinematics = dome_passes(name, stepover, direction)
     assert not len(short_of_ten(offset, axis, led(name, stepover, direction).axis, kinematics))
 
@@ -84,9 +93,12 @@ def test_where_ten_times_is_not_reached_no_way_within_2_deg_reaches_it():
         assert found.after.peak[line] < 0.01 * found.before.peak[line]
 
 
-@pytest.mark.parametrize(("name", "stepover"), [("trunnion_ac", 0.5), ("nutating_table_b45", 1.0), ("nutating_head", 1.0)])
+@pytest.mark.parametrize(
+    ("name", "stepover"), [("trunnion_ac", 0.5), ("nutating_table_b45", 1.0), ("nutating_head", 1.0)]
+)
 def test_the_turn_left_is_near_the_least_possible(name, stepover):
-    """A nutating axis turns C along even through the pole. What more is turned than must be comes from keeping to given axes."""
+    """A nutating axis turns C along even through the pole. What more is turned than must be comes from
+    keeping to given axes."""
     offset, axis, kinematics = dome_passes(name, stepover)
     found = led(name, stepover)
     for line in np.flatnonzero(near_pole(offset, axis, kinematics)):
@@ -110,7 +122,9 @@ def test_no_pass_is_worse_and_the_axis_keeps_to_its_change_the_part_and_the_limi
     np.testing.assert_array_equal(found.axis[same], axis[same])
 
 
-@pytest.mark.parametrize(("name", "times"), [("nutating_table_b45", 100), ("nutating_head", 100), ("mikron_ucp710", 20)])
+@pytest.mark.parametrize(
+    ("name", "times"), [("nutating_table_b45", 100), ("nutating_head", 100), ("mikron_ucp710", 20)]
+)
 def test_the_peak_rate_falls_on_machines_that_cannot_pass_the_pole_for_nothing(name, times):
     """The mikron leans 30 deg to the other side: no pass goes through, all go around."""
     offset, axis, kinematics = dome_passes(name, 1.0)
@@ -118,23 +132,29 @@ def test_the_peak_rate_falls_on_machines_that_cannot_pass_the_pole_for_nothing(n
     assert (found.before.peak[near] > times * found.after.peak[near]).all()
 
 
-@pytest.mark.parametrize("options", [{"strategy": "step_weighted"}, {"lead": 0.02}, {"tilt": -0.03}, {"order": "one_way"}])
+@pytest.mark.parametrize(
+    "options", [{"strategy": "step_weighted"}, {"lead": 0.02}, {"tilt": -0.03}, {"order": "one_way"}]
+)
 def test_any_axes_are_led(options):
     offset, axis, kinematics = dome_passes("trunnion_ac", **options)
     found = rerouted_axes(offset, axis, kinematics, CHANGE)
     assert found.rerouted.any() and not found.after.worse(found.before)[~found.rerouted].any()
     for line in short_of_ten(offset, axis, found.axis, kinematics):
-        assert least_turn(kinematics, axis[offset.polyline == line], CHANGE) > 0.1 * found.before.first[line], line
+        assert (
+            least_turn(kinematics, axis[offset.polyline == line], CHANGE) > 0.1 * found.before.first[line]
+        ), line
 
 
 def test_a_way_that_the_machine_cannot_drive_as_meant_gives_way_to_one_around():
-    """Through the pole the mikron would have to turn C by half a turn at once: lower than given, but no cure."""
+    """Through the pole the mikron would have to turn C by half a turn at once: lower than given, but no
+    cure."""
     found = led("mikron_ucp710", 1.0, np.radians(45.0), half_width=2.0)
     assert found.rerouted.all() and found.before.peak.max() > 100 * found.after.peak.max()
 
 
 def test_after_an_odd_number_of_passes_through_the_pole_nothing_else_is_worse_on_a_nutating_axis():
-    """On the other branch its C turns further on every pass that follows; so one pass goes around, or the machine swaps back."""
+    """On the other branch its C turns further on every pass that follows; so one pass goes around, or the
+    machine swaps back."""
     offset, axis, kinematics = dome_passes("nutating_table_b45", 0.5)
     found = led("nutating_table_b45", 0.5)
     near = near_pole(offset, axis, kinematics)
@@ -166,8 +186,13 @@ def test_the_findings_say_what_was_led_and_what_is_left():
     found = led("mikron_ucp710")
     _, findings = deform_axes(offset, axis, kinematics, CHANGE)
     assert [finding.code for finding in findings] == ["axis-led-past-pole"]
-    assert findings[0].text.startswith(f"{found.rerouted.sum()} passes are turned past the pole: C turns at most")
-    assert findings[0].value == pytest.approx(np.degrees(angle_between(found.axis, axis).max())) and findings[0].limit == 2.0
+    assert findings[0].text.startswith(
+        f"{found.rerouted.sum()} passes are turned past the pole: C turns at most"
+    )
+    assert (
+        findings[0].value == pytest.approx(np.degrees(angle_between(found.axis, axis).max()))
+        and findings[0].limit == 2.0
+    )
 
 
 @pytest.mark.parametrize("change", [0.0, -0.1, 1e-5, 1.0, np.nan, np.inf])
@@ -208,7 +233,11 @@ def test_the_trade_is_what_each_angle_gives_by_itself():
         peak, turn = turned(offset, drive(offset, found.axis, kinematics))
         assert (trade.peak[row], trade.first[row]) == pytest.approx((peak.max(), turn.sum()))
         assert trade.passes[row] == found.rerouted.sum() and trade.used[row] <= change
-    assert (np.diff(trade.peak) < 0).all() and (np.diff(trade.first) < 0).all() and (trade.blocks[1:] <= trade.blocks[0]).all()
+    assert (
+        (np.diff(trade.peak) < 0).all()
+        and (np.diff(trade.first) < 0).all()
+        and (trade.blocks[1:] <= trade.blocks[0]).all()
+    )
     heads, rows = trade.table(kinematics.letters)
     assert len(heads) == len(rows[0]) and rows[3][0] == pytest.approx(2.0) and heads[3].startswith("peak C")
 
@@ -226,7 +255,9 @@ def test_the_number_of_blocks_is_an_estimate_that_bisection_of_real_blocks_confi
         for pieces in range(2, 200):
             u = np.linspace(0, 1, pieces + 1)[:, None]
             part = joint_words(
-                kinematics, tip[row] + u * (tip[row + 1] - tip[row]), words[row] + u * (words[row + 1] - words[row])
+                kinematics,
+                tip[row] + u * (tip[row + 1] - tip[row]),
+                words[row] + u * (words[row + 1] - words[row]),
             )
             if measure(kinematics, q_to_words(part)).segment.max() <= 0.002:
                 break
@@ -263,8 +294,8 @@ def milled(dome):
 
 
 def program_figures(made, shortest=1e-3):
-    """Peak rate deg/mm and turn deg of C on every pass, from the rounded words; blocks shorter than a micrometre, in which
-    rounding is all there is, count as that long."""
+    """Peak rate deg/mm and turn deg of C on every pass, from the rounded words; blocks shorter than a
+    micrometre, in which rounding is all there is, count as that long."""
     program, path = made.program, made.joints.path
     pass_ = path.pass_[program.row]
     on_part = (program.motion <= Motion.FILL) & (pass_ >= 0)
@@ -272,7 +303,10 @@ def program_figures(made, shortest=1e-3):
     centre = path.tip[program.row] + 5.0 * path.axis[program.row]
     length = np.linalg.norm(np.diff(centre, axis=0, prepend=centre[:1]), axis=1)
     rate = step / np.maximum(length, shortest)
-    return {n: (rate[on_part & (pass_ == n)].max(), step[on_part & (pass_ == n)].sum()) for n in np.unique(pass_[on_part])}
+    return {
+        n: (rate[on_part & (pass_ == n)].max(), step[on_part & (pass_ == n)].sum())
+        for n in np.unique(pass_[on_part])
+    }
 
 
 @pytest.mark.thorough
@@ -281,7 +315,8 @@ def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are
     rows = [made.path.pass_ >= 0 for made in (plain, cured)]
     np.testing.assert_allclose(cured.path.contact[rows[1]], plain.path.contact[rows[0]], atol=1e-9, rtol=0)
     centre = [
-        Cutter(10.0).radius * made.path.axis[row] + made.path.tip[row] for made, row in zip((plain, cured), rows, strict=True)
+        Cutter(10.0).radius * made.path.axis[row] + made.path.tip[row]
+        for made, row in zip((plain, cured), rows, strict=True)
     ]
     np.testing.assert_allclose(centre[1], centre[0], atol=1e-9, rtol=0)
     tilt = np.degrees(np.arccos(np.clip(plain.path.axis[rows[0], 2], -1, 1)))
@@ -296,7 +331,11 @@ def test_the_programs_c_is_ten_times_slower_and_its_contacts_stay_where_they_are
 
 def test_report_is_the_default_and_changes_no_byte(milled):
     wide = ("stepover", 8.0)
-    assert milled(wide, ("singularity", "report")).nc == milled(wide).nc != milled(wide, ("singularity", "deform")).nc
+    assert (
+        milled(wide, ("singularity", "report")).nc
+        == milled(wide).nc
+        != milled(wide, ("singularity", "deform")).nc
+    )
     assert milled(wide, ("singularity", "report"), ("max_axis_change", 5)).nc == milled(wide).nc
 
 
@@ -313,7 +352,12 @@ def test_a_driven_centre_runs_the_same_way_with_other_axes(milled):
 def test_linuxcnc_accepts_the_program(milled, tmp_path):
     (tmp_path / "dome.ngc").write_bytes(milled(("singularity", "deform")).nc)
     done = subprocess.run(
-        ["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
+        ["rs274", "-g", "dome.ngc"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        timeout=120,
     )
     assert done.returncode == 0, done.stderr[-400:]
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far facets demand that a cutter goes up: by closed forms, and against dense samples of facets in any place."""
+"""How far facets demand that a cutter goes up: by closed forms, and against dense samples of facets in any
+place."""
 
 import numpy as np
 import pytest
@@ -13,7 +14,11 @@ from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of, depth_of, way_out
 
 LIMIT = 0.005
-CUTTERS = {"flat": Cutter(10.0, 40.0, corner=0.0), "bull": Cutter(10.0, 40.0, corner=2.0), "ball": Cutter(10.0, 40.0)}
+CUTTERS = {
+    "flat": Cutter(10.0, 40.0, corner=0.0),
+    "bull": Cutter(10.0, 40.0, corner=2.0),
+    "ball": Cutter(10.0, 40.0),
+}
 
 
 def demanded(corners, cutter, tip, axis=(0.0, 0.0, 1.0)):

@@ -5,7 +5,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, TABLE_2, interleaved, kinematics_of, mikron_links, random_blocks, sampled_deviation
+from five_kinds import (
+    KINDS,
+    TABLE_2,
+    interleaved,
+    kinematics_of,
+    mikron_links,
+    random_blocks,
+    sampled_deviation,
+)
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.machine import load_machine
@@ -31,7 +39,9 @@ def ordinary_program(kinematics, count=1500, seed=4):
     """A smooth path: chords of about 1 mm, turns of 0.1 to 2 deg a block about axes well off the pole."""
     rng = np.random.default_rng(seed)
     sign = np.where(np.arange(count) // 60 % 2, 1, -1)[:, None]
-    angles = np.radians((20, 35)) + np.cumsum(np.radians(rng.uniform(0.1, 2.0, (count, 2))) * sign * (1, 0.5), axis=0)
+    angles = np.radians((20, 35)) + np.cumsum(
+        np.radians(rng.uniform(0.1, 2.0, (count, 2))) * sign * (1, 0.5), axis=0
+    )
     way = 0.05 * np.arange(count)
     heading = np.stack([np.cos(way), np.sin(way), 0.3 * np.sin(3 * way)], axis=1)
     tips = np.cumsum(rng.uniform(0.8, 1.5, (count, 1)) * heading, axis=0)
@@ -43,7 +53,7 @@ def errors(found, expected):
     return (np.abs(found - expected) / np.maximum(RELATIVE * expected, ABSOLUTE)).max()
 
 
-# ------------------------------------------------------------------------------------------------ against sampling
+# ------------------------------------------------------------------------------------------- against sampling
 
 
 def compare_with_sampling(kinematics, count, seed):
@@ -103,7 +113,10 @@ def test_the_highest_of_several_maxima_is_found(kinematics):
     maxima = ((off[:, 1:-1] > off[:, :-2]) & (off[:, 1:-1] > off[:, 2:])).sum(axis=1)
     assert np.median(maxima) >= 4
     assert (
-        errors(measure(kinematics, interleaved(start, end)).segment[1::2], sampled_deviation(kinematics, start, end, 8001)[0])
+        errors(
+            measure(kinematics, interleaved(start, end)).segment[1::2],
+            sampled_deviation(kinematics, start, end, 8001)[0],
+        )
         <= 1.0
     )
 
@@ -131,7 +144,7 @@ def test_each_block_is_measured_by_itself(kinematics, monkeypatch):
         assert getattr(parts, name) == pytest.approx(getattr(whole, name), rel=1e-9, abs=1e-10), name
 
 
-# ------------------------------------------------------------------------------------------------ So et al., Table 2
+# ----------------------------------------------------------------------------------------- So et al., Table 2
 
 
 def test_table_2_line_deviation(mikron):
@@ -171,7 +184,7 @@ def test_same_u_deviation_agrees_with_sampling(kinematics):
     assert (distance >= measure(kinematics, words).segment * (1 - RELATIVE) - ABSOLUTE).all()
 
 
-# ------------------------------------------------------------------------------------------------ closed forms
+# ----------------------------------------------------------------------------------------------- closed forms
 
 
 def test_a_turning_table_draws_a_circular_arc():
@@ -224,7 +237,9 @@ def test_axis_turning_on_a_cone_leaves_the_plane_of_its_ends_by_a_known_angle():
 
 def test_axis_that_comes_back_is_measured_from_where_it_started():
     kinematics = kinematics_of("table_table")
-    assert measure(kinematics, [[0, 0, 0, 0, 30], [0, 0, 0, 360, 30]]).axis[1] == pytest.approx(np.radians(60.0))
+    assert measure(kinematics, [[0, 0, 0, 0, 30], [0, 0, 0, 360, 30]]).axis[1] == pytest.approx(
+        np.radians(60.0)
+    )
     assert measure(kinematics, [[0, 0, 0, 0, 0], [0, 0, 0, 90, 0]]).axis[1] == 0.0  # it spins about itself
 
 
@@ -243,14 +258,19 @@ def test_axis_deviation_agrees_with_sampling(kinematics):
 
 
 def half_circle(centre_distance, step, radius=60.0):
-    """Words of a half circle cut by the A axis alone, and the arc's centre; its top is the middle of a step."""
+    """Words of a half circle cut by the A axis alone, and the arc's centre; its top is the middle of a
+    step."""
     machine = load_machine("trunnion_ac")
     kinematics = chain(machine, Setup(machine.origin))
     centre = kinematics.point2 + (0.0, 0.0, centre_distance)
     angle = (np.arange(round(np.pi / step) + 1) - 0.5 * round(np.pi / step)) * step
     tips = centre + radius * np.stack([0 * angle, -np.sin(angle), np.cos(angle)], axis=1)
     turns = np.stack([0 * angle, angle], axis=1)
-    return kinematics, np.concatenate([linear_words(kinematics, tips, turns), np.degrees(turns)], axis=1), centre
+    return (
+        kinematics,
+        np.concatenate([linear_words(kinematics, tips, turns), np.degrees(turns)], axis=1),
+        centre,
+    )
 
 
 def departure_in_mid_step(kinematics, words, centre, radius=60.0):
@@ -259,7 +279,8 @@ def departure_in_mid_step(kinematics, words, centre, radius=60.0):
 
 
 def test_lin_ye_half_circle_departs_from_the_arc_by_2_70_mm_with_the_r0_solved_from_it():
-    """The paper prints 2.70 mm and no R0: 177.73 mm is solved from it by eq. (6). Tested is that the real path agrees with that."""
+    """The paper prints 2.70 mm and no R0: 177.73 mm is solved from it by eq. (6). Tested is that the real
+    path agrees with that."""
     kinematics, words, centre = half_circle(177.73, np.radians(20.0))
     departure = departure_in_mid_step(kinematics, words, centre)
     assert departure.max() == pytest.approx(2.70, abs=5e-4)
@@ -280,14 +301,17 @@ def test_lin_ye_equation_6_is_exact_at_the_top_and_of_first_order_elsewhere(cent
     step = np.radians(degrees)
     kinematics, words, centre = half_circle(centre_distance, step)
     beta = np.radians(0.5 * (words[1:, 4] + words[:-1, 4]))
-    departure, formula = departure_in_mid_step(kinematics, words, centre), lin_ye_deviation(centre_distance, step, beta)
+    departure, formula = (
+        departure_in_mid_step(kinematics, words, centre),
+        lin_ye_deviation(centre_distance, step, beta),
+    )
     whole = lin_ye_deviation(centre_distance, step)
     assert (np.abs(departure - formula) <= whole**2 / (2 * (60.0 - whole)) + 1e-9).all()
     at_top = np.abs(beta) < 1e-9
     assert departure[at_top] == pytest.approx(formula[at_top], abs=1e-9)
 
 
-# ------------------------------------------------------------------------------------------------ border cases
+# ----------------------------------------------------------------------------------------------- border cases
 
 
 @pytest.mark.parametrize("rows", [0, 1])
@@ -325,7 +349,9 @@ def test_a_block_of_a_thousand_turns_is_measured():
 
 def test_progress_reaches_the_end_and_may_stop_the_work():
     words, heard = ordinary_program(kinematics_of("table_table")), []
-    measure(kinematics_of("table_table"), words, progress=lambda stage, fraction: heard.append((stage, fraction)))
+    measure(
+        kinematics_of("table_table"), words, progress=lambda stage, fraction: heard.append((stage, fraction))
+    )
     assert heard[-1] == ("deviation", 1.0)
 
     def stop(stage, fraction):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The scale of a path's colours: it ends where the path's deviations do, and what is over the tolerance is always seen to be."""
+"""The scale of a path's colours: it ends where the path's deviations do, and what is over the tolerance is
+always seen to be."""
 
 from dataclasses import replace
 
@@ -20,7 +21,9 @@ def test_the_scale_stands_about_the_tolerance_and_ends_at_the_largest_deviation(
     deviation = np.array([0.0, 1e-4, 1e-3, 0.01, 0.1, 1.0, 50.0, np.nan])
     assert level_of(deviation, 0.01, 1.0) == pytest.approx([0, 0, 0.25, 0.5, 0.75, 1, 1, 1])
     assert level_of(deviation[:6], 0.01, 0.1) == pytest.approx([0, 0, 0.25, 0.5, 1, 1])
-    assert dict(scale_marks(0.01, 1.0)) == pytest.approx({0.0: 1e-4, 0.25: 1e-3, 0.5: 1e-2, 0.75: 0.1, 1.0: 1.0})
+    assert dict(scale_marks(0.01, 1.0)) == pytest.approx(
+        {0.0: 1e-4, 0.25: 1e-3, 0.5: 1e-2, 0.75: 0.1, 1.0: 1.0}
+    )
     assert dict(scale_marks(0.01, 0.03)) == pytest.approx({0.0: 1e-4, 0.25: 1e-3, 0.5: 1e-2, 1.0: 0.03})
 
 
@@ -42,7 +45,9 @@ def test_each_mark_stands_where_its_value_does_and_can_be_read(end):
 def test_the_least_bit_over_the_tolerance_is_above_the_middle_and_what_is_no_more_is_not(tolerance, times):
     end = max(np.nextafter(tolerance, 1.0), tolerance * min(times, 1e9))
     over = np.array([np.nextafter(tolerance, 1.0), end, np.nan])
-    assert (level_of(over, tolerance, end) > 0.5).all() and level_of(over[1:], tolerance, 2.0 * tolerance)[-1] == 1.0
+    assert (level_of(over, tolerance, end) > 0.5).all() and level_of(over[1:], tolerance, 2.0 * tolerance)[
+        -1
+    ] == 1.0
     assert (level_of(np.array([tolerance, np.nextafter(tolerance, 0.0)]), tolerance, end) <= 0.5).all()
 
 

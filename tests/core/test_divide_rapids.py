@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rapids of our own programs are clear whichever way the controller drives the axes: divided, on the commanded way, nowhere else."""
+"""Rapids of our own programs are clear whichever way the controller drives the axes: divided, on the
+commanded way, nowhere else."""
 
 import dataclasses
 from functools import cache
@@ -18,7 +19,13 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge.joint_box import JointSpace
 from freecad_fiveaxis.core.gouge.rapid_check import independent_rapids
 from freecad_fiveaxis.core.links import divide_rapids as stage
-from freecad_fiveaxis.core.links.divide_rapids import RapidClearance, RapidWays, divide_rapids, find_cuts, rapid_ways
+from freecad_fiveaxis.core.links.divide_rapids import (
+    RapidClearance,
+    RapidWays,
+    divide_rapids,
+    find_cuts,
+    rapid_ways,
+)
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.joint_path import JointPath
@@ -53,7 +60,9 @@ LIMIT = 0.01
 
 
 def milled_anew(machine, part, **options):
-    return job.make(build_settings("mill", "part", {"machine": machine, **OPTIONS, **options}), mesh=PARTS[part]())
+    return job.make(
+        build_settings("mill", "part", {"machine": machine, **OPTIONS, **options}), mesh=PARTS[part]()
+    )
 
 
 milled = cache(milled_anew)
@@ -83,7 +92,8 @@ def test_no_rapid_of_our_own_is_clear_only_if_interpolated(machine, part, option
 
 
 def added(made, plain):
-    """The rows that the program has beside those of the other, which it all has in order; and the row of that before each."""
+    """The rows that the program has beside those of the other, which it all has in order; and the row of that
+    before each."""
     rows, before, at = [], [], 0
     for k, words in enumerate(made.program.words):
         if at < len(plain.program.words) and (words == plain.program.words[at]).all():
@@ -100,14 +110,22 @@ def test_rows_that_are_put_in_are_rapids_on_the_commanded_way(machine, part, opt
     made, plain = milled(machine, part, **options), undivided(machine, part, **options)
     rows, before = added(made, plain)
     told = next(one for one in made.findings if one.code == "rapids-divided")
-    assert len(rows) == told.value and (made.program.motion[rows] == Motion.RAPID).all() and not made.program.feed[rows].any()
+    assert (
+        len(rows) == told.value
+        and (made.program.motion[rows] == Motion.RAPID).all()
+        and not made.program.feed[rows].any()
+    )
 
     def commanded(program):
         if program.guided is None:
             return program.words
         return np.column_stack([program.guided.tip, program.words[:, 3:]])
 
-    start, end, here = commanded(plain.program)[before], commanded(plain.program)[before + 1], commanded(made.program)[rows]
+    start, end, here = (
+        commanded(plain.program)[before],
+        commanded(plain.program)[before + 1],
+        commanded(made.program)[rows],
+    )
     longest = np.abs(end - start).argmax(axis=1)[:, None]
     share = np.take_along_axis(here - start, longest, 1) / np.take_along_axis(end - start, longest, 1)
     assert ((share > 0.0) & (share < 1.0)).all()
@@ -123,10 +141,14 @@ def test_dense_simulation_over_random_rates_finds_no_entry(machine, part, option
     space, points = JointSpace.of(made.kinematics), points_of(made.mesh)
     body, blocks = tool_body(made.settings), np.unique(np.concatenate([rows - 1, rows]))
     assert simulated(made.program.words, body, space, points, 3, blocks, 6).max() <= LIMIT
-    assert simulated(plain.program.words, body, space, points, 3, np.unique(before), 6).max() > 1.0, "it would notice"
+    assert simulated(plain.program.words, body, space, points, 3, np.unique(before), 6).max() > 1.0, (
+        "it would notice"
+    )
 
 
-@pytest.mark.parametrize("options", [{"controller": "linuxcnc"}, {"controller": "haas", "rapids": "interpolated"}])
+@pytest.mark.parametrize(
+    "options", [{"controller": "linuxcnc"}, {"controller": "haas", "rapids": "interpolated"}]
+)
 def test_programs_for_controls_that_interpolate_rapids_stay_as_they_are(options):
     assert milled("fork_head_bc", "step", **options).nc == undivided("fork_head_bc", "step", **options).nc
 
@@ -154,7 +176,8 @@ def ways(*rapids):
 
 
 OVER = ((-60.0, 0.0, 60.0, 0.0, 0.0), (60.0, 0.0, 10.0, 0.0, 0.0))
-"""Straight over the block; on the way of X alone, then Z, into none, on that of Z alone, then X, through the block."""
+"""Straight over the block; on the way of X alone, then Z, into none, on that of Z alone, then X, through the
+block."""
 
 
 def test_a_rapid_is_divided_no_more_than_needed():
@@ -169,7 +192,9 @@ def test_a_rapid_is_divided_no_more_than_needed():
 
 def test_a_rapid_that_enters_on_its_commanded_way_is_left_as_it_is():
     through = ((-60.0, 0.0, 25.0, 0.0, 0.0), (60.0, 0.0, 10.0, 0.0, 0.0))
-    assert find_cuts(ways(through, OVER), clearance()).rapid.tolist() == find_cuts(ways(OVER), clearance()).rapid.size * [1]
+    assert find_cuts(ways(through, OVER), clearance()).rapid.tolist() == find_cuts(
+        ways(OVER), clearance()
+    ).rapid.size * [1]
 
 
 def test_pieces_that_stay_blocked_after_the_last_halving_are_left_to_the_check(monkeypatch):
@@ -228,8 +253,13 @@ def test_an_audit_of_our_own_file_finds_none_either(tmp_path, machine, part, opt
         "controller": options["controller"],
     }
     write_stl(PARTS[part](), tmp_path / "part.stl")
-    for made, clear in ((milled(machine, part, **options), True), (undivided(machine, part, **options), False)):
+    for made, clear in (
+        (milled(machine, part, **options), True),
+        (undivided(machine, part, **options), False),
+    ):
         (tmp_path / "own.nc").write_bytes(made.nc)
         given = {**asked, "against": str(tmp_path / "part.stl")}
-        found = {one.code for one in job.run(build_settings("audit", str(tmp_path / "own.nc"), given)).findings}
+        found = {
+            one.code for one in job.run(build_settings("audit", str(tmp_path / "own.nc"), given)).findings
+        }
         assert ("independent-rapid" not in found) == clear and "rapid-collision" not in found

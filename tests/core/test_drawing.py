@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The arrays of the 3D view: every block is in them, the worst is never lost, and the curves are the real ones."""
+"""The arrays of the 3D view: every block is in them, the worst is never lost, and the curves are the real
+ones."""
 
 import numpy as np
 import pytest
@@ -71,7 +72,9 @@ def test_the_curve_of_table_2_overshoots_its_chord():
     beyond = (picture.curve - start) @ along
     assert len(picture.curve) == CURVE_POINTS
     assert picture.curve[[0, -1]] == pytest.approx(picture.chord)
-    assert beyond.max() / np.linalg.norm(end - start) == pytest.approx(2.74, abs=0.01)  # the paper: k runs to 2.74
+    assert beyond.max() / np.linalg.norm(end - start) == pytest.approx(
+        2.74, abs=0.01
+    )  # the paper: k runs to 2.74
     foot, place = picture.spoke
     assert np.linalg.norm(place - foot) == pytest.approx(2.12642, abs=1e-4)
     assert np.linalg.norm(np.diff(picture.curve, axis=0), axis=1).sum() == pytest.approx(5.46, abs=0.01)
@@ -106,7 +109,9 @@ def test_rapids_are_drawn_where_they_really_go(dome, picture):
 
 def test_a_program_without_blocks_has_an_empty_picture():
     nothing = draw(examples.empty())
-    assert not len(nothing.stroke) and not len(nothing.foot) and not nothing.markers and not len(nothing.curve)
+    assert (
+        not len(nothing.stroke) and not len(nothing.foot) and not nothing.markers and not len(nothing.curve)
+    )
 
 
 def test_a_program_whose_blocks_all_stand_at_one_point_has_a_picture():

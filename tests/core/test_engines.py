@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Batches and studies on real engines: the same bytes from each, and a worker that is killed costs nothing that was done.
+"""Batches and studies on real engines: the same bytes from each, and a worker that is killed costs nothing
+that was done.
 
-Packages of others (loky, distributed, mpi4py) are in the slow ring; where they are not installed, their tests are skipped.
+Packages of others (loky, distributed, mpi4py) are in the slow ring; where they are not installed, their tests
+are skipped.
 """
 
 import shutil
@@ -15,7 +17,17 @@ import engines
 import pytest
 import roofs
 from engines import mpi_environment
-from roofs import WAY, Instead, Killing, contents, die_always, die_once, jobs_of, work_with_blank_pages, write_parts
+from roofs import (
+    WAY,
+    Instead,
+    Killing,
+    contents,
+    die_always,
+    die_once,
+    jobs_of,
+    work_with_blank_pages,
+    write_parts,
+)
 from small_studies import STUDIES, texts_of, try_study
 from thorough import some_in_core
 
@@ -91,7 +103,9 @@ def test_a_batch_makes_the_same_pages(engine, parts, expected, tmp_path):
 @some_in_core("name", STUDIES)
 def test_a_study_tells_the_same(name, engine, parts, told):
     shares = []
-    trial = try_study(name, str(parts / "a.stl"), engine.executor, lambda stage, fraction: shares.append((stage, fraction)))
+    trial = try_study(
+        name, str(parts / "a.stl"), engine.executor, lambda stage, fraction: shares.append((stage, fraction))
+    )
     assert texts_of(trial) == told(name)[1] and shares[-1][1] == 1.0
 
 
@@ -117,18 +131,23 @@ def test_the_jobs_of_a_killed_worker_run_again_and_none_twice(name, parts, expec
 def test_a_job_that_no_worker_survives_is_told_and_harms_no_other_bytes(name, parts, expected, tmp_path):
     with engines.OPEN[name]() as pool:
         rows = rows_of(run_batch(jobs_of(parts, tmp_path / "out"), Instead(pool, die_always)))
-    assert "died" in rows["b"]["error"] and "\n" not in rows["b"]["error"] and rows["b"]["verdict"] == "failed"
+    assert (
+        "died" in rows["b"]["error"] and "\n" not in rows["b"]["error"] and rows["b"]["verdict"] == "failed"
+    )
     for key, data in contents(tmp_path / "out").items():
         assert data == expected(True)[1][key] and key[0] != "b"
 
 
-KILLS = [(KILLED[0], name) for name in ("setup", "compare", "reach")] + [(name, "setup") for name in KILLED[1:]]
+KILLS = [(KILLED[0], name) for name in ("setup", "compare", "reach")] + [
+    (name, "setup") for name in KILLED[1:]
+]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "of"), KILLS)
 def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, parts, told, tmp_path):
-    """Pools of Python and loky break, which is one clear error and no result; a second run has all. Dask has another worker."""
+    """Pools of Python and loky break, which is one clear error and no result; a second run has all. Dask has
+    another worker."""
     mark, shares, roof = tmp_path / "died", [], str(parts / "a.stl")
 
     def tell(stage, fraction):
@@ -150,7 +169,18 @@ def test_a_worker_killed_in_a_study_is_told_or_its_task_is_done_again(name, of, 
 
 def made_by_command(parts, out, *words, before=()):
     """The files that ``batch`` writes, in a process of its own."""
-    command = [*before, "-m", "freecad_fiveaxis", "batch", str(parts), "--out", str(out), "--quiet", *words, *WORDS]
+    command = [
+        *before,
+        "-m",
+        "freecad_fiveaxis",
+        "batch",
+        str(parts),
+        "--out",
+        str(out),
+        "--quiet",
+        *words,
+        *WORDS,
+    ]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=600)
     assert done.returncode == cli.DONE_WITH_ERRORS, done.stderr
     return contents(out)
@@ -175,7 +205,9 @@ class Plain(roofs.Inline):
 def test_an_executor_may_know_little_of_its_end(parts, tmp_path, monkeypatch):
     """Of ``shutdown`` only what every executor has is asked for."""
     pool = Plain()
-    monkeypatch.setattr(crews, "find_crew", lambda name, workers: Crew(lambda number: pool, workers, threading.Event()))
+    monkeypatch.setattr(
+        crews, "find_crew", lambda name, workers: Crew(lambda number: pool, workers, threading.Event())
+    )
     with roofs.blank_pages():
         cli.main(["batch", str(parts), "--out", str(tmp_path / "out"), "--quiet", *WORDS])
     assert pool.ended and "batch.csv" in contents(tmp_path / "out")
@@ -183,7 +215,9 @@ def test_an_executor_may_know_little_of_its_end(parts, tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def by_command(parts, tmp_path_factory):
-    return made_by_command(parts, tmp_path_factory.mktemp("serial"), "--executor", "serial", before=[sys.executable])
+    return made_by_command(
+        parts, tmp_path_factory.mktemp("serial"), "--executor", "serial", before=[sys.executable]
+    )
 
 
 @pytest.mark.slow
@@ -199,4 +233,7 @@ def test_the_command_on_a_scheduler_of_dask_makes_the_same_files(parts, by_comma
     distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
         address = cluster.scheduler_address.replace("tcp://", "dask://")
-        assert made_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable]) == by_command
+        assert (
+            made_by_command(parts, tmp_path / "out", "--executor", address, before=[sys.executable])
+            == by_command
+        )

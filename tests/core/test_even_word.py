@@ -21,13 +21,17 @@ def bounds(seed, count=60):
 
 
 def least_peak(along, low, high):
-    """The least rate at which a word between the bounds exists: a linear program over the word and the rate."""
+    """The least rate at which a word between the bounds exists: a linear program over the word and the
+    rate."""
     n, step = len(along), np.diff(along)
     move = np.eye(n, n + 1, 1)[:-1] - np.eye(n, n + 1)[:-1]
     up, down = move.copy(), -move
     up[:, n] = down[:, n] = -step
     found = linprog(
-        np.eye(1, n + 1, n)[0], np.vstack([up, down]), np.zeros(2 * n - 2), bounds=[*zip(low, high, strict=True), (0, None)]
+        np.eye(1, n + 1, n)[0],
+        np.vstack([up, down]),
+        np.zeros(2 * n - 2),
+        bounds=[*zip(low, high, strict=True), (0, None)],
     )
     return found.x[n] if found.status == 0 else np.inf
 
@@ -61,7 +65,12 @@ def test_a_rate_that_is_too_low_would_be_noticed():
 
 
 def test_where_one_place_needs_two_words_there_are_no_rates():
-    assert even.least_rates(np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0, 5, 5]), np.array([1.0, 1, 6, 6]), 1e-3) is None
+    assert (
+        even.least_rates(
+            np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0, 5, 5]), np.array([1.0, 1, 6, 6]), 1e-3
+        )
+        is None
+    )
 
 
 def test_a_word_that_turns_no_faster_is_left_alone():
@@ -79,7 +88,9 @@ def test_the_laziest_word_travels_least(seed):
     grid = np.unique(np.concatenate([low, high, word[:1]]))
     cost = np.where(grid == word[0], 0.0, np.inf)
     for least, most in zip(low[1:], high[1:], strict=True):
-        cost = np.minimum(np.minimum.accumulate(cost - grid) + grid, np.minimum.accumulate((cost + grid)[::-1])[::-1] - grid)
+        cost = np.minimum(
+            np.minimum.accumulate(cost - grid) + grid, np.minimum.accumulate((cost + grid)[::-1])[::-1] - grid
+        )
         cost[(grid < least) | (grid > most)] = np.inf
     assert np.abs(np.diff(made)).sum() == pytest.approx(cost.min(), abs=1e-9)
     in_turn = [np.clip(word[0], low[0], high[0])]

@@ -85,7 +85,14 @@ def test_half_of_the_blade_and_the_tops_of_the_others_can_be_seen_from_above():
     for name in CLOSED:
         vertex, face = parts.PARTS[name]()
         mesh = from_faces(vertex, face)
-        shadow = np.abs(np.cross(vertex[face[:, 1]] - vertex[face[:, 0]], vertex[face[:, 2]] - vertex[face[:, 0]])[:, 2]) / 2
+        shadow = (
+            np.abs(
+                np.cross(vertex[face[:, 1]] - vertex[face[:, 0]], vertex[face[:, 2]] - vertex[face[:, 0]])[
+                    :, 2
+                ]
+            )
+            / 2
+        )
         up = mesh.normal[:, 2] > 0
         assert shadow[up].sum() == pytest.approx(shadow[~up].sum(), rel=1e-6)
         assert shadow[up].sum() > 2000
@@ -96,7 +103,12 @@ def test_the_freeform_part_has_233_uneven_facets_that_all_look_up():
     mesh = from_faces(vertex, face)
     assert len(face) == len(mesh.face) == 233
     assert mesh.normal[:, 2].min() > 0.6
-    area = np.linalg.norm(np.cross(vertex[face[:, 1]] - vertex[face[:, 0]], vertex[face[:, 2]] - vertex[face[:, 0]]), axis=1) / 2
+    area = (
+        np.linalg.norm(
+            np.cross(vertex[face[:, 1]] - vertex[face[:, 0]], vertex[face[:, 2]] - vertex[face[:, 0]]), axis=1
+        )
+        / 2
+    )
     assert area.max() > 5 * area.min()
     plan = area * mesh.normal[:, 2]
     assert plan.sum() == pytest.approx(100 * 60)  # no gap, no overlap
@@ -114,7 +126,9 @@ def test_parts_are_the_same_every_time(name):
 
 def test_the_script_writes_every_part_as_stl(tmp_path):
     folder = tmp_path / "new" / "parts"
-    done = subprocess.run([sys.executable, str(SCRIPT), str(folder)], capture_output=True, text=True, timeout=60, cwd=tmp_path)
+    done = subprocess.run(
+        [sys.executable, str(SCRIPT), str(folder)], capture_output=True, text=True, timeout=60, cwd=tmp_path
+    )
     assert done.returncode == 0, done.stderr
     assert sorted(path.stem for path in folder.glob("*.stl")) == sorted(parts.PARTS)
     mesh = read_stl(folder / "dome.stl")

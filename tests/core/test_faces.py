@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facets of a part that lie on faces from another file: flat and curved, in other facets, and what is refused."""
+"""Facets of a part that lie on faces from another file: flat and curved, in other facets, and what is
+refused."""
 
 import itertools
 import json
@@ -36,10 +37,14 @@ def test_a_face_in_other_facets_chooses_the_facets_that_lie_on_it_and_no_others(
 
 def test_a_face_that_covers_half_a_facet_does_not_choose_it_and_says_so():
     mesh = step()
-    both = from_triangles(np.concatenate([part.vertex[part.face] for part in (floor(-30, 0), floor(0, 15, z=6.0))]))
+    both = from_triangles(
+        np.concatenate([part.vertex[part.face] for part in (floor(-30, 0), floor(0, 15, z=6.0))])
+    )
     chosen, said = facets_on(mesh, both, 0.01)
     assert (mesh.vertex[mesh.face[chosen]][..., 2] == 0.0).all()
-    assert [one.code for one in said] == ["faces-chosen", "faces-missed"] and said[1].value == pytest.approx(15 * 40)
+    assert [one.code for one in said] == ["faces-chosen", "faces-missed"] and said[1].value == pytest.approx(
+        15 * 40
+    )
 
 
 @pytest.mark.parametrize("steps", [16, 40, 200])
@@ -53,7 +58,11 @@ def test_a_curved_face_is_found_though_its_facets_are_coarser_or_finer(steps):
 
 def test_the_sag_is_that_of_the_arc_and_an_edge_has_none():
     mesh = round_groove(5.0, 64, length=0.2)
-    curved = (mesh.vertex[mesh.face][..., 2].min(axis=1) < -1e-9) & (np.abs(mesh.normal[:, 0]) < 0.5) & (mesh.normal[:, 2] > 0.1)
+    curved = (
+        (mesh.vertex[mesh.face][..., 2].min(axis=1) < -1e-9)
+        & (np.abs(mesh.normal[:, 0]) < 0.5)
+        & (mesh.normal[:, 2] > 0.1)
+    )
     chord = 2.0 * 5.0 * np.sin(np.pi / 128.0)
     arc = 5.0 - 5.0 * np.cos(np.pi / 128.0)
     assert facet_sags(mesh)[curved] == pytest.approx(arc * np.hypot(chord, 0.2) / chord, rel=1e-3)
@@ -83,7 +92,13 @@ def files(tmp_path):
 
 
 def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clear_of(files):
-    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "gouge": "leave-out", "rest": "on"}
+    options = {
+        "machine": "trunnion_ac",
+        "cutter": "ball:8",
+        "stepover": 2,
+        "gouge": "leave-out",
+        "rest": "on",
+    }
     options |= {"tool_axis": "fixed", "linearize": "on"}
     settings = build_settings("mill", str(files / "part.stl"), {**options, "faces": str(files / "floor.stl")})
     result = job.run(settings)
@@ -92,20 +107,33 @@ def test_only_the_faces_are_machined_and_the_wall_beside_them_is_still_kept_clea
     assert set(result.rest.facet) == set(np.flatnonzero(made.keep)) and made.keep.sum() == 2
     codes = {one.code for one in result.findings}
     assert {"faces-chosen", "left-out"} <= codes and not codes & {"overcut", "rapid-collision"}
-    assert made.path.tip[made.path.motion == 0][:, 1].max() < -4.0 + 0.1  # the wall stands at y = 0, the ball has radius 4
+    assert (
+        made.path.tip[made.path.motion == 0][:, 1].max() < -4.0 + 0.1
+    )  # the wall stands at y = 0, the ball has radius 4
 
 
 def test_faces_to_be_avoided_are_not_machined_and_the_others_are(files):
-    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 4, "passes": "planes", "max_axis_angle": 30}
+    options = {
+        "machine": "trunnion_ac",
+        "cutter": "ball:8",
+        "stepover": 4,
+        "passes": "planes",
+        "max_axis_angle": 30,
+    }
     part = str(files / "part.stl")
     whole, some = (
-        job.make(build_settings("mill", part, {**options, **more})) for more in ({}, {"avoid": str(files / "floor.stl")})
+        job.make(build_settings("mill", part, {**options, **more}))
+        for more in ({}, {"avoid": str(files / "floor.stl")})
     )
     lost = np.setdiff1d(np.flatnonzero(whole.keep), np.flatnonzero(some.keep))
-    assert len(lost) == 2 and (some.mesh.vertex[some.mesh.face[lost]][..., 2] == 0.0).all() and some.keep.any()
+    assert (
+        len(lost) == 2 and (some.mesh.vertex[some.mesh.face[lost]][..., 2] == 0.0).all() and some.keep.any()
+    )
     told = next(one for one in some.findings if one.code == "faces-avoided")
     assert told.value == pytest.approx(some.mesh.area[lost].sum()) and "are not machined" in told.text
-    with pytest.raises(SettingsError, match=r"all that is to be machined lies on floor\.stl; leave out --avoid"):
+    with pytest.raises(
+        SettingsError, match=r"all that is to be machined lies on floor\.stl; leave out --avoid"
+    ):
         both = {"faces": str(files / "floor.stl"), "avoid": str(files / "floor.stl")}
         job.make(build_settings("mill", part, {**options, **both}))
 
@@ -116,8 +144,16 @@ def test_on_the_command_line_and_in_job_files(files, capsys):
     part, faces = str(files / "part.stl"), str(files / "floor.stl")
     assert main(["mill", part, *common, "--faces", faces, "-o", out]) == 0
     assert "lie on floor.stl and are machined" in " ".join(capsys.readouterr().out.split())
-    options = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 6, "passes": "planes", "faces": "floor.stl"}
-    (files / "job.json").write_text(json.dumps({"task": "mill", "source": "part.stl", "output": "b.ngc", **options}))
+    options = {
+        "machine": "trunnion_ac",
+        "cutter": "ball:8",
+        "stepover": 6,
+        "passes": "planes",
+        "faces": "floor.stl",
+    }
+    (files / "job.json").write_text(
+        json.dumps({"task": "mill", "source": "part.stl", "output": "b.ngc", **options})
+    )
     assert main(["run", str(files / "job.json"), "--quiet"]) == 0
     assert (files / "a.ngc").read_bytes() == (files / "b.ngc").read_bytes()
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tree of the facets: the same by portions of any size and any number of threads; and what puts columns in order for large meshes."""
+"""The tree of the facets: the same by portions of any size and any number of threads; and what puts columns
+in order for large meshes."""
 
 import dataclasses
 
@@ -40,7 +41,9 @@ def test_another_tree_would_be_noticed():
 
 def test_each_facet_comes_first_once_and_copies_are_marked():
     tree = facet_tree.planted(bowl())
-    assert np.array_equal(tree.facet_first, np.isin(np.arange(len(tree.facet)), np.unique(tree.facet, return_index=True)[1]))
+    assert np.array_equal(
+        tree.facet_first, np.isin(np.arange(len(tree.facet)), np.unique(tree.facet, return_index=True)[1])
+    )
 
 
 def test_points_are_put_in_order_as_unique_rows_are():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What `auto` cuts: facets and contacts are left out only where no axis is free, whatever way their normals look."""
+"""What `auto` cuts: facets and contacts are left out only where no axis is free, whatever way their normals
+look."""
 
 import math
 from functools import cache
@@ -25,7 +26,13 @@ from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:6:40", "passes": "scallop", "stepover": 1.5, "tool_axis": "auto"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:6:40",
+    "passes": "scallop",
+    "stepover": 1.5,
+    "tool_axis": "auto",
+}
 RIGHT = math.pi / 2
 
 
@@ -56,11 +63,15 @@ def feed_places(made):
     words = made.program.words
     row = np.flatnonzero(made.program.motion[1:] != Motion.RAPID)
     share = np.linspace(0.0, 1.0, 20)[:, None, None]
-    return forward(made.kinematics, words_to_q((words[row] + share * (words[row + 1] - words[row])).reshape(-1, words.shape[1])))
+    return forward(
+        made.kinematics,
+        words_to_q((words[row] + share * (words[row + 1] - words[row])).reshape(-1, words.shape[1])),
+    )
 
 
 def finished(made, points):
-    """Which points of the surface the ball comes to within 0.2 mm (a stepover of 1.5 leaves 0.1 on a flat)."""
+    """Which points of the surface the ball comes to within 0.2 mm (a stepover of 1.5 leaves 0.1 on a
+    flat)."""
     tip, axis = feed_places(made)
     return cKDTree(tip + 3.0 * axis).query(points)[0] <= 3.0 + 0.2
 
@@ -68,7 +79,8 @@ def finished(made, points):
 @pytest.mark.thorough
 @some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
 def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_from_below(nodes):
-    """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at most."""
+    """Normals of the sphere's lower half look down; a ball gets there from the side, its shank level at
+    most."""
     made = sphere_milled(nodes)
     middle = made.mesh.vertex[made.mesh.face].mean(axis=1)
     under = (made.mesh.normal[:, 2] < -0.2) & (made.mesh.normal[:, 2] > -0.8) & (middle[:, 2] > 15.0)
@@ -84,7 +96,13 @@ def test_the_underside_of_a_sphere_on_a_stem_is_cut_by_axes_that_do_not_look_up_
 def test_nothing_enters_and_nothing_is_told_that_is_not_so(nodes):
     result = job.prove(sphere_milled(nodes))
     codes = {one.code for one in result.findings}
-    assert not codes & {"overcut", "holder-collision", "rapid-collision", "facets-looking-down", "no-free-axis"}
+    assert not codes & {
+        "overcut",
+        "holder-collision",
+        "rapid-collision",
+        "facets-looking-down",
+        "no-free-axis",
+    }
     assert summary(job.figures(result))["unfinished_share"] < 0.05
 
 
@@ -142,7 +160,9 @@ def test_contacts_without_a_free_axis_are_left_out_and_the_pass_goes_on_behind_t
 @pytest.mark.usefixtures("some_nodes")
 def test_where_no_axis_is_free_at_all_an_error_says_so():
     mesh = slot(5.0, 40.0, 60.0)
-    inside = (np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, 0]) < 2.6) & (mesh.vertex[mesh.face].mean(axis=1)[:, 2] > 5.0)
+    inside = (np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, 0]) < 2.6) & (
+        mesh.vertex[mesh.face].mean(axis=1)[:, 2] > 5.0
+    )
     with pytest.raises(ReachError, match="too tight for the cutter; use a smaller one"):
         job.make(build_settings("mill", "part", OPTIONS), mesh=mesh, faces=inside)
 

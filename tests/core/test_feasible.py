@@ -13,7 +13,8 @@ STEPS = (30.0, 24.0, 14.0)  # heights of the treads, mm; each 20 mm deep along X
 
 
 def prism(profile, width):
-    """A solid of a counter-clockwise profile in XZ, from y = -width/2 to width/2; the profile is convex seen from (0, 0)."""
+    """A solid of a counter-clockwise profile in XZ, from y = -width/2 to width/2; the profile is convex seen
+    from (0, 0)."""
     x, z = np.array(profile, float).T
     n, front, back = len(x), -width / 2, width / 2
     near, far = np.column_stack([x, np.full(n, front), z]), np.column_stack([x, np.full(n, back), z])
@@ -26,7 +27,8 @@ def prism(profile, width):
 
 @pytest.fixture
 def stairs(tmp_path):
-    """A stepped block whose walls stand upright; seen from its lower back corner every part of the profile is in sight."""
+    """A stepped block whose walls stand upright; seen from its lower back corner every part of the profile is
+    in sight."""
     profile = [
         (0.0, 0.0),
         (60.0, 0.0),
@@ -52,7 +54,9 @@ def least_distance_to_the_steps(centre):
     distance = np.full(len(centre), np.inf)
     for k, height in enumerate(STEPS):
         low, high = np.array([20.0 * k, -20.0, 0.0]), np.array([20.0 * (k + 1), 20.0, height])
-        distance = np.minimum(distance, np.linalg.norm(np.maximum(0, np.maximum(low - centre, centre - high)), axis=1))
+        distance = np.minimum(
+            distance, np.linalg.norm(np.maximum(0, np.maximum(low - centre, centre - high)), axis=1)
+        )
     return distance
 
 
@@ -65,7 +69,9 @@ def centres_along_feed(made):
     return ((1 - u) * centre[end - 1] + u * centre[end]).reshape(-1, 3)
 
 
-@pytest.mark.parametrize("options", [{"max_axis_angle": "60"}, {"max_axis_angle": "60", "tool_axis": "fixed", "lead": "5"}])
+@pytest.mark.parametrize(
+    "options", [{"max_axis_angle": "60"}, {"max_axis_angle": "60", "tool_axis": "fixed", "lead": "5"}]
+)
 def test_the_ball_stops_short_of_a_wall_that_is_left_out(stairs, options):
     made = milled(stairs, **options)
     cut = made.path.motion <= Motion.FILL
@@ -76,22 +82,30 @@ def test_the_ball_stops_short_of_a_wall_that_is_left_out(stairs, options):
 @pytest.mark.parametrize("order", ["zigzag", "one_way"])
 @pytest.mark.parametrize("direction", ["0", "180"])
 def test_a_tread_is_cut_up_to_its_wall_whichever_way_the_pass_goes(stairs, direction, order):
-    """Up to where the ball touches the wall that is left out, on every tread of every pass: 5 mm before it."""
+    """Up to where the ball touches the wall that is left out, on every tread of every pass: 5 mm before
+    it."""
     made = milled(stairs, max_axis_angle="60", direction=direction, order=order)
     cut = made.path.pass_ >= 0
     for pass_ in np.unique(made.path.pass_[cut]):
         for tread, wall in ((STEPS[1], 20.0), (STEPS[2], 40.0)):
-            reach = made.path.contact[cut & (made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - tread) < 1e-6), 0]
-            assert reach.min() == pytest.approx(wall + 5.0, abs=1e-6) and reach.max() == pytest.approx(wall + 20.0, abs=1e-6)
+            reach = made.path.contact[
+                cut & (made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - tread) < 1e-6), 0
+            ]
+            assert reach.min() == pytest.approx(wall + 5.0, abs=1e-6) and reach.max() == pytest.approx(
+                wall + 20.0, abs=1e-6
+            )
 
 
 def test_a_tool_that_leans_towards_the_wall_stops_before_it_and_says_so(stairs):
-    """Cut towards the wall with a lead, it would retract through the wall; cut away from it, it leans away."""
+    """Cut towards the wall with a lead, it would retract through the wall; cut away from it, it leans
+    away."""
     made = milled(stairs, max_axis_angle="60", tool_axis="fixed", lead="5")
     said = {finding.code: finding for finding in made.findings}["axis-into-part"]
     assert said.value > 10.0
     for pass_, back in ((0, False), (1, True)):
-        row = made.path.contact[(made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - STEPS[1]) < 1e-6), 0]
+        row = made.path.contact[
+            (made.path.pass_ == pass_) & (np.abs(made.path.contact[:, 2] - STEPS[1]) < 1e-6), 0
+        ]
         assert (row.min() > 30.0) == back
 
 
@@ -116,7 +130,9 @@ def test_lead_beyond_the_rotary_limits_leaves_out_and_does_not_refuse(stairs):
     made = milled(stairs, machine="linuxcnc_xyzac_trt", lead="-20", tilt="20")
     assert "axis-beyond-limits" in {finding.code for finding in made.findings}
     words = np.radians(made.program.words[:, 3:])
-    assert (words >= made.kinematics.low[3:] - 1e-6).all() and (words <= made.kinematics.high[3:] + 1e-6).all()
+    assert (words >= made.kinematics.low[3:] - 1e-6).all() and (
+        words <= made.kinematics.high[3:] + 1e-6
+    ).all()
 
 
 @pytest.mark.thorough

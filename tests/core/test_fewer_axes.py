@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machines of three and four axes: their files, kinematics by hand, programs, audit, play, and what is refused by name."""
+"""Machines of three and four axes: their files, kinematics by hand, programs, audit, play, and what is
+refused by name."""
 
 from __future__ import annotations
 
@@ -59,7 +60,8 @@ ASIDE_APT = LEANING_APT.replace("0,0.5,0.866025404", "0.5,0,0.866025404")
 
 def linear():
     return tuple(
-        Axis(letter, False, "head", way, low=-500, high=500, max_rate=9000) for letter, way in zip("XYZ", (X, Y, Z), strict=True)
+        Axis(letter, False, "head", way, low=-500, high=500, max_rate=9000)
+        for letter, way in zip("XYZ", (X, Y, Z), strict=True)
     )
 
 
@@ -68,13 +70,19 @@ def three(**more):
 
 
 def table_a(way=X):
-    return Machine("table_a", (Axis("A", True, "table", way, PIVOT, max_rate=30.0), *linear()), safe_start=SafeStart("none"))
+    return Machine(
+        "table_a",
+        (Axis("A", True, "table", way, PIVOT, max_rate=30.0), *linear()),
+        safe_start=SafeStart("none"),
+    )
 
 
 def head_b():
     low, high = math.radians(-100), math.radians(100)
     return Machine(
-        "head_b", (*linear(), Axis("B", True, "head", Y, low=low, high=high, max_rate=30.0)), safe_start=SafeStart("none")
+        "head_b",
+        (*linear(), Axis("B", True, "head", Y, low=low, high=high, max_rate=30.0)),
+        safe_start=SafeStart("none"),
     )
 
 
@@ -120,14 +128,18 @@ def test_a_table_turns_the_part_about_its_pivot_as_by_hand():
     tip, axis = forward(kinematics, q)
     cos, sin = math.cos(math.radians(30)), math.sin(math.radians(30))
     y, z = 7.0 - PIVOT[1], 11.0 - PIVOT[2]
-    np.testing.assert_allclose(tip, [[3.0, PIVOT[1] + cos * y - sin * z, PIVOT[2] + sin * y + cos * z]], atol=1e-12)
+    np.testing.assert_allclose(
+        tip, [[3.0, PIVOT[1] + cos * y - sin * z, PIVOT[2] + sin * y + cos * z]], atol=1e-12
+    )
     np.testing.assert_allclose(axis, [[0.0, -sin, cos]], atol=1e-12)
 
 
 def test_a_head_swings_the_tool_by_its_length_as_by_hand():
     kinematics = chain(head_b(), Setup(tool_length=120.0))
     tip, axis = forward(kinematics, np.array([[0.0, 0.0, 0.0, math.radians(30), 0.0]]))
-    np.testing.assert_allclose(tip, [[-120.0 * 0.5, 0.0, 120.0 * (1.0 - math.cos(math.radians(30)))]], atol=1e-12)
+    np.testing.assert_allclose(
+        tip, [[-120.0 * 0.5, 0.0, 120.0 * (1.0 - math.cos(math.radians(30)))]], atol=1e-12
+    )
     np.testing.assert_allclose(axis, [[0.5, 0.0, math.cos(math.radians(30))]], atol=1e-12)
 
 
@@ -135,7 +147,9 @@ def test_a_head_swings_the_tool_by_its_length_as_by_hand():
 def test_inverse_is_the_way_back_and_never_near_a_pole(name):
     kinematics = chain(MACHINES[name](), Setup(tool_length=120.0))
     turn = np.zeros(50) if name == "three" else np.linspace(-1.5, 1.5, 50)
-    q = np.column_stack([np.linspace(-90, 90, 50), np.linspace(40, -40, 50), np.linspace(0, 30, 50), turn, np.zeros(50)])
+    q = np.column_stack(
+        [np.linspace(-90, 90, 50), np.linspace(40, -40, 50), np.linspace(0, 30, 50), turn, np.zeros(50)]
+    )
     words, sine = inverse(kinematics, *forward(kinematics, q))
     assert np.abs(words - q).max(axis=(2)).min(axis=0).max() < 1e-9
     np.testing.assert_allclose(sine, 1.0, atol=1e-12)
@@ -168,7 +182,9 @@ def test_a_program_of_four_axes_says_the_one_word_and_the_bound_holds(files):
 
 
 @pytest.mark.parametrize(("name", "path"), [("three", "level"), ("table_a", "leaning"), ("head_b", "aside")])
-@pytest.mark.parametrize("controller", ["linuxcnc", "fanuc", "haas", "siemens840d", "heidenhain", "mach3", "grbl"])
+@pytest.mark.parametrize(
+    "controller", ["linuxcnc", "fanuc", "haas", "siemens840d", "heidenhain", "mach3", "grbl"]
+)
 def test_what_is_posted_is_read_again_by_every_controller(files, name, path, controller):
     if name == "head_b":
         (files / "aside.apt").write_text(
@@ -225,7 +241,12 @@ def test_audit_and_every_output_name_the_real_axes_alone(files, name, path):
     nc = files / "out.ngc"
     nc.write_bytes(made.nc)
     reports = [str(files / ("report" + kind)) for kind in (".html", ".json", ".txt")]
-    options = {"machine": str(files / f"{name}.fcm"), "report": reports, "blocks": str(files / "blocks.csv"), "tolerance": 0.05}
+    options = {
+        "machine": str(files / f"{name}.fcm"),
+        "report": reports,
+        "blocks": str(files / "blocks.csv"),
+        "tolerance": 0.05,
+    }
     write_outputs(job.run(build_settings("audit", str(nc), options)))
     letters = "X,Y,Z" + (",A" if name == "table_a" else "")
     assert (files / "blocks.csv").read_text().splitlines()[0].startswith(f"block,line,motion,{letters},feed")
@@ -265,13 +286,20 @@ def test_the_dome_is_milled_with_the_tool_along_z(parts, files):
 )
 def test_what_needs_a_leaning_tool_is_refused_with_the_remedy(parts, files, options, told):
     with pytest.raises(SettingsError, match=told):
-        job.run(build_settings("mill", str(parts / "dome.stl"), {"machine": str(files / "three.fcm"), **options}))
+        job.run(
+            build_settings("mill", str(parts / "dome.stl"), {"machine": str(files / "three.fcm"), **options})
+        )
 
 
-@pytest.mark.parametrize(("name", "strategy"), [("three", "fixed"), ("table_a", "facet_mean"), ("trunnion_ac", "auto")])
+@pytest.mark.parametrize(
+    ("name", "strategy"), [("three", "fixed"), ("table_a", "facet_mean"), ("trunnion_ac", "auto")]
+)
 def test_a_tool_axis_that_is_not_named_is_one_that_the_machine_can_follow(name, strategy, files):
     machine = load_machine(name if name == "trunnion_ac" else files / f"{name}.fcm")
-    open_, named = (settings.build_settings("mill", "a.stl", {"machine": "x", **given}) for given in ({}, {"tool_axis": "auto"}))
+    open_, named = (
+        settings.build_settings("mill", "a.stl", {"machine": "x", **given})
+        for given in ({}, {"tool_axis": "auto"})
+    )
     assert suit_tool_axis(open_, machine).tool_axis.tool_axis == strategy
     assert suit_tool_axis(named, machine) == named
 
@@ -297,7 +325,9 @@ def test_linuxcnc_reads_the_four_axes_as_they_are_written(files):
     made = posted(files, "table_a", "leaning", linearize="on").draft
     nc = files / "out.ngc"
     nc.write_bytes(made.nc)
-    told = subprocess.run(["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=60, check=True).stdout
+    told = subprocess.run(
+        ["rs274", "-g", str(nc)], capture_output=True, text=True, timeout=60, check=True
+    ).stdout
     moves = [line for line in told.splitlines() if "STRAIGHT_FEED" in line]
     last = [float(word) for word in moves[-1].split("(")[1].rstrip(")").split(",")]
     feeds = made.program.words[made.program.motion != 3]
@@ -306,4 +336,12 @@ def test_linuxcnc_reads_the_four_axes_as_they_are_written(files):
 
 def test_two_stand_ins_are_errors_of_no_machine():
     with pytest.raises(FiveAxisError, match="at most 2"):
-        Machine("six", (Axis("A", True, "table", X), Axis("B", True, "table", Y), Axis("C", True, "table", Z), *linear()))
+        Machine(
+            "six",
+            (
+                Axis("A", True, "table", X),
+                Axis("B", True, "table", Y),
+                Axis("C", True, "table", Z),
+                *linear(),
+            ),
+        )

@@ -52,7 +52,12 @@ def test_a_missing_file_is_named(tmp_path):
 def test_a_name_that_no_file_can_have_is_an_error_of_ours(tmp_path, name):
     assert not is_name(name)
     path = os.path.join(tmp_path, name)
-    for act in (check_readable, check_writable, lambda one: read_bytes(one, "file"), lambda one: write_whole(one, b"")):
+    for act in (
+        check_readable,
+        check_writable,
+        lambda one: read_bytes(one, "file"),
+        lambda one: write_whole(one, b""),
+    ):
         with pytest.raises(FileError, match="cannot be the name of a file"):
             act(path)
     assert os.listdir(tmp_path) == []
@@ -71,6 +76,10 @@ def test_a_name_of_any_other_bytes_is_written_and_read(tmp_path, name):
 
 
 def test_what_is_no_file_to_read_is_named_for_what_it_is(tmp_path):
-    for path, said in ((tmp_path, "is a folder"), (tmp_path / "gone", "does not exist"), (os.devnull, "no ordinary file")):
+    for path, said in (
+        (tmp_path, "is a folder"),
+        (tmp_path / "gone", "does not exist"),
+        (os.devnull, "no ordinary file"),
+    ):
         with pytest.raises(FileError, match=said):
             check_readable(path)

@@ -25,11 +25,17 @@ MARKERS = CORE / "report" / "drawing.py"
 
 @functools.cache
 def trees():
-    return {path: ast.parse(path.read_text(encoding="utf-8")) for path in CORE.rglob("*.py") if path not in ELSEWHERE}
+    return {
+        path: ast.parse(path.read_text(encoding="utf-8"))
+        for path in CORE.rglob("*.py")
+        if path not in ELSEWHERE
+    }
 
 
 def calls(tree, name):
-    return [one for one in ast.walk(tree) if isinstance(one, ast.Call) and getattr(one.func, "id", "") == name]
+    return [
+        one for one in ast.walk(tree) if isinstance(one, ast.Call) and getattr(one.func, "id", "") == name
+    ]
 
 
 def used(tree):
@@ -55,10 +61,18 @@ def test_every_code_of_the_list_is_used():
 
 @pytest.mark.parametrize("code", Code, ids=str)
 def test_a_code_is_a_word_that_stays_one_wherever_it_goes(code):
-    assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", code.value) and code.name == code.value.upper().replace("-", "_")
+    assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", code.value) and code.name == code.value.upper().replace(
+        "-", "_"
+    )
     assert f"{code}" == str(code) == code == code.value and {code.value: 1}[code] == 1
-    assert code.unit in ("", "1", "mm", "mm2", "deg", "deg/mm", "mm/min") and isinstance(code.severity, Severity)
-    assert code.meaning and code.meaning[0].islower() == code.meaning[:2].islower() and not code.meaning.endswith(".")
+    assert code.unit in ("", "1", "mm", "mm2", "deg", "deg/mm", "mm/min") and isinstance(
+        code.severity, Severity
+    )
+    assert (
+        code.meaning
+        and code.meaning[0].islower() == code.meaning[:2].islower()
+        and not code.meaning.endswith(".")
+    )
 
 
 def test_meanings_are_told_apart():
@@ -66,14 +80,18 @@ def test_meanings_are_told_apart():
 
 
 def test_severity_and_unit_are_those_of_the_code_unless_given():
-    assert report_finding(Code.OVERCUT, "text", 0.5) == Finding(Severity.ERROR, "overcut", "text", 0.5, unit="mm")
+    assert report_finding(Code.OVERCUT, "text", 0.5) == Finding(
+        Severity.ERROR, "overcut", "text", 0.5, unit="mm"
+    )
     assert report_finding(Code.OVERCUT, "text").unit == ""
     given = report_finding(Code.OVERCUT, "text", 0.5, severity=Severity.NOTE, unit="deg")
     assert (given.severity, given.unit) == (Severity.NOTE, "deg")
 
 
 def test_the_page_is_the_list():
-    done = subprocess.run([sys.executable, ROOT / "scripts" / "pages", "check"], capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, ROOT / "scripts" / "pages", "check"], capture_output=True, text=True
+    )
     assert (done.returncode, done.stdout) == (0, "")
     page = (ROOT / "docs" / "findings.md").read_text(encoding="utf-8")
     assert [one.value for one in codes.Code] == re.findall(r"^\| `([a-z0-9-]+)` \|", page, re.MULTILINE)

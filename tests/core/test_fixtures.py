@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool against fixtures: by closed forms and dense samples of a clamp beside the top of a plate; the path laid around it; the
-command line."""
+"""The tool against fixtures: by closed forms and dense samples of a clamp beside the top of a plate; the path
+laid around it; the command line."""
 
 import numpy as np
 import pytest
@@ -47,7 +47,8 @@ def hits(result):
 
 
 def sampled_depth(made, low, high, many=200):
-    """By dense samples of the real way, mm: how deep the ball of 6 is in the box, whose faces it meets from outside."""
+    """By dense samples of the real way, mm: how deep the ball of 6 is in the box, whose faces it meets from
+    outside."""
     q, u = words_to_q(made.program.words), np.linspace(0.0, 1.0, many)[:, None, None]
     q = (q[:-1] * (1.0 - u) + q[1:] * u).reshape(-1, 5)
     tip, axis = forward(made.kinematics, q)
@@ -74,7 +75,12 @@ def test_moved_away_by_as_much_it_is_free_and_a_tenth_nearer_it_is_not(files):
     def found(away):
         fixture = Fixture("clamp", clamp(np.subtract(LOW, (0, away, 0)), np.subtract(HIGH, (0, away, 0))))
         return check_fixtures(
-            (fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings)
+            (fixture,),
+            tool_body(made.settings),
+            made.kinematics,
+            made.program,
+            0.01,
+            tip_to_driven(made.settings),
         )
 
     assert not found(depth + 0.01)
@@ -82,7 +88,9 @@ def test_moved_away_by_as_much_it_is_free_and_a_tenth_nearer_it_is_not(files):
     assert one.value == pytest.approx(0.1, abs=0.02)
 
 
-@pytest.mark.parametrize("axes", [{}, {"passes": "scallop", "stepover": None, "scallop": 0.2, "tool_axis": "auto"}])
+@pytest.mark.parametrize(
+    "axes", [{}, {"passes": "scallop", "stepover": None, "scallop": 0.2, "tool_axis": "auto"}]
+)
 def test_a_path_goes_around_the_fixture_and_still_cuts_what_is_free(files, axes):
     bare, result = proved(files, **axes), proved(files, "clamp.stl", **axes)
     assert hits_of(bare, files)
@@ -96,7 +104,14 @@ def test_a_path_goes_around_the_fixture_and_still_cuts_what_is_free(files, axes)
 def hits_of(result, files):
     made = result.draft
     fixture = Fixture("clamp", clamp())
-    return check_fixtures((fixture,), tool_body(made.settings), made.kinematics, made.program, 0.01, tip_to_driven(made.settings))
+    return check_fixtures(
+        (fixture,),
+        tool_body(made.settings),
+        made.kinematics,
+        made.program,
+        0.01,
+        tip_to_driven(made.settings),
+    )
 
 
 def test_what_is_proven_of_fixtures_is_said_and_only_then(files):
@@ -129,7 +144,9 @@ def test_part_and_fixtures_are_joined_without_being_welded():
     part, touching = from_triangles(box((0, 0, 0), (30, 20, 10))), clamp((0, -7, 0), (30, 0, 10))
     joined = join_obstacles(part, (Fixture("jaw", touching),))
     assert join_obstacles(part, ()) is part
-    assert len(joined.face) == 24 and (joined.face[:12] == part.face).all() and (joined.coedge_face >= 0).all()
+    assert (
+        len(joined.face) == 24 and (joined.face[:12] == part.face).all() and (joined.coedge_face >= 0).all()
+    )
     np.testing.assert_array_equal(joined.vertex[joined.face[12:]], touching.vertex[touching.face])
     ends = np.sort(joined.coedge_vertex[joined.face_coedge], axis=2)
     sides = np.sort(np.stack([joined.face, np.roll(joined.face, -1, axis=1)], axis=2), axis=2)
@@ -154,7 +171,18 @@ def test_audit_and_post_look_at_fixtures_too(files, capsys):
 
 def test_an_audit_looks_at_the_holder_beside_fixtures_without_a_part(files, capsys):
     given = ["--machine", "trunnion_ac", "--tool-length", "120", "--cutter", "ball:6"]
-    path = ["--stepover", "2", "--passes", "planes", "--max-axis-angle", "30", "--spindle", "9000", "-o", str(files / "a.ngc")]
+    path = [
+        "--stepover",
+        "2",
+        "--passes",
+        "planes",
+        "--max-axis-angle",
+        "30",
+        "--spindle",
+        "9000",
+        "-o",
+        str(files / "a.ngc"),
+    ]
     assert main(["mill", str(files / "plate.stl"), *given, *path]) == 0
     audit = ["audit", str(files / "a.ngc"), *given, "--fixture", str(files / "tall.stl"), "--shank", "6x6"]
     assert main(audit) == 0
@@ -165,10 +193,21 @@ def test_an_audit_looks_at_the_holder_beside_fixtures_without_a_part(files, caps
 
 
 @pytest.mark.parametrize(("name", "said"), [("none.stl", "none.stl"), ("plate.txt", "plate.txt")])
-def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_written(files, capsys, name, said):
+def test_a_file_that_is_no_fixture_is_one_line_with_exit_code_2_and_nothing_is_written(
+    files, capsys, name, said
+):
     (files / "plate.txt").write_text("a vise\n")
     out = files / "never.ngc"
-    given = ["mill", str(files / "plate.stl"), "--machine", "trunnion_ac", "--cutter", "ball:6", "--fixture", str(files / name)]
+    given = [
+        "mill",
+        str(files / "plate.stl"),
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6",
+        "--fixture",
+        str(files / name),
+    ]
     assert main([*given, "-o", str(out)]) == 2
     lines = capsys.readouterr().err.strip().splitlines()
     assert len(lines) == 1 and said in lines[0] and not out.exists()
@@ -187,7 +226,11 @@ def test_what_comes_nearer_than_the_clearance_is_told_as_near_as_dense_samples_s
     assert away == pytest.approx(3.0, abs=1e-6)  # 1 mm in it, moved by 4
     (one,) = [one for one in result.findings if one.code == "fixture-near"]
     assert one.severity.name == "WARNING" and not hits(result)
-    assert one.value == pytest.approx(away, abs=0.02) and "nearer than" in str(one.text) and "5 mm are asked for" in str(one.text)
+    assert (
+        one.value == pytest.approx(away, abs=0.02)
+        and "nearer than" in str(one.text)
+        and "5 mm are asked for" in str(one.text)
+    )
     assert low[1] <= one.place[1] <= high[1] + 1e-9
 
 
@@ -199,7 +242,9 @@ def test_what_keeps_the_clearance_is_told_in_the_scope(files):
         figures = job.figures(result)
         told = " ".join(map(str, scope(figures, summary(figures)).proven))
         assert ("away from fixtures" in told) == kept, clearance
-        assert [one.code for one in result.findings if one.code == "fixture-near"] == ([] if kept else ["fixture-near"])
+        assert [one.code for one in result.findings if one.code == "fixture-near"] == (
+            [] if kept else ["fixture-near"]
+        )
 
 
 def test_a_collision_is_told_once_and_no_clearance_with_it(files):

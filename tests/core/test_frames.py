@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes in frames: few directions see it all, rotary axes are locked in each, and what none sees is told. By closed forms, by brute
-force and by a ball swept along the posted words."""
+"""Passes in frames: few directions see it all, rotary axes are locked in each, and what none sees is told. By
+closed forms, by brute force and by a ball swept along the posted words."""
 
 import itertools
 import math
@@ -58,15 +58,22 @@ def knob() -> Mesh:
     """A ball of 10 mm at Z 26 on a stem of 4 mm, turned about Z."""
     columns = 20
     polar = np.linspace(0.0, math.pi - math.asin(0.4), 14)
-    profile = np.concatenate([np.column_stack([10 * np.sin(polar), 26 + 10 * np.cos(polar)]), [[4.0, 0.0]]])[1:]
+    profile = np.concatenate([np.column_stack([10 * np.sin(polar), 26 + 10 * np.cos(polar)]), [[4.0, 0.0]]])[
+        1:
+    ]
     turn, k = 2 * math.pi * np.arange(columns) / columns, len(profile)
     ring = np.stack([np.outer(profile[:, 0], np.cos(turn)), np.outer(profile[:, 0], np.sin(turn))], axis=-1)
-    point = np.concatenate([ring, np.repeat(profile[:, 1, None, None], columns, axis=1)], axis=2).reshape(-1, 3)
+    point = np.concatenate([ring, np.repeat(profile[:, 1, None, None], columns, axis=1)], axis=2).reshape(
+        -1, 3
+    )
     row = np.arange(k * columns).reshape(k, columns)
     after = np.roll(row, -1, axis=1)
     a, b, c, d = (part.ravel() for part in (row[:-1], row[1:], after[1:], after[:-1]))
     top, low = k * columns, k * columns + 1
-    caps = [np.stack([np.full(columns, top), row[0], after[0]], 1), np.stack([np.full(columns, low), after[-1], row[-1]], 1)]
+    caps = [
+        np.stack([np.full(columns, top), row[0], after[0]], 1),
+        np.stack([np.full(columns, low), after[-1], row[-1]], 1),
+    ]
     face = np.concatenate([*caps, np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
     return from_faces(np.concatenate([point, [[0, 0, 36.0], [0, 0, 0.0]]]), face)
 
@@ -80,7 +87,14 @@ PARTS = {"block": block, "hexagon": hexagon, "knob": knob, "slot": slot}
 
 
 def milled(mesh, **given):
-    options = {"machine": "trunnion_ac", "cutter": "ball:6", "scallop": SCALLOP, "passes": "frames", "spindle": 9000, **given}
+    options = {
+        "machine": "trunnion_ac",
+        "cutter": "ball:6",
+        "scallop": SCALLOP,
+        "passes": "frames",
+        "spindle": 9000,
+        **given,
+    }
     return job.prove(job.make(build_settings("mill", "part", options), mesh=mesh))
 
 
@@ -96,7 +110,9 @@ def made_of(name, _):
 def axes_of(result):
     """The frames' axes, of what the note says."""
     text = next(str(one.text) for one in result.draft.findings if one.code == "frames")
-    return np.array([[float(x) for x in one.split(",")] for one in text.rstrip(".").split(": ")[1].split("; ")])
+    return np.array(
+        [[float(x) for x in one.split(",")] for one in text.rstrip(".").split(": ")[1].split("; ")]
+    )
 
 
 def rotary_of_feed(result):
@@ -108,7 +124,8 @@ def rotary_of_feed(result):
 
 
 def locked(result):
-    """The distinct rotary positions of feed blocks; that they turn in none, and that the text says it once a frame."""
+    """The distinct rotary positions of feed blocks; that they turn in none, and that the text says it once a
+    frame."""
     before, after = rotary_of_feed(result)
     assert (before == after).all()
     lines = result.draft.nc.decode().splitlines()
@@ -127,7 +144,9 @@ def centres(result, step=0.1):
     start, end = centre[:-1][feed], centre[1:][feed]  # straight: the rotary axes stand
     pieces = np.ceil(np.linalg.norm(end - start, axis=1) / step).astype(int) + 1
     row = np.repeat(np.arange(len(start)), pieces)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[
+        row
+    ]
     return start[row] + share[:, None] * (end - start)[row]
 
 
@@ -141,7 +160,8 @@ def spread(mesh, count, seed=7):
 
 
 def seen_by(mesh, axes, point, normal, lean=0.1):
-    """Whether (n,) the ball and its shank as wide stand free on each point with one of the axes, against points of the part."""
+    """Whether (n,) the ball and its shank as wide stand free on each point with one of the axes, against
+    points of the part."""
     cloud, centre, seen = spread(mesh, 6000, 3)[0], point + RADIUS * normal, np.zeros(len(point), bool)
     fits = cKDTree(cloud).query(centre)[0] > RADIUS - 0.05
     for axis in axes:
@@ -152,20 +172,26 @@ def seen_by(mesh, axes, point, normal, lean=0.1):
     return seen
 
 
-# ------------------------------------------------------------------------------------------------ few frames see it all
+# -------------------------------------------------------------------------------------- few frames see it all
 
 
 @pytest.mark.parametrize("name", ["block", "hexagon"])
 def test_two_frames_see_what_stands_upright_and_convex(name):
-    """A direction leans less than 90 deg from at most half of the sides all round, and two opposite ones from all."""
+    """A direction leans less than 90 deg from at most half of the sides all round, and two opposite ones from
+    all."""
     assert locked(of(name)) == 2
 
 
-@pytest.mark.parametrize("name", [pytest.param(one, marks=[pytest.mark.slow] * (one == "knob")) for one in PARTS])
+@pytest.mark.parametrize(
+    "name", [pytest.param(one, marks=[pytest.mark.slow] * (one == "knob")) for one in PARTS]
+)
 def test_rotary_axes_are_locked_in_each_frame(name):
     result = of(name)
     assert 1 <= locked(result) <= 12
-    assert not any(len(depth) and depth.max() > TOLERANCE for _, _, depth in result.gouge.cases(result.draft.program.motion[1:]))
+    assert not any(
+        len(depth) and depth.max() > TOLERANCE
+        for _, _, depth in result.gouge.cases(result.draft.program.motion[1:])
+    )
 
 
 def test_a_turn_in_a_feed_block_would_be_noticed():
@@ -203,7 +229,7 @@ def test_frames_finish_about_what_simultaneous_passes_finish(name):
     assert finished[0] > finished[1] - 0.03
 
 
-# ------------------------------------------------------------------------------------------------ where frames meet
+# ------------------------------------------------------------------------------------------ where frames meet
 
 
 FLAT = 2.0 * math.sqrt(2.0 * RADIUS * SCALLOP - SCALLOP**2)
@@ -230,8 +256,9 @@ def milled_and_frames(mesh, overlap, **given):
 
 
 def at_seams(result, frames, mesh, count, within):
-    """What is left (k,) mm at places no farther than ``within`` steps from where another frame's territory begins on a surface as
-    smooth as there; and which of these (k,) the ball can touch in the frame of their own, by a thick cloud of the surface."""
+    """What is left (k,) mm at places no farther than ``within`` steps from where another frame's territory
+    begins on a surface as smooth as there; and which of these (k,) the ball can touch in the frame of their
+    own, by a thick cloud of the surface."""
     point, normal = spread(mesh, count)
     own = frames.at(point, normal)
     place, far = np.hstack([point, 2.0 * FLAT * normal]), np.full(count, np.inf)
@@ -250,7 +277,9 @@ def comes_free(mesh, point, normal, axis, step=0.75):
     free = ((normal * axis).sum(axis=1) > 0.1) & (cloud.query(centre)[0] > RADIUS - 0.05)
     for height in np.arange(step, np.linalg.norm(mesh.box[1] - mesh.box[0]), step):
         rows = np.flatnonzero(free)
-        free[rows] = cloud.query(centre[rows] + height * axis[rows], distance_upper_bound=RADIUS)[0] > RADIUS - 0.05
+        free[rows] = (
+            cloud.query(centre[rows] + height * axis[rows], distance_upper_bound=RADIUS)[0] > RADIUS - 0.05
+        )
     return free
 
 
@@ -270,24 +299,34 @@ def test_at_smooth_seams_between_frames_no_more_than_the_scallop_stays_and_witho
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)")
+@pytest.mark.skipif(
+    not REAL.exists(), reason="the mesh sh1 of OCCT's samples is not here (Debian's occt-misc)"
+)
 @WITHIN
 def test_at_seams_on_a_real_part_no_more_than_two_scallops_stay_where_the_tool_is_free(within):
     """All seams, between sharp edges too; its seven frames see nine tenths of it."""
     mesh = read_stl(str(REAL))
-    rest, free = at_seams(*milled_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0)
+    rest, free = at_seams(
+        *milled_and_frames(mesh, frame_passes.OVERLAP, within_frames=within), mesh, 40_000, 1.0
+    )
     assert free.sum() > 500 and rest.min() > -TOLERANCE
-    assert np.quantile(rest[free], 0.99) <= SCALLOP + TOLERANCE and np.quantile(rest[free], 0.998) <= 2 * SCALLOP
+    assert (
+        np.quantile(rest[free], 0.99) <= SCALLOP + TOLERANCE and np.quantile(rest[free], 0.998) <= 2 * SCALLOP
+    )
 
 
-# ------------------------------------------------------------------------------------------------ what no frame sees
+# ----------------------------------------------------------------------------------------- what no frame sees
 
 
 def test_what_is_under_a_roof_is_told_with_its_area():
     """The ceiling of a shelf and what lies behind it."""
     mesh = shelf(gap=7.0, roof=6.0, back=25.0, length=20.0)
     result = milled(mesh, origin="0,0,80")
-    lost = [one for one in result.findings if one.code in ("outside-frames", "facets-without-free-axis", "facets-looking-down")]
+    lost = [
+        one
+        for one in result.findings
+        if one.code in ("outside-frames", "facets-without-free-axis", "facets-looking-down")
+    ]
     point, normal = spread(mesh, 3000)
     rest = cKDTree(centres(result)).query(point)[0] - RADIUS
     standing = (normal[:, 2] < -0.99) & (point[:, 2] < -4.9)
@@ -310,7 +349,10 @@ def fewest(free):
     """How many directions free all that any frees: by trying them all."""
     some = free.any(axis=1)
     return next(
-        n for n in range(1, 13) for of in itertools.combinations(range(free.shape[1]), n) if free[some][:, of].any(1).all()
+        n
+        for n in range(1, 13)
+        for of in itertools.combinations(range(free.shape[1]), n)
+        if free[some][:, of].any(1).all()
     )
 
 
@@ -318,7 +360,8 @@ def fewest(free):
 def test_the_cover_takes_no_more_than_one_direction_too_many(seed):
     random = np.random.default_rng(seed)
     normal, direction = (
-        v / np.linalg.norm(v, axis=1)[:, None] for v in (random.normal(size=(60, 3)), random.normal(size=(16, 3)))
+        v / np.linalg.norm(v, axis=1)[:, None]
+        for v in (random.normal(size=(60, 3)), random.normal(size=(16, 3)))
     )
     cosine = normal @ direction.T
     free = (cosine > 0.4) & (random.random(cosine.shape) > 0.1)
@@ -335,13 +378,15 @@ def test_the_cover_of_few_frees_nearly_as_much_as_any():
     assert len(chosen) == 3 and free[:, chosen].any(axis=1).sum() >= (1 - (1 - 1 / 3) ** 3) * best
 
 
-# ------------------------------------------------------------------------------------------------ the part turned, shifted, scaled
+# --------------------------------------------------------------------------- the part turned, shifted, scaled
 
 
 @pytest.mark.parametrize(("turn", "shift", "scale"), [(0.7, (20, -15, 0), 1.5)])
 def test_a_part_turned_shifted_or_scaled_is_cut_as_well(turn, shift, scale):
     mesh = hexagon()
-    matrix = np.array([[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1.0]])
+    matrix = np.array(
+        [[math.cos(turn), -math.sin(turn), 0], [math.sin(turn), math.cos(turn), 0], [0, 0, 1.0]]
+    )
     moved = from_faces(scale * np.asarray(mesh.vertex) @ matrix.T + shift, mesh.face)
     result = milled(moved)
     assert locked(result) == 2
@@ -350,7 +395,7 @@ def test_a_part_turned_shifted_or_scaled_is_cut_as_well(turn, shift, scale):
     assert np.quantile(rest[normal[:, 2] > -0.9], 0.99) <= 2 * SCALLOP + TOLERANCE
 
 
-# ------------------------------------------------------------------------------------------------ fewer axes, bad values
+# ------------------------------------------------------------------------------------- fewer axes, bad values
 
 
 def test_one_rotary_axis_gives_frames_in_its_plane(tmp_path):
@@ -380,7 +425,16 @@ def test_without_rotary_axes_there_is_one_frame_and_walls_are_told(tmp_path):
 )  # fmt: skip
 def test_what_frames_cannot_do_is_refused_in_one_line(words, said, tmp_path, capsys):
     write_stl(block(), tmp_path / "part.stl")
-    given = ["mill", str(tmp_path / "part.stl"), "--machine", "trunnion_ac", "--cutter", "ball:6", "--passes", "frames"]
+    given = [
+        "mill",
+        str(tmp_path / "part.stl"),
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6",
+        "--passes",
+        "frames",
+    ]
     code = cli.main([*given, *words, "-o", str(tmp_path / "out.ngc")])
     error = capsys.readouterr().err.strip()
     assert code == 2 and said in error and "\n" not in error
@@ -388,7 +442,9 @@ def test_what_frames_cannot_do_is_refused_in_one_line(words, said, tmp_path, cap
 
 
 def test_a_number_of_frames_alone_asks_for_frames():
-    assert build_settings("mill", "part.stl", {"machine": "trunnion_ac", "frames": 3}).passes.passes == "frames"
+    assert (
+        build_settings("mill", "part.stl", {"machine": "trunnion_ac", "frames": 3}).passes.passes == "frames"
+    )
 
 
 @pytest.mark.slow
@@ -398,7 +454,8 @@ def test_other_cutters_are_cut_in_frames_too():
 
 
 def test_frames_keep_clear_of_fixtures(tmp_path):
-    """A jaw along one long side, as high as the part: that side's lower half is not cut, and nothing enters the jaw."""
+    """A jaw along one long side, as high as the part: that side's lower half is not cut, and nothing enters
+    the jaw."""
     jaw = from_triangles(box((-15, 12.5, 0), (15, 30, 14)))
     write_stl(jaw, tmp_path / "jaw.stl")
     result, free = milled(block(), fixture=[str(tmp_path / "jaw.stl")]), of("block")
@@ -408,12 +465,12 @@ def test_frames_keep_clear_of_fixtures(tmp_path):
     assert not [one.code for one in result.findings if one.code in ("fixture-collision", "fixture-unproven")]
 
 
-# ------------------------------------------------------------------------------------------------ planes in each frame
+# --------------------------------------------------------------------------------------- planes in each frame
 
 
 def planar(result, angle):
-    """How far (k,) mm the contacts of each pass are from one plane that contains the pass's frame's axis and the travel, and how
-    far apart (j,) mm such planes of a frame are that follow one another."""
+    """How far (k,) mm the contacts of each pass are from one plane that contains the pass's frame's axis and
+    the travel, and how far apart (j,) mm such planes of a frame are that follow one another."""
     made = result.draft
     axes = np.unique(np.round(made.axis, 12), axis=0)  # the note rounds them
     travel = np.array([math.cos(angle), math.sin(angle), 0.0])
@@ -441,7 +498,9 @@ def test_planes_in_each_frame_contain_its_axis_and_leave_no_more_than_scallops()
     assert locked(result) == 2
     off, apart = planar(result, math.radians(30))
     flat = 2.0 * math.sqrt(2.0 * RADIUS * SCALLOP - SCALLOP**2)
-    assert off.max() < 1e-6 and apart[apart < 2.0].max() <= flat + 1e-6  # on a plane the steps are those of a flat, or less
+    assert (
+        off.max() < 1e-6 and apart[apart < 2.0].max() <= flat + 1e-6
+    )  # on a plane the steps are those of a flat, or less
     point, normal = spread(mesh, 1500)
     above = (normal[:, 2] > -0.99) | (point[:, 2] > 1e-3)
     rest = cKDTree(centres(result)).query(point[above])[0] - RADIUS
@@ -456,5 +515,7 @@ def test_passes_that_are_not_planes_would_be_noticed():
 
 
 def test_planes_in_frames_ask_for_frames_by_themselves():
-    settings = build_settings("mill", "part", {"machine": "trunnion_ac", "within_frames": "planes", "direction": 30})
+    settings = build_settings(
+        "mill", "part", {"machine": "trunnion_ac", "within_frames": "planes", "direction": 30}
+    )
     assert settings.passes.passes == "frames" and settings.tool_axis.tool_axis == "auto"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Between two free contacts the tool turns: what it meets there, against dense samples of the turn, and what `auto` makes of it."""
+"""Between two free contacts the tool turns: what it meets there, against dense samples of the turn, and what
+`auto` makes of it."""
 
 import numpy as np
 import pytest
@@ -59,7 +60,9 @@ def test_a_turn_through_a_bar_over_a_floor_is_found_and_one_beside_it_is_not():
 def test_small_turns_and_ends_of_polylines_are_not_asked():
     mesh = from_triangles(box((-20, -20, -5), (20, 20, 0)))
     path = made_on(mesh, 0.0, **PLAIN, gouge="off").offset
-    assert not find_blocked_turns(path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))).any()
+    assert not find_blocked_turns(
+        path, np.tile([0.0, 0.0, 1.0], (len(path.point), 1)), mesh, Reacher(Cutter(4.0))
+    ).any()
 
 
 def test_only_moves_at_pieces_with_a_way_out_are_asked():
@@ -72,7 +75,12 @@ def test_only_moves_at_pieces_with_a_way_out_are_asked():
         piece = [row - 1, row] if polyline[row] == polyline[row - 1] else [row]
         while piece[0] and free[piece[0]] and free[piece[0] - 1] and polyline[piece[0] - 1] == polyline[row]:
             piece.insert(0, piece[0] - 1)
-        while piece[-1] + 1 < len(free) and free[piece[-1]] and free[piece[-1] + 1] and polyline[piece[-1] + 1] == polyline[row]:
+        while (
+            piece[-1] + 1 < len(free)
+            and free[piece[-1]]
+            and free[piece[-1] + 1]
+            and polyline[piece[-1] + 1] == polyline[row]
+        ):
             piece.append(piece[-1] + 1)
         assert asked[row] == (free[piece] == out).any(), row
     assert not lead_out(polyline[:0], free[:0]).any()
@@ -84,7 +92,9 @@ def test_a_short_tool_does_not_turn_its_holder_through_the_part(nodes, monkeypat
     """And where its turns are not asked, it does."""
 
     def met():
-        made = made_on(prism(STEP, length=11.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6)
+        made = made_on(
+            prism(STEP, length=11.0), 40.0, cutter="ball:6:12", holder="40x30", gouge="report", stepover=6
+        )
         return [one.code for one in job.prove(made).findings if one.code in ("holder-collision", "overcut")]
 
     take_nodes(monkeypatch, nodes)

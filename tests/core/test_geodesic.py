@@ -38,7 +38,9 @@ def sheet(u, v, place):
     point = np.stack(place(*np.meshgrid(u, v, indexing="ij")), axis=-1)
     row = np.arange(len(u) * len(v)).reshape(len(u), len(v))
     a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
-    return from_faces(point.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]))
+    return from_faces(
+        point.reshape(-1, 3), np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    )
 
 
 HEIGHTS = np.linspace(0, 20, 41)
@@ -59,7 +61,11 @@ def measured(mesh, source, tensor=None, radius=RADIUS, known=None):
 
 def test_on_a_flat_the_distance_is_the_straight_one():
     random = np.random.default_rng(2)
-    mesh = sheet(np.linspace(-8, 8, 41), np.linspace(-6, 6, 31), lambda x, y: (x + random.uniform(-0.1, 0.1, x.shape), y, 0 * x))
+    mesh = sheet(
+        np.linspace(-8, 8, 41),
+        np.linspace(-6, 6, 31),
+        lambda x, y: (x + random.uniform(-0.1, 0.1, x.shape), y, 0 * x),
+    )
     source = np.array([np.linalg.norm(mesh.vertex, axis=1).argmin()])
     value, frame, metric = measured(mesh, source)
     straight = np.linalg.norm(mesh.vertex - mesh.vertex[source], axis=1) / STEP
@@ -70,7 +76,8 @@ def test_on_a_flat_the_distance_is_the_straight_one():
 
 
 def test_round_a_cylinder_a_step_is_shorter_than_along_it():
-    """The ball's own curve on the convex side: ``s / sqrt(1 + r / R)`` round it, s along it (Lin & Ye, eq. 1 on a circle)."""
+    """The ball's own curve on the convex side: ``s / sqrt(1 + r / R)`` round it, s along it (Lin & Ye, eq. 1
+    on a circle)."""
     mesh = cylinder()
     source = np.array([np.linalg.norm(mesh.vertex - (10.0, 0.0, 10.0), axis=1).argmin()])
     value, *_ = measured(mesh, source)
@@ -91,7 +98,8 @@ def test_in_a_hollow_a_step_is_longer_and_never_endless():
 
 @pytest.mark.parametrize("aslant", [0.0, 0.5, 1.1, math.pi / 2])
 def test_a_unit_of_the_metric_leaves_the_scallop_whichever_way_the_pass_runs(aslant):
-    """Two passes on a cylinder at an angle to its axis, one unit apart; what the ball leaves is measured on the way half-way."""
+    """Two passes on a cylinder at an angle to its axis, one unit apart; what the ball leaves is measured on
+    the way half-way."""
     ring, radius = 8.0, 3.0
     mesh = cylinder(ring, 400, np.linspace(0, 20, 3))
     frame = frames(mesh.vertex, mesh.face)
@@ -106,7 +114,9 @@ def test_a_unit_of_the_metric_leaves_the_scallop_whichever_way_the_pass_runs(asl
     turn, rise = math.cos(aslant), math.sin(aslant)
     arc = way * turn - 0.5 * step * math.sin(aslant)
     high = way * rise + 0.5 * step * math.cos(aslant)
-    centre = np.stack([(ring + radius) * np.cos(arc / ring), (ring + radius) * np.sin(arc / ring), high], axis=1)
+    centre = np.stack(
+        [(ring + radius) * np.cos(arc / ring), (ring + radius) * np.sin(arc / ring), high], axis=1
+    )
     low, top = 0.0, 0.1
     for _ in range(40):
         level = 0.5 * (low + top)
@@ -127,14 +137,16 @@ def test_the_metric_in_space_is_that_of_the_facets():
 
 
 def test_facets_without_heat_still_get_a_distance():
-    """A strip a thousand steps long: heat would fade to nothing, and the time is chosen so that it does not."""
+    """A strip a thousand steps long: heat would fade to nothing, and the time is chosen so that it does
+    not."""
     mesh = sheet(np.linspace(0, 800, 401), np.linspace(0, 2, 3), lambda x, y: (x, y, 0 * x))
     value, *_ = measured(mesh, np.flatnonzero(mesh.vertex[:, 0] == 0.0))
     np.testing.assert_allclose(value, mesh.vertex[:, 0] / STEP, atol=1.0)
 
 
 def test_a_source_that_is_known_to_be_farther_has_its_front_later():
-    """Two opposite sides of a flat strip, the one half a width behind the other: the fronts meet three quarters of the way."""
+    """Two opposite sides of a flat strip, the one half a width behind the other: the fronts meet three
+    quarters of the way."""
     mesh = sheet(np.linspace(0, 20, 41), np.linspace(0, 2, 5), lambda x, y: (x, y, 0 * x))
     x = mesh.vertex[:, 0]
     source = np.flatnonzero((x == 0.0) | (x == 20.0))
@@ -143,7 +155,8 @@ def test_a_source_that_is_known_to_be_farther_has_its_front_later():
 
 
 def test_no_heat_flows_uphill_over_obtuse_corners():
-    """Off the diagonal nothing is positive (a Stieltjes matrix has no negative inverse); of the Poisson equation some is."""
+    """Off the diagonal nothing is positive (a Stieltjes matrix has no negative inverse); of the Poisson
+    equation some is."""
     mesh = sheet(np.linspace(0, 9, 10), np.linspace(0, 1, 4), lambda x, y: (x + 4.0 * y, y, 0 * x))
     frame = frames(mesh.vertex, mesh.face)
     metric = scallop_metric(frame, facet_curvature(mesh), RADIUS, STEP)
@@ -174,7 +187,9 @@ def flat_copy(side=10.0, count=2, longest=1.5):
 
 def sourced(copy, curve):
     frame = frames(copy.mesh.vertex, copy.mesh.face)
-    return source_values(copy, frame, scallop_metric(frame, np.zeros((6, len(copy.parent))), RADIUS, STEP), np.array(curve))
+    return source_values(
+        copy, frame, scallop_metric(frame, np.zeros((6, len(copy.parent))), RADIUS, STEP), np.array(curve)
+    )
 
 
 def test_all_corners_of_facets_under_a_curve_know_their_distance_from_it():
@@ -190,7 +205,9 @@ def test_all_corners_of_facets_under_a_curve_know_their_distance_from_it():
 def test_the_vertex_nearest_to_a_point_counts_as_the_point():
     _, copy = flat_copy()
     source, known = sourced(copy, [(3.3, 3.2, 0.5)])
-    assert source.tolist() == [np.linalg.norm(copy.mesh.vertex - (3.3, 3.2, 0.5), axis=1).argmin()] and known.tolist() == [0.0]
+    assert source.tolist() == [
+        np.linalg.norm(copy.mesh.vertex - (3.3, 3.2, 0.5), axis=1).argmin()
+    ] and known.tolist() == [0.0]
 
 
 def region_of(mesh):
@@ -249,7 +266,9 @@ def test_laying_passes_tells_its_progress_and_can_be_stopped_while_gaps_are_look
             if share >= stop:
                 raise InterruptedError
 
-        ConstantScallop("").field(replace(region_of(flat_copy()[0]), progress=listen), PassOptions(stepover=0.5))
+        ConstantScallop("").field(
+            replace(region_of(flat_copy()[0]), progress=listen), PassOptions(stepover=0.5)
+        )
         return told
 
     told = lay()
@@ -300,7 +319,7 @@ def test_passes_are_looked_for_no_farther_than_it_matters(half, monkeypatch):
     assert found[0].any() and (half > 1.0 or not found[0].all())
 
 
-# ------------------------------------------------------------------------------------------------ the finer copy
+# --------------------------------------------------------------------------------------------- the finer copy
 
 
 def flat_metric(mesh, rows):
@@ -329,13 +348,18 @@ def test_a_copy_hangs_together_where_the_part_does():
     assert (parents == -1).all() and not copy.component.any()
     inner = copy.coedge[~border]
     assert set(inner[inner >= 0]) == set(np.flatnonzero(mesh.coedge_face[:, 1] >= 0))
-    long = np.linalg.norm(np.diff(copy.mesh.vertex[copy.mesh.coedge_vertex[border]], axis=1)[:, 0], axis=1).sum()
+    long = np.linalg.norm(
+        np.diff(copy.mesh.vertex[copy.mesh.coedge_vertex[border]], axis=1)[:, 0], axis=1
+    ).sum()
     ends = mesh.vertex[mesh.coedge_vertex[mesh.coedge_face[:, 1] < 0]]
     assert long == pytest.approx(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
 
 
 def test_facets_that_only_touch_in_a_vertex_are_two_pieces():
-    mesh = from_faces(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1.0, 0]]), np.array([[0, 1, 2], [0, 3, 4]]))
+    mesh = from_faces(
+        np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1.0, 0]]),
+        np.array([[0, 1, 2], [0, 3, 4]]),
+    )
     copy = finer_copy(mesh, np.arange(2), flat_metric(mesh, np.arange(2)), 1.5)
     assert copy.component.max() == 1 and not set(copy.mesh.face[copy.parent == 0].ravel()) & set(
         copy.mesh.face[copy.parent == 1].ravel()
@@ -348,12 +372,17 @@ def test_facets_that_only_touch_in_a_vertex_are_two_pieces():
 
 
 def test_facets_stay_joined_where_only_one_of_two_finds_their_side_too_long():
-    """In the metric of the second facet, no side is too long, and the side that the first one halves is not its longest."""
-    mesh = from_faces(np.array([[0, 0, 0], [4, 0, 0], [2, 3, 0], [2, -9.0, 0]]), np.array([[0, 1, 2], [0, 3, 1]]))
+    """In the metric of the second facet, no side is too long, and the side that the first one halves is not
+    its longest."""
+    mesh = from_faces(
+        np.array([[0, 0, 0], [4, 0, 0], [2, 3, 0], [2, -9.0, 0]]), np.array([[0, 1, 2], [0, 3, 1]])
+    )
     tensor = np.zeros((6, 2))
     tensor[:3] = 1.0, 0.01
     copy = finer_copy(mesh, np.arange(2), tensor, 2.0)
-    assert set(copy.coedge[copy.mesh.coedge_face[:, 1] < 0]) == set(np.flatnonzero(mesh.coedge_face[:, 1] < 0))
+    assert set(copy.coedge[copy.mesh.coedge_face[:, 1] < 0]) == set(
+        np.flatnonzero(mesh.coedge_face[:, 1] < 0)
+    )
 
 
 def on_one_facet(*corners, **given):
@@ -361,7 +390,9 @@ def on_one_facet(*corners, **given):
     contact = both_paths(*(prism(corner) for corner in corners))
     mesh = from_faces(np.array([[0, 0, 0], [1, 0, 0], [0, 1.0, 0]]), np.array([[0, 1, 2]]))
     count = len(contact.point)
-    return Copy(mesh, np.zeros(count, int), np.full(count, -1), np.zeros(3, int), **given).on_part(contact, mesh)
+    return Copy(mesh, np.zeros(count, int), np.full(count, -1), np.zeros(3, int), **given).on_part(
+        contact, mesh
+    )
 
 
 def test_on_the_part_a_pass_is_one_segment_only_as_far_as_it_is_straight():

@@ -3,12 +3,29 @@
 
 import numpy as np
 import pytest
-from gouge_examples import bowl, brute_distance, corner, dense_points, round_groove, sampled_depth, step, v_groove
+from gouge_examples import (
+    bowl,
+    brute_distance,
+    corner,
+    dense_points,
+    round_groove,
+    sampled_depth,
+    step,
+    v_groove,
+)
 
 from freecad_fiveaxis.core.base.errors import Cancelled, SettingsError
 from freecad_fiveaxis.core.geometry.facet_tree import facet_tree
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.gouge import check_motion, find_entries, inside, is_closed, real_motion, search, straight_motion
+from freecad_fiveaxis.core.gouge import (
+    check_motion,
+    find_entries,
+    inside,
+    is_closed,
+    real_motion,
+    search,
+    straight_motion,
+)
 from freecad_fiveaxis.core.gouge.swept_motion import still_positions
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, linear_words
@@ -45,7 +62,13 @@ def close(found, depth, block=0):
 
 def test_the_depth_of_a_point_is_its_distance_from_the_body():
     rng = np.random.default_rng(1)
-    body = Body((round_piece(3.0, 2.0, 2.0), frustum_piece(2.0, 5.0, 30.0, 8.0), frustum_piece(30.0, 15.0, 50.0, 10.0, HOLDER)))
+    body = Body(
+        (
+            round_piece(3.0, 2.0, 2.0),
+            frustum_piece(2.0, 5.0, 30.0, 8.0),
+            frustum_piece(30.0, 15.0, 50.0, 10.0, HOLDER),
+        )
+    )
     points = rng.uniform(-25, 60, (4000, 3))
     tip, axis = np.array([1.0, 2.0, 3.0]), np.array([0.6, 0.0, 0.8])
     depth = depth_of(body, tip, axis, points)
@@ -71,11 +94,15 @@ def test_the_body_of_a_ball_cutter_is_a_ball_and_a_cylinder_with_what_is_above()
     body = body_of(Cutter(10.0, 40.0), shank=[(12.0, 20.0)], holder=[(40.0, 30.0), (60.0, 10.0)])
     at = lambda r, z: depth_of(body, np.zeros(3), UP, np.array([[r, 0.0, z]]))[0]  # noqa: E731
     assert at(0, 0) == pytest.approx(0.0, abs=1e-12) and at(0, 5) == pytest.approx(5.0)
-    assert at(5, 39.9) == pytest.approx(0.0, abs=1e-12) and at(5.5, 20) < 0 < at(5.5, 45) and at(25, 95) > 0 > at(25, 85)
+    assert (
+        at(5, 39.9) == pytest.approx(0.0, abs=1e-12)
+        and at(5.5, 20) < 0 < at(5.5, 45)
+        and at(25, 95) > 0 > at(25, 85)
+    )
     assert {piece.part for piece in body.only(SHANK, HOLDER).pieces} == {SHANK, HOLDER}
 
 
-# ------------------------------------------------------------------------------------------------ closed forms
+# ----------------------------------------------------------------------------------------------- closed forms
 
 
 @pytest.mark.parametrize("half_angle", np.radians([20.0, 45.0, 70.0]))
@@ -90,7 +117,9 @@ def test_a_ball_that_touches_both_flanks_is_no_entry():
     height = radius / np.sin(half)
     found = entries(ball(radius), v_groove(half), course_through((-5, 0, height), (5, 0, height)))
     assert found.depth[0] == 0.0 and found.bound[0] == LIMIT
-    lower = entries(ball(radius), v_groove(half), course_through((-5, 0, height - 0.03), (5, 0, height - 0.03)))
+    lower = entries(
+        ball(radius), v_groove(half), course_through((-5, 0, height - 0.03), (5, 0, height - 0.03))
+    )
     close(lower, 0.03 * np.sin(half))
 
 
@@ -112,26 +141,33 @@ def test_a_step_is_entered_between_two_rows_that_are_free():
 
 @pytest.mark.parametrize("off", [(2.0, 2.5, 2.9), (2.9, 2.95, 2.0), (1.0, 2.0, 3.5)])
 def test_a_ball_in_a_corner(off):
-    found = entries(ball(3.0), corner(), course_through(np.array(off) + (8, 8, 8), off, np.array(off) + (4, 0, 0)))
+    found = entries(
+        ball(3.0), corner(), course_through(np.array(off) + (8, 8, 8), off, np.array(off) + (4, 0, 0))
+    )
     close(found, 3.0 - min(off))
     close(found, 3.0 - min(off[1:] + (off[0],)), 1)
 
 
 def test_a_ball_in_a_bowl_enters_only_where_the_bowl_is_smaller():
     low = entries(ball(9.0), bowl(), course_through((0, 0, -6.4), (0.5, 0, -6.4)))
-    assert low.depth[0] == pytest.approx(np.hypot(0.5, 6.4) + 9.0 - 15.0, abs=0.03)  # the facets' chords lie 0.015 inside
+    assert low.depth[0] == pytest.approx(
+        np.hypot(0.5, 6.4) + 9.0 - 15.0, abs=0.03
+    )  # the facets' chords lie 0.015 inside
     assert entries(ball(9.0), bowl(), course_through((0, 0, -5.9), (0.1, 0, -5.9))).depth[0] == 0.0
 
 
 def test_a_turning_tool_enters_between_its_ends():
-    """The tip stands still over a floor and the axis swings: a flat end dips by radius x sin of the angle at the ends only."""
+    """The tip stands still over a floor and the axis swings: a flat end dips by radius x sin of the angle at
+    the ends only."""
     swing = np.radians(8.0)
     axes = np.array([[0, np.sin(-swing), np.cos(swing)], [0, np.sin(swing), np.cos(swing)]])
     flat = Body((frustum_piece(0.0, 5.0, 20.0, 5.0),))
     swept = straight_motion(np.array([[0, -12.0, 0.1], [0, -12.0, 0.1]]), axes)
     found = entries(flat, step(), swept)
     dip = 5.0 * np.sin(swing) - 0.1
-    assert dip / (np.sin(swing) + np.cos(swing)) == pytest.approx(found.depth[0], rel=0.02)  # depth in the tool's right angle
+    assert dip / (np.sin(swing) + np.cos(swing)) == pytest.approx(
+        found.depth[0], rel=0.02
+    )  # depth in the tool's right angle
 
 
 # ------------------------------------------------------------------------------------------------ the judge
@@ -174,7 +210,10 @@ def balls_everywhere():
     z = 2.0 * np.sin(x / 3.0) * np.cos(y / 4.0)
     row = np.arange(x.size).reshape(x.shape)
     a, b, c, d = (part.ravel() for part in (row[:-1, :-1], row[1:, :-1], row[1:, 1:], row[:-1, 1:]))
-    mesh = from_faces(np.stack([x, y, z], -1).reshape(-1, 3), np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]))
+    mesh = from_faces(
+        np.stack([x, y, z], -1).reshape(-1, 3),
+        np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]),
+    )
     centres = np.random.default_rng(6).uniform((-22, -22, -6), (22, 22, 6), (300, 3))
     found = entries(ball(3.0), mesh, still_positions(centres, np.tile(UP, (300, 1))))
     return mesh, centres, found
@@ -185,7 +224,11 @@ def test_brute_force_over_all_facets_says_the_same(balls_everywhere):
     mesh, centres, found = balls_everywhere
     depth = np.array([3.0 - brute_distance(mesh, centre) for centre in centres])
     assert found.depth == pytest.approx(np.where(depth > LIMIT, depth, 0.0), rel=0.011, abs=LIMIT / 5)
-    assert (found.depth <= np.maximum(depth, 0.0) + 1e-9).all() and (found.bound >= depth).all() and (depth > LIMIT).sum() > 100
+    assert (
+        (found.depth <= np.maximum(depth, 0.0) + 1e-9).all()
+        and (found.bound >= depth).all()
+        and (depth > LIMIT).sum() > 100
+    )
 
 
 @pytest.mark.thorough
@@ -227,7 +270,12 @@ def test_a_finer_mesh_of_the_same_part_has_the_same_entries():
         a, b, c = fine.face.T
         middle = [(fine.vertex[p] + fine.vertex[q]) / 2 for p, q in ((a, b), (b, c), (c, a))]
         corners = [fine.vertex[r] for r in (a, b, c)]
-        tri = [(corners[0], middle[0], middle[2]), (middle[0], corners[1], middle[1]), (middle[2], middle[1], corners[2]), middle]
+        tri = [
+            (corners[0], middle[0], middle[2]),
+            (middle[0], corners[1], middle[1]),
+            (middle[2], middle[1], corners[2]),
+            middle,
+        ]
         vertex, row = np.unique(
             np.concatenate([np.stack(t, 1) for t in tri]).reshape(-1, 3).round(9), axis=0, return_inverse=True
         )
@@ -252,7 +300,12 @@ def test_a_cutter_that_goes_through_the_part_is_buried_in_the_middle():
     mesh = step()
     swept = course_through((0, -10, 8), (0, -10, -1), (0, -10, -5), (1, -10, -5), (0, -10, 8))
     done = check_motion(mesh, ball(1.0), swept, np.zeros(4, np.int8), LIMIT)
-    assert done.buried.tolist() == [False, True, True, False] or done.buried.tolist() == [False, False, True, False]
+    assert done.buried.tolist() == [False, True, True, False] or done.buried.tolist() == [
+        False,
+        False,
+        True,
+        False,
+    ]
     assert {f.code for f in done.findings} == {"overcut", "buried"}
     assert "at least 1 mm" in done.findings[0].text or "at least 0.99" in done.findings[0].text
 
@@ -262,7 +315,9 @@ def test_a_cutter_that_goes_through_the_part_is_buried_in_the_middle():
 
 def test_a_cutter_larger_than_the_part_is_found_and_does_not_hang():
     mesh = corner(4.0, 2.0)
-    done = check_motion(mesh, ball(60.0), course_through((0, 0, 30.0), (5, 0, 30.0)), np.zeros(1, np.int8), LIMIT)
+    done = check_motion(
+        mesh, ball(60.0), course_through((0, 0, 30.0), (5, 0, 30.0)), np.zeros(1, np.int8), LIMIT
+    )
     assert [f.code for f in done.findings] == ["overcut"] and done.findings[0].value > 20.0
 
 
@@ -278,18 +333,24 @@ def test_a_holder_that_collides_everywhere_is_one_kind_of_finding():
 def test_an_open_mesh_has_no_inside_but_its_surface_is_checked():
     mesh = bowl()
     assert not is_closed(mesh) and is_closed(step())
-    done = check_motion(mesh, ball(2.0), course_through((0, 0, -14.0), (1, 0, -14.0)), np.zeros(1, np.int8), LIMIT)
+    done = check_motion(
+        mesh, ball(2.0), course_through((0, 0, -14.0), (1, 0, -14.0)), np.zeros(1, np.int8), LIMIT
+    )
     assert [f.code for f in done.findings] == ["overcut"]
 
 
 def test_facets_that_look_inward_change_nothing():
     mesh, swept = bowl(), course_through((0, 0, -14.0), (1, 0, -14.0))
     turned = from_faces(mesh.vertex, mesh.face[:, ::-1])
-    assert entries(ball(2.0), mesh, swept).depth[0] == pytest.approx(entries(ball(2.0), turned, swept).depth[0], rel=0.011)
+    assert entries(ball(2.0), mesh, swept).depth[0] == pytest.approx(
+        entries(ball(2.0), turned, swept).depth[0], rel=0.011
+    )
 
 
 def test_blocks_of_no_length_are_poses():
-    found = entries(ball(3.0), step(), course_through((0, -12, 2.5), (0, -12, 2.5), (0, -12, 3.0), (0, -12, 3.0)))
+    found = entries(
+        ball(3.0), step(), course_through((0, -12, 2.5), (0, -12, 2.5), (0, -12, 3.0), (0, -12, 3.0))
+    )
     close(found, 0.5)
     assert found.depth[2] == 0.0
 
@@ -301,8 +362,13 @@ def test_pairs_divided_a_few_at_a_time_find_the_same(monkeypatch):
     whole = entries(ball(4.0), mesh, swept)
     shallow, known = 0.2, find_entries(ball(4.0), facet_tree(mesh), swept, 0.2, np.inf)
     monkeypatch.setattr(search, "AT_ONCE", 7)
-    parts, told = entries(ball(4.0), mesh, swept), find_entries(ball(4.0), facet_tree(mesh), swept, shallow, np.inf)
-    assert (whole.depth > 0.0).sum() > 5 and np.allclose(parts.depth, whole.depth, rtol=0.011, atol=LIMIT / 10)
+    parts, told = (
+        entries(ball(4.0), mesh, swept),
+        find_entries(ball(4.0), facet_tree(mesh), swept, shallow, np.inf),
+    )
+    assert (whole.depth > 0.0).sum() > 5 and np.allclose(
+        parts.depth, whole.depth, rtol=0.011, atol=LIMIT / 10
+    )
     assert (parts.bound >= whole.depth - 1e-9).all()
     assert ((told.bound > shallow) == (known.bound > shallow)).all() and 0 < (told.bound > shallow).sum() < 29
 
@@ -332,4 +398,11 @@ def test_the_check_can_be_stopped():
         raise Cancelled("stopped")
 
     with pytest.raises(Cancelled):
-        check_motion(step(), ball(3.0), course_through((0, -12, 2.5), (5, -12, 2.5)), np.zeros(1, np.int8), LIMIT, progress=stop)
+        check_motion(
+            step(),
+            ball(3.0),
+            course_through((0, -12, 2.5), (5, -12, 2.5)),
+            np.zeros(1, np.int8),
+            LIMIT,
+            progress=stop,
+        )

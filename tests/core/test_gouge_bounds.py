@@ -107,16 +107,18 @@ def pairs(rng, table, tree):
     levels = [(0, table.top), (table.top, table.first), (table.first, len(table.size))]
     way = np.concatenate([rng.integers(*level, 16) for level in levels if level[1] > level[0]])
     node = rng.integers(0, len(tree.size), (400, len(way)))
-    off = np.linalg.norm(tree.middle[:, node] - table.ways(way).tip[:, None], axis=0) + tree.size[node] * rng.uniform(
-        0.5, 2.0, node.shape
-    )
+    off = np.linalg.norm(tree.middle[:, node] - table.ways(way).tip[:, None], axis=0) + tree.size[
+        node
+    ] * rng.uniform(0.5, 2.0, node.shape)
     nearest = np.take_along_axis(node, off.argmin(axis=0)[None], axis=0)[0]
     return way, np.where(rng.uniform(size=len(way)) < 0.7, nearest, node[0])
 
 
 def lowest_bounds(piece, ways, tree, node):
     core, off = pared(piece, LIMIT)
-    return {bound.__name__: bound(core, ways, tree, node) + off for bound in (box_bound, plate_bound, facet_bound)}
+    return {
+        bound.__name__: bound(core, ways, tree, node) + off for bound in (box_bound, plate_bound, facet_bound)
+    }
 
 
 @some_in_core("name", PIECES, kept=(0, 2, 5))
@@ -129,7 +131,15 @@ def test_no_sample_is_deeper_than_any_of_the_bounds(name):
             way, node = pairs(rng, table, tree)
             bounds = lowest_bounds(piece, table.ways(way), tree, node)
             for k in range(len(way)):
-                found = depths(piece, swept, parts, stretches_under(table, way[k]), tree, facets_under(tree, node[k]), rng).max()
+                found = depths(
+                    piece,
+                    swept,
+                    parts,
+                    stretches_under(table, way[k]),
+                    tree,
+                    facets_under(tree, node[k]),
+                    rng,
+                ).max()
                 for bound, most in bounds.items():
                     assert found <= max(most[k], LIMIT) + 1e-9, (kind, bound, k)
                 near += found > LIMIT
@@ -175,7 +185,8 @@ def test_a_point_said_to_be_deep_is_so_at_some_pose():
 
 
 def touching(name, count, rng):
-    """Triangles (3, 3, n) that a piece with its tip at 0 and its axis up touches from outside, by sampling their distance."""
+    """Triangles (3, 3, n) that a piece with its tip at 0 and its axis up touches from outside, by sampling
+    their distance."""
     piece, found = PIECES[name], []
     share = np.concatenate([np.eye(3), rng.dirichlet((1.0, 1.0, 1.0), 400), _along_edges(200)])
     for _ in range(count):
@@ -200,7 +211,9 @@ def _nearest(piece, corner, share, rng):
         distance, g = toward(piece, np.broadcast_to([[0.0], [0.0], [1.0]], point.shape), point)
         k = distance.argmin()
         best = share[k], distance[k], g[:, k]
-        share = np.maximum(best[0] + scale * rng.normal(size=(150, 3)) * (rng.uniform(size=(150, 3)) < 0.6), 0.0)
+        share = np.maximum(
+            best[0] + scale * rng.normal(size=(150, 3)) * (rng.uniform(size=(150, 3)) < 0.6), 0.0
+        )
         share = np.concatenate([best[:1], share / share.sum(axis=1)[:, None]])
     return best[1], best[2]
 
@@ -222,7 +235,9 @@ def clearances(piece, corner):
         tree, swept = facet_tree(mesh), still_positions(np.zeros((1, 3)), np.array([[0.0, 0.0, 1.0]]))
         _, table = clusters(swept)
         row, node = np.array([table.first]), np.array([len(tree.size) - 1])
-        best.append(min(float(bound[0]) for bound in lowest_bounds(piece, table.ways(row), tree, node).values()))
+        best.append(
+            min(float(bound[0]) for bound in lowest_bounds(piece, table.ways(row), tree, node).values())
+        )
     return np.array(best)
 
 
@@ -242,7 +257,10 @@ def test_the_nearest_place_of_the_edges_is_that_of_dense_samples(name):
     core = piece._replace(round=0.0, high=100.0)
     place = nearest_on_edges(piece, axis, corner)
     samples = np.einsum("sk,kin->sin", _along_edges(400), corner)
-    off = [np.maximum(distance_off(core, np.hypot(x, y), z), 0.0) for x, y, z in (place, samples.transpose(1, 0, 2))]
+    off = [
+        np.maximum(distance_off(core, np.hypot(x, y), z), 0.0)
+        for x, y, z in (place, samples.transpose(1, 0, 2))
+    ]
     close = off[0] <= off[1].min(axis=0) * 1.001 + 1e-3
     assert close.mean() > 0.985 and (off[0] <= off[1].min(axis=0) * 1.2 + 0.02).all()
 
@@ -261,7 +279,7 @@ def test_the_deepest_point_of_a_facet_beside_a_tool_is_that_of_dense_samples(nam
     assert beside.sum() > 100 and np.percentile(over, 95) < 0.1
 
 
-# ------------------------------------------------------------------------------------------------ pieces and nodes
+# ------------------------------------------------------------------------------------------- pieces and nodes
 
 
 @pytest.mark.parametrize("name", PIECES)
@@ -271,7 +289,9 @@ def test_the_way_out_leads_just_off_the_underside_by_samples_along_the_axis(name
     low = np.where(within.any(axis=1), height[within.argmax(axis=1)], np.inf)
     tip, point = np.zeros((161, 3)), np.column_stack([radius, 0.0 * radius, np.full(161, 25.0)])
     by = way_out(Body((piece,)), tip, np.broadcast_to((0.0, 0.0, 1.0), (161, 3)), point)
-    rim = np.abs(radius - max(piece.low_radius, piece.high_radius) - piece.round) < 0.1  # a hair beside it there is nothing
+    rim = (
+        np.abs(radius - max(piece.low_radius, piece.high_radius) - piece.round) < 0.1
+    )  # a hair beside it there is nothing
     assert by[~rim] == pytest.approx(np.maximum(25.0 - low, 0.0)[~rim], abs=0.006)
 
 
@@ -335,8 +355,13 @@ def test_boxes_lie_as_the_facets_do_on_slopes_and_straight_over_walls_and_floors
 
 @pytest.mark.parametrize("name", STRAIGHT)
 def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
-    """All poses of real ways, bends and all, against points spread over the facets; a piece that ends at their height would not do."""
-    rng, piece, kinematics = np.random.default_rng(11), PIECES[name], chain(load_machine("fork_head_bc"), Setup(tool_length=60.0))
+    """All poses of real ways, bends and all, against points spread over the facets; a piece that ends at
+    their height would not do."""
+    rng, piece, kinematics = (
+        np.random.default_rng(11),
+        PIECES[name],
+        chain(load_machine("fork_head_bc"), Setup(tool_length=60.0)),
+    )
     words = np.cumsum(rng.normal(0.0, [4.0, 4.0, 4.0, 8.0, 8.0], (80, 5)), axis=0)
     swept, block = real_motion(kinematics, words), np.arange(79)
     start, end = swept.pose(block, np.zeros(79)), swept.pose(block, np.ones(79))
@@ -359,8 +384,12 @@ def test_a_facet_is_as_deep_in_the_shortened_piece_at_every_pose(name):
             inside = whole > 0.0
             assert short[inside] == pytest.approx(whole[inside], abs=1e-9) and (short[~inside] <= 1e-9).all()
             low = piece._replace(high=max(0.5 * (float(high[k]) + piece.low), piece.low + 1e-6))
-            differs |= bool((-distance_off(low, radius[:, k], height[:, k])[inside] < whole[inside] - 1e-3).any())
-    assert differs or piece.low_radius == 0.0 or piece.low == piece.high  # a ball's is as deep wherever it ends above the facet
+            differs |= bool(
+                (-distance_off(low, radius[:, k], height[:, k])[inside] < whole[inside] - 1e-3).any()
+            )
+    assert (
+        differs or piece.low_radius == 0.0 or piece.low == piece.high
+    )  # a ball's is as deep wherever it ends above the facet
 
 
 def test_the_support_of_a_shortened_piece_is_that_of_the_piece_so_short():
@@ -373,6 +402,8 @@ def test_the_support_of_a_shortened_piece_is_that_of_the_piece_so_short():
         high = piece.low + share * (piece.high - piece.low)
         for off in (0.0, loose):
             rows = zip(high.tolist(), along.tolist(), np.broadcast_to(off, 300).tolist(), strict=True)
-            exact = np.array([float(support(piece._replace(high=end), np.float64(a), o)) for end, a, o in rows])
+            exact = np.array(
+                [float(support(piece._replace(high=end), np.float64(a), o)) for end, a, o in rows]
+            )
             given = support_at(piece, pose, g, off, high)
             assert (given >= exact - 1e-9).all() and (given <= exact + 2.0 * off * piece.high + 1e-9).all()

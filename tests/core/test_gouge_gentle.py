@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Creased and gentle surfaces after the lift, by another library's distances: where little or nothing of the path has to be
-lifted, the machine must not lead the cutter into the part between its rows either."""
+"""Creased and gentle surfaces after the lift, by another library's distances: where little or nothing of the
+path has to be lifted, the machine must not lead the cutter into the part between its rows either."""
 
 import gouge_judge
 import numpy as np
@@ -14,7 +14,13 @@ from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 TOLERANCE = 0.01
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "linearize": "on", "gouge": "lift", "tolerance": TOLERANCE}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "linearize": "on",
+    "gouge": "lift",
+    "tolerance": TOLERANCE,
+}
 
 SHAPES = {
     "ridges": lambda x, y, w: abs(np.sin(x / w)),
@@ -37,14 +43,18 @@ PATCHES = {
        for machine, cutter in (("head_b_table_c", "bull:10:2:60"), ("trunnion_ac", "bull:20:4:60"), ("trunnion_ac", "ball:20:60"))
        for shape in SHAPES},
 }  # fmt: skip
-"""Shape, height and width, cutter, cells and their size, direction, stepover, machine. Without rows half-way the cutter enters
-six of them by up to 0.034 mm, and nothing has to be lifted there."""
+"""Shape, height and width, cutter, cells and their size, direction, stepover, machine. Without rows half-way
+the cutter enters six of them by up to 0.034 mm, and nothing has to be lifted there."""
 
 
 def first(table):
-    """The names of a table as parameters: the first of each shape is of the slow ring, the others are of the large one besides."""
+    """The names of a table as parameters: the first of each shape is of the slow ring, the others are of the
+    large one besides."""
     shapes = [shape for shape, *_ in table.values()]
-    return [pytest.param(name, marks=[pytest.mark.large] * (shapes[k] in shapes[:k])) for k, name in enumerate(table)]
+    return [
+        pytest.param(name, marks=[pytest.mark.large] * (shapes[k] in shapes[:k]))
+        for k, name in enumerate(table)
+    ]
 
 
 def milled(mesh, **options):
@@ -55,7 +65,9 @@ def judged(made):
     """The judge's verdict over all cuts."""
     cuts = np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL)))
     assert len(cuts) > 10
-    return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, cuts)
+    return gouge_judge.judged(
+        made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, cuts
+    )
 
 
 @pytest.mark.slow
@@ -73,5 +85,7 @@ def test_no_cut_goes_deeper_into_a_creased_or_gentle_patch_than_the_tolerance(pa
     """Cutters whose edge swings far from the tip that is kept on its way."""
     shape, high, wide, cutter, cells, spacing, direction, stepover, machine = PATCHES[patch]
     mesh = from_triangles(field(cells, lambda x, y: high * SHAPES[shape](x, y, wide), spacing))
-    made = milled(mesh, cutter=cutter, stepover=stepover, direction=direction, machine=machine, origin=(0.0, 0.0, 100.0))
+    made = milled(
+        mesh, cutter=cutter, stepover=stepover, direction=direction, machine=machine, origin=(0.0, 0.0, 100.0)
+    )
     assert judged(made).worst <= TOLERANCE

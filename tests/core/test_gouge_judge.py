@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Overcuts by another library's distances along the real ways: of concave parts and of real meshes, before and after the cure."""
+"""Overcuts by another library's distances along the real ways: of concave parts and of real meshes, before
+and after the cure."""
 
 import os
 from functools import lru_cache
@@ -38,7 +39,13 @@ QUICK = ("groove", "step")
 MESHES = Path(os.environ.get("FIVEAXIS_MESHES", "/usr/share/opencascade/data/stl"))
 """Where the meshes of Debian's occt-misc lie."""
 
-REAL = {"head": (220, 10), "motor": (60, 8), "propeller": (200, 30), "bearing": (40, 5), "video_part": (70, 12)}
+REAL = {
+    "head": (220, 10),
+    "motor": (60, 8),
+    "propeller": (200, 30),
+    "bearing": (40, 5),
+    "video_part": (70, 12),
+}
 """Stepover and diameter, mm."""
 
 
@@ -55,7 +62,8 @@ def both(made):
 
 
 def agree(made):
-    """Worst entries within a tenth, no block beyond its bound, and each block's deepest place where it is told to be."""
+    """Worst entries within a tenth, no block beyond its bound, and each block's deepest place where it is
+    told to be."""
     found, cuts, verdict = both(made)
     assert verdict.worst == pytest.approx(found.depth[cuts].max(), rel=0.1) and verdict.worst > 10 * TOLERANCE
     assert (verdict.entry <= found.bound[cuts] + 1e-6).all()
@@ -63,7 +71,9 @@ def agree(made):
     assert np.abs(gouge_judge.distances(made.mesh, found.place[deep])).max() < 1e-6
 
 
-@pytest.mark.parametrize("cutter", [CUTTERS[0], *(pytest.param(name, marks=pytest.mark.slow) for name in CUTTERS[1:])])
+@pytest.mark.parametrize(
+    "cutter", [CUTTERS[0], *(pytest.param(name, marks=pytest.mark.slow) for name in CUTTERS[1:])]
+)
 @some_in_core("part", PARTS, kept=(0, 1, 3))
 def test_the_worst_overcut_of_concave_parts_is_the_judges_too(part, cutter):
     shape, options = PARTS[part]
@@ -104,13 +114,19 @@ def test_a_judge_of_a_thinner_cutter_would_disagree():
 
 
 def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
-    """A ball, a bull nose and a leaning flat, 0.5 mm deep in the floor of a step; the flat by the right angle of its edge."""
+    """A ball, a bull nose and a leaning flat, 0.5 mm deep in the floor of a step; the flat by the right angle
+    of its edge."""
     tip, axis = np.array([[-0.0, -14.0, -0.5]]), np.array([[0.0, 0.0, 1.0]])
     for cutter in (Cutter(6.0, 30.0), Cutter(6.0, 30.0, 1.0), Cutter(6.0, 30.0, 0.0)):
-        assert gouge_judge.entries(step(), tip, axis, gouge_judge.cloud(cutter, 16))[0] == pytest.approx(0.5, rel=0.02)
+        assert gouge_judge.entries(step(), tip, axis, gouge_judge.cloud(cutter, 16))[0] == pytest.approx(
+            0.5, rel=0.02
+        )
         assert gouge_judge.dug(step(), tip, axis, gouge_judge.skin(cutter))[0] == pytest.approx(0.5, rel=0.02)
     lean = np.radians(30.0)
-    axis, tip = np.array([[0.0, np.sin(lean), np.cos(lean)]]), np.array([[0.0, -14.0, 3.0 * np.sin(lean) - 0.5]])
+    axis, tip = (
+        np.array([[0.0, np.sin(lean), np.cos(lean)]]),
+        np.array([[0.0, -14.0, 3.0 * np.sin(lean) - 0.5]]),
+    )
     flat = Cutter(6.0, 30.0, 0.0)
     inner = gouge_judge.entries(step(), tip, axis, gouge_judge.cloud(flat, 48))[0]
     assert inner == pytest.approx(0.5 / (np.sin(lean) + np.cos(lean)), rel=0.05)
@@ -120,7 +136,9 @@ def test_the_judge_knows_how_deep_a_cutter_stands_in_a_floor():
 def asked_everywhere(mesh, tip, axis, inner):
     """What :func:`gouge_judge.entries` says, of all points of the cutter at all poses."""
     points = gouge_judge.placed(inner.point, tip, axis)
-    return (inner.below - gouge_judge.distances(mesh, points.reshape(-1, 3)).reshape(points.shape[:2])).max(axis=1)
+    return (inner.below - gouge_judge.distances(mesh, points.reshape(-1, 3)).reshape(points.shape[:2])).max(
+        axis=1
+    )
 
 
 @pytest.fixture(scope="module")
@@ -128,13 +146,19 @@ def about_a_step():
     """A step, and tips and axes of tools in it, on it and off it."""
     rng = np.random.default_rng(3)
     axis = np.column_stack([rng.uniform(-0.6, 0.6, (60, 2)), np.ones(60)])
-    return step(), rng.uniform((-8.0, -8.0, -3.0), (8.0, 8.0, 8.0), (60, 3)), axis / np.linalg.norm(axis, axis=1)[:, None]
+    return (
+        step(),
+        rng.uniform((-8.0, -8.0, -3.0), (8.0, 8.0, 8.0), (60, 3)),
+        axis / np.linalg.norm(axis, axis=1)[:, None],
+    )
 
 
 @pytest.mark.parametrize("cutter", [Cutter(6.0, 30.0), Cutter(6.0, 30.0, 1.0), Cutter(6.0, 30.0, 0.0)])
 def test_the_judge_says_the_same_where_it_leaves_cells_of_the_cutter_out(cutter, about_a_step):
     inner = gouge_judge.cloud(cutter, 12)
-    np.testing.assert_allclose(gouge_judge.entries(*about_a_step, inner), asked_everywhere(*about_a_step, inner), atol=1e-9)
+    np.testing.assert_allclose(
+        gouge_judge.entries(*about_a_step, inner), asked_everywhere(*about_a_step, inner), atol=1e-9
+    )
 
 
 def test_cells_that_are_left_out_too_soon_would_be_noticed(about_a_step, monkeypatch):
@@ -146,7 +170,10 @@ def test_cells_that_are_left_out_too_soon_would_be_noticed(about_a_step, monkeyp
         return first, cell, 0.1 * apart
 
     monkeypatch.setattr(gouge_judge, "_cells", narrow)
-    assert np.abs(gouge_judge.entries(*about_a_step, inner) - asked_everywhere(*about_a_step, inner)).max() > 0.01
+    assert (
+        np.abs(gouge_judge.entries(*about_a_step, inner) - asked_everywhere(*about_a_step, inner)).max()
+        > 0.01
+    )
 
 
 # ------------------------------------------------------------------------------------------------ real meshes
@@ -159,7 +186,8 @@ FEW = [(name, "ball") for name in REAL if name != "motor"] + [("video_part", "bu
 
 
 def samples(pairs, few=FEW):
-    """Parameters (mesh, cutter) of the slow ring; those that are not among the few are of the large one besides."""
+    """Parameters (mesh, cutter) of the slow ring; those that are not among the few are of the large one
+    besides."""
     large = [pytest.mark.slow, pytest.mark.large]
     return [pytest.param(*pair, marks=pytest.mark.slow if pair in few else large) for pair in pairs]
 
@@ -173,7 +201,9 @@ def milled_real(name, kind, **options):
     """A program over one of the real meshes."""
     path = MESHES / f"{name}.stl"
     if not path.exists():
-        pytest.skip(f"no {path}: install Debian's occt-misc, or name a folder with its meshes in FIVEAXIS_MESHES")
+        pytest.skip(
+            f"no {path}: install Debian's occt-misc, or name a folder with its meshes in FIVEAXIS_MESHES"
+        )
     stepover, diameter = REAL[name]
     cutter = KINDS[kind].format(diameter, 3 * diameter, 0.2 * diameter)
     given = {"cutter": cutter, "stepover": stepover, "tool_axis": "facet_mean", "lead": "3deg", **options}
@@ -201,8 +231,8 @@ def test_after_the_lift_the_judge_finds_nothing_in_real_meshes_either(name, kind
 
 @pytest.mark.parametrize(("name", "kind"), samples([("propeller", "bull")]))
 def test_without_rows_half_way_the_turning_axis_leads_the_cutter_into_the_part(name, kind, monkeypatch):
-    """The tip is led within half the tolerance, but the machine turns the axis otherwise than on a great arc. (A ball does not mind:
-    its centre is led.)"""
+    """The tip is led within half the tolerance, but the machine turns the axis otherwise than on a great arc.
+    (A ball does not mind: its centre is led.)"""
     monkeypatch.setattr(solve_joints, "HALVINGS", 0)
     _, _, verdict = both(milled_real(name, kind, gouge="lift"))
     assert verdict.worst > 1.5 * TOLERANCE

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cures against gouging: what is lifted or left out is no more than the part demands, and nothing enters afterwards."""
+"""Cures against gouging: what is lifted or left out is no more than the part demands, and nothing enters
+afterwards."""
 
 import importlib
 import json
@@ -27,7 +28,13 @@ from freecad_fiveaxis.core.toolpath import cl_offset as seating
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 TOLERANCE = 0.01
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 85, "linearize": "on"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "tool_axis": "fixed",
+    "max_axis_angle": 85,
+    "linearize": "on",
+}
 
 
 def milled(mesh, **options):
@@ -40,7 +47,9 @@ def cl_path(tips, axis=(0.0, 0.0, 1.0)):
     tips, axes = np.array(tips, float), np.tile(np.array(axis, float), (n, 1))
     none, motion = np.full(n, -1), np.full(n, Motion.CUT, np.int8)
     motion[0] = Motion.RAPID
-    return CLPath(tips, axes, motion, np.where(motion == Motion.CUT, 500.0, 0.0), tips, axes, none, none, none)
+    return CLPath(
+        tips, axes, motion, np.where(motion == Motion.CUT, 500.0, 0.0), tips, axes, none, none, none
+    )
 
 
 def entering(path, mesh, body, tolerance=TOLERANCE):
@@ -58,7 +67,10 @@ def test_a_ball_over_a_groove_that_is_too_narrow_is_lifted_onto_its_rims():
     lifted = lift_path(path, facet_tree(round_groove(groove)), body_of(Cutter(2 * radius)), TOLERANCE)
     touching = np.sqrt(radius**2 - groove**2) - radius  # the tip when both rims touch
     assert lifted.path.tip[:, 2] == pytest.approx(touching, abs=TOLERANCE)
-    assert lifted.lift == pytest.approx(touching + 4.0, abs=TOLERANCE) and (lifted.path.tip[:, :2] == path.tip[:, :2]).all()
+    assert (
+        lifted.lift == pytest.approx(touching + 4.0, abs=TOLERANCE)
+        and (lifted.path.tip[:, :2] == path.tip[:, :2]).all()
+    )
     finding = lifted.path.findings[-1]
     assert finding.code == "lifted" and finding.value == pytest.approx(touching + 4.0, abs=TOLERANCE)
     assert not entering(lifted.path, round_groove(groove), body_of(Cutter(2 * radius))).any()
@@ -73,7 +85,12 @@ def test_lifting_says_how_far_it_is_and_can_be_stopped_at_each_word():
     )
     lift_path(path, tree, body, TOLERANCE, progress=lambda *told: said.append(told))
     done = [fraction for _, fraction in said]
-    assert {stage for stage, _ in said} == {"lift"} and done == sorted(done) and done[-1] == 1.0 and len(set(done)) > 5
+    assert (
+        {stage for stage, _ in said} == {"lift"}
+        and done == sorted(done)
+        and done[-1] == 1.0
+        and len(set(done)) > 5
+    )
     for last in range(0, len(said), 9):
         words = iter(range(len(said)))
 
@@ -122,7 +139,8 @@ def test_no_rows_are_put_in_that_stand_on_each_other():
 
 @pytest.mark.thorough
 def test_without_room_below_the_aim_rows_are_put_in_for_nothing(monkeypatch):
-    """A row that enters by the whole aim has blocks beside it that enter by a hair more, however short they are."""
+    """A row that enters by the whole aim has blocks beside it that enter by a hair more, however short they
+    are."""
     monkeypatch.setattr(lift, "ROOM", 1.0)
     made = milled(step(), cutter="flat:8:40", stepover=4, direction=70, gouge="lift")
     assert cuts_of_no_length(made.path) > 10
@@ -133,19 +151,30 @@ def test_rows_half_way_stand_on_the_commanded_way_and_lead_where_the_next_does()
     axes = np.array([(0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, np.sin(0.4), np.cos(0.4))])
     path = replace(path, axis=axes, face=np.array([4, 5, 6]))
     made = solve_joints._halved(path, np.array([2]))
-    assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [4, 5, 6, 6]
+    assert made.tip.tolist() == [[0, 0, 0], [0, 2, 0], [0, 4, 1], [0, 6, 2]] and made.face.tolist() == [
+        4,
+        5,
+        6,
+        6,
+    ]
     np.testing.assert_allclose(made.axis[2], (0.0, np.sin(0.2), np.cos(0.2)), atol=1e-12)
     assert made.motion.tolist() == [*path.motion.tolist(), Motion.CUT]
 
 
 def context_of(**options):
-    settings = build_settings("mill", "part", {**OPTIONS, "stepover": 2, "cutter": "ball:6:20", "gouge": "lift", **options})
+    settings = build_settings(
+        "mill", "part", {**OPTIONS, "stepover": 2, "cutter": "ball:6:20", "gouge": "lift", **options}
+    )
     mesh = step()
-    return MillContext(settings, None, None, None, mesh.box, lambda *_: None, mesh, np.ones(len(mesh.face), bool))
+    return MillContext(
+        settings, None, None, None, mesh.box, lambda *_: None, mesh, np.ones(len(mesh.face), bool)
+    )
 
 
 @pytest.mark.parametrize("options", [{"gouge": "report"}, {"linearize": "off"}])
-def test_no_rows_are_put_half_way_into_a_path_that_is_only_looked_at_or_whose_blocks_stay_whole(options, monkeypatch):
+def test_no_rows_are_put_half_way_into_a_path_that_is_only_looked_at_or_whose_blocks_stay_whole(
+    options, monkeypatch
+):
     path, driven = cl_path([(0, 0, 0), (0, 2, 0)]), []
     monkeypatch.setattr(solve_joints, "drive", lambda _, path, entering: driven.append((path, entering)))
     given, joints = solve_joints.drive_free(context_of(**options), path, 0.003)
@@ -162,7 +191,8 @@ def test_rows_are_put_half_way_into_a_path_that_no_cure_has_changed(monkeypatch)
 
 
 UNDER_A_ROOF = [(0, -20, 0), (0, -10, 0), (0, 5, 0), (0, 10, 0), (0, 14, 0), (0, 25, 16)]
-"""Tips of a short ball of radius 2 that is free on the floor under the shelf's roof, until the wall comes too near."""
+"""Tips of a short ball of radius 2 that is free on the floor under the shelf's roof, until the wall comes too
+near."""
 
 
 @pytest.mark.slow
@@ -214,7 +244,11 @@ def test_a_cut_that_ends_under_a_roof_is_lifted_above_it_before_the_tool_leaves(
 def test_from_under_a_roof_no_link_goes_through_it(gouge, direction):
     made = milled(shelf(), cutter="ball:4:6", stepover=4, direction=direction, gouge=gouge)
     assert not {"overcut", "rapid-collision"} & {f.code for f in job.prove(made).findings}
-    body, points, swept = body_of(Cutter(4.0, 6.0)), dense_points(shelf(), 0.8), real_motion(made.kinematics, made.program.words)
+    body, points, swept = (
+        body_of(Cutter(4.0, 6.0)),
+        dense_points(shelf(), 0.8),
+        real_motion(made.kinematics, made.program.words),
+    )
     assert max(sampled_depth(body, points, swept, k, 9) for k in range(len(swept))) <= TOLERANCE
     some = made.path.contact[made.path.motion == Motion.CUT]
     assert (some[:, 1] < -3.0).any() and (some[:, 2] > 15.9).any()  # beside the roof and on it all is cut
@@ -231,8 +265,14 @@ def test_without_a_look_above_the_ends_a_link_goes_through_the_roof(gouge, monke
 def test_where_all_is_under_a_roof_leave_out_says_what_to_do():
     cave = prism([(0, -5), (20, -5), (20, 16), (0, 16), (0, 12), (15, 12), (15, 0), (0, 0)])
     floor = (cave.vertex[cave.face][:, :, 2] == 0.0).all(axis=1)
-    with pytest.raises(SettingsError, match=r"leaves nothing to cut: the tool could not get out along its axis on every pass"):
-        job.make(build_settings("mill", "part", {**OPTIONS, "cutter": "ball:4:6", "gouge": "leave-out"}), mesh=cave, faces=floor)
+    with pytest.raises(
+        SettingsError, match=r"leaves nothing to cut: the tool could not get out along its axis on every pass"
+    ):
+        job.make(
+            build_settings("mill", "part", {**OPTIONS, "cutter": "ball:4:6", "gouge": "leave-out"}),
+            mesh=cave,
+            faces=floor,
+        )
 
 
 @pytest.mark.slow
@@ -260,7 +300,11 @@ def test_the_way_out_of_a_cutter_is_where_a_drop_cutter_stops():
     by = way_out(body, tip, axis, points)
     radius = np.hypot(points[:, 0], points[:, 1])
     over = np.clip(radius - 2.0, 0.0, 1.0)
-    low = np.where(radius <= 3.0, 1.0 - np.sqrt(1.0 - over**2), np.where(radius <= 6.0, 1.0 + (radius - 3.0) * 3.0, np.inf))
+    low = np.where(
+        radius <= 3.0,
+        1.0 - np.sqrt(1.0 - over**2),
+        np.where(radius <= 6.0, 1.0 + (radius - 3.0) * 3.0, np.inf),
+    )
     assert by == pytest.approx(np.maximum(points[:, 2] - low, 0.0), abs=1e-12)
 
 
@@ -272,12 +316,25 @@ def test_where_nothing_enters_the_path_stays_the_same_object():
 
 @some_in_core("part", ["dome", "half_cylinder"], kept=(1,))
 def test_convex_parts_are_posted_byte_for_byte_as_without_the_check(parts, part):
-    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 12, "linearize": "on", "links": "over"}
-    bytes_of = lambda gouge: job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge})).nc  # noqa: E731
+    options = {
+        "machine": "trunnion_ac",
+        "tool_length": 120,
+        "stepover": 12,
+        "linearize": "on",
+        "links": "over",
+    }
+    bytes_of = lambda gouge: (  # noqa: E731
+        job.make(build_settings("mill", str(parts / f"{part}.stl"), {**options, "gouge": gouge})).nc
+    )
     assert bytes_of("lift") == bytes_of("off") == bytes_of("leave-out")
 
 
-RINGS = {"cutter": "bull:10:2"}, {"cutter": "bull:10:2", "lead": 0}, {"cutter": "taperbull:8:1:5deg"}, {"cutter": "flat:10"}
+RINGS = (
+    {"cutter": "bull:10:2"},
+    {"cutter": "bull:10:2", "lead": 0},
+    {"cutter": "taperbull:8:1:5deg"},
+    {"cutter": "flat:10"},
+)
 
 
 def over_sharp_edges(parts, part, gouge, **options):
@@ -301,15 +358,23 @@ def over_sharp_edges(parts, part, gouge, **options):
 )
 @pytest.mark.parametrize("part", ["dome", pytest.param("half_cylinder", marks=pytest.mark.slow)])
 def test_round_sharp_edges_of_convex_parts_no_cure_touches_a_ring_cutter(parts, part, options):
-    off, lift, out = (over_sharp_edges(parts, part, gouge, **options) for gouge in ("off", "lift", "leave-out"))
+    off, lift, out = (
+        over_sharp_edges(parts, part, gouge, **options) for gouge in ("off", "lift", "leave-out")
+    )
     assert off.nc == lift.nc == out.nc
 
 
 @pytest.mark.thorough
 @some_in_core("options", RINGS[:2], ids=["lead 8", "lead 0"])
-def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(parts, options):
-    """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row is lifted."""
-    report, lift = (job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options)) for gouge in ("report", "lift"))
+def test_divided_within_the_tolerance_of_the_tip_the_ring_swings_farther_and_is_kept_out_all_the_same(
+    parts, options
+):
+    """Blocks that are short enough for the tip are not for the ring: that takes rows half-way, though no row
+    is lifted."""
+    report, lift = (
+        job.prove(over_sharp_edges(parts, "dome", gouge, linearize="on", **options))
+        for gouge in ("report", "lift")
+    )
     assert report.gouge.cutter.depth.max() > 1.2 * report.draft.settings.proof.tolerance
     assert not lift.gouge.cutter.depth.any() and "lifted" not in {finding.code for finding in lift.findings}
     assert len(lift.draft.path.tip) < 1.05 * len(report.draft.path.tip)
@@ -323,7 +388,7 @@ def test_without_rows_along_the_hubs_swing_the_edge_is_cut(parts, monkeypatch):
     assert "lifted" in {finding.code for finding in lifted.findings}
 
 
-# ------------------------------------------------------------------------------------------------ the pipeline
+# ----------------------------------------------------------------------------------------------- the pipeline
 
 
 @pytest.mark.parametrize(
@@ -350,7 +415,10 @@ def test_after_the_cure_the_program_does_not_enter_on_its_real_way(mesh, cutter,
 @pytest.mark.thorough
 def test_where_the_machine_leaves_a_cured_path_the_overcut_says_so():
     """The axis turns from facet to facet of a coarse bowl, and the tip swings between the ends of blocks."""
-    for gouge, helps in (("report", "gouge lift, leave-out"), ("lift", "path itself is free of the part there")):
+    for gouge, helps in (
+        ("report", "gouge lift, leave-out"),
+        ("lift", "path itself is free of the part there"),
+    ):
         options = {"cutter": "ball:20", "stepover": 4, "tool_axis": "facet_mean", "linearize": "off"}
         made = milled(bowl(15.0, 8), gouge=gouge, **options)
         said = [f.text for f in job.prove(made).findings if f.code == "overcut"]
@@ -363,7 +431,10 @@ def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
     mesh = read_stl(str(parts / "freeform_233.stl"))
     made = milled(mesh, tool_axis="facet_mean", cutter=f"ball:{diameter}", stepover=4, gouge="report")
     worst = max((f for f in job.prove(made).findings if f.code == "overcut"), key=lambda f: f.value)
-    body, swept = Body(body_of(made.settings.cutter.cutter).pieces[:1]), real_motion(made.kinematics, made.program.words)
+    body, swept = (
+        Body(body_of(made.settings.cutter.cutter).pieces[:1]),
+        real_motion(made.kinematics, made.program.words),
+    )
     points = dense_points(mesh, 0.4)
     assert sampled_depth(body, points, swept, worst.block - 1, 21) == pytest.approx(worst.value, rel=0.02)
     others = np.random.default_rng(1).choice(len(swept), 30, replace=False)
@@ -373,7 +444,10 @@ def test_the_worst_overcut_of_a_wavy_patch_is_the_judges_too(parts, diameter):
 @pytest.mark.slow
 def test_a_path_driven_by_the_centre_is_lifted_as_that_of_the_tip():
     options = {"cutter": "ball:10", "gouge": "lift"}
-    by_tip, by_centre = milled(round_groove(4.0), **options), milled(round_groove(4.0), control_point="centre", **options)
+    by_tip, by_centre = (
+        milled(round_groove(4.0), **options),
+        milled(round_groove(4.0), control_point="centre", **options),
+    )
     assert by_centre.path.tip - 5.0 * by_centre.path.axis == pytest.approx(by_tip.path.tip, abs=1e-9)
 
 
@@ -385,9 +459,13 @@ def test_a_holder_is_checked_and_its_block_and_line_are_told():
 
 def test_stacks_are_read_with_units_and_written_back():
     assert parse_stack("40x25, 0.5inx1in") == ((40.0, 25.0), (12.7, 25.4))
-    settings = build_settings("mill", "a.stl", {"machine": "trunnion_ac", "holder": "40x25,63x50", "shank": "8x20"})
+    settings = build_settings(
+        "mill", "a.stl", {"machine": "trunnion_ac", "holder": "40x25,63x50", "shank": "8x20"}
+    )
     assert settings.gouge.holder == ((40.0, 25.0), (63.0, 50.0))
-    again = build_settings("mill", "a.stl", {k: v for k, v in flat_options(settings).items() if k not in ("task", "source")})
+    again = build_settings(
+        "mill", "a.stl", {k: v for k, v in flat_options(settings).items() if k not in ("task", "source")}
+    )
     assert again.gouge == settings.gouge
 
 
@@ -398,7 +476,16 @@ def test_a_stack_that_cannot_be_read_is_refused(text):
 
 
 def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys):
-    common = ["mill", str(parts / "freeform_233.stl"), "--machine", "trunnion_ac", "--cutter", "ball:40", "--stepover", "6"]
+    common = [
+        "mill",
+        str(parts / "freeform_233.stl"),
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:40",
+        "--stepover",
+        "6",
+    ]
     common += [
         "--linearize",
         "on",
@@ -413,13 +500,17 @@ def test_the_command_line_tells_an_overcut_and_lifts_it(tmp_path, parts, capsys)
     ]
     assert main([*common, "--gouge", "report"]) == 1
     told = json.loads((tmp_path / "a.json").read_text())
-    assert "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63x40"
+    assert (
+        "overcut" in {finding["code"] for finding in told["findings"]} and told["inputs"]["holder"] == "63x40"
+    )
     assert main([*common, "--gouge", "lift", "--quiet"]) == 0
     assert "too deep into the part" in capsys.readouterr().out
 
 
 def test_where_the_controller_guides_the_tip_its_straight_way_is_checked():
     options = {"cutter": "ball:10", "gouge": "report", "linearize": "off"}
-    by_joints, guided = (job.prove(milled(round_groove(4.0), **options, rtcp=rtcp)) for rtcp in ("off", "angles"))
+    by_joints, guided = (
+        job.prove(milled(round_groove(4.0), **options, rtcp=rtcp)) for rtcp in ("off", "angles")
+    )
     worst = [max(f.value for f in result.findings if f.code == "overcut") for result in (by_joints, guided)]
     assert guided.draft.program.guided is not None and worst[1] == pytest.approx(worst[0], rel=0.03)

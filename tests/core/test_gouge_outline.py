@@ -25,7 +25,9 @@ def test_every_point_of_the_outline_lies_on_the_body_and_points_away_from_it(tex
     made = outline(body)
     middle, outward = (made.start + made.end) / 2, made.start_normal + made.end_normal
     assert np.abs(depths(body, made.end)).max() < 1e-9 and np.abs(depths(body, made.start)).max() < 1e-9
-    assert np.all(depths(body, middle + 0.05 * outward) < 0.0) and np.all(depths(body, middle - 0.05 * outward) > 0.0)
+    assert np.all(depths(body, middle + 0.05 * outward) < 0.0) and np.all(
+        depths(body, middle - 0.05 * outward) > 0.0
+    )
 
 
 @pytest.mark.parametrize("text", CUTTERS)
@@ -42,4 +44,6 @@ def test_turned_about_the_axis_it_has_the_volume_of_a_ball_end_with_shank_and_ho
     volume = float((np.pi / 3 * (z1 - z0) * (r0 * r0 + r0 * r1 + r1 * r1)).sum())
     truth = np.pi * (2 / 3 * 125 + 25 * 25 + 16 * 20 + 400 * 25)
     assert volume == pytest.approx(truth, rel=1e-4)
-    assert volume != pytest.approx(truth, rel=1e-7), "arcs are polygons: a comparison that takes anything would pass here too"
+    assert volume != pytest.approx(truth, rel=1e-7), (
+        "arcs are polygons: a comparison that takes anything would pass here too"
+    )

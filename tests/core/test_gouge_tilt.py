@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool tilted free: by the angle that the wall demands, smoothly, within its limits; and every cure where none can help."""
+"""The tool tilted free: by the angle that the wall demands, smoothly, within its limits; and every cure where
+none can help."""
 
 from functools import cache
 from types import SimpleNamespace
@@ -25,13 +26,21 @@ from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.tool.body import HOLDER
 
 WALL = 30.0
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "tool_axis": "fixed", "max_axis_angle": 60, "linearize": "on"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "tool_axis": "fixed",
+    "max_axis_angle": 60,
+    "linearize": "on",
+}
 LONG = {"cutter": "ball:6:24", "holder": "24x40", "max_tilt": 30}
 CURES = ("report", "lift", "leave-out", "tilt")
 
 
 def made_of(mesh, faces=None, **options):
-    return job.make(build_settings("mill", "part", {**OPTIONS, "stepover": 6, **options}), mesh=mesh, faces=faces)
+    return job.make(
+        build_settings("mill", "part", {**OPTIONS, "stepover": 6, **options}), mesh=mesh, faces=faces
+    )
 
 
 def codes(result):
@@ -51,7 +60,8 @@ def along():
 
 
 def needed(distance):
-    """The least tilt away from the wall under which the holder's rim, 21 mm above the ball's centre, touches the wall."""
+    """The least tilt away from the wall under which the holder's rim, 21 mm above the ball's centre, touches
+    the wall."""
     return brentq(lambda angle: distance + 21.0 * np.sin(angle) - 12.0 * np.cos(angle), 0.0, np.radians(60.0))
 
 
@@ -63,7 +73,10 @@ def test_beside_a_wall_the_tool_tilts_by_the_least_angle_that_frees_the_holder(a
         middle = rows[np.abs(made.path.contact[rows, 0]) < 5.0]
         tilt = np.arccos(np.clip(made.path.axis[middle, 2], -1.0, 1.0))
         least = needed(-y - 0.04)  # the holder stays 0.05 mm off, but for the tolerance
-        assert np.degrees(tilt.min()) > np.degrees(least) - 0.01 and np.degrees(tilt.max()) < np.degrees(least) + 0.4
+        assert (
+            np.degrees(tilt.min()) > np.degrees(least) - 0.01
+            and np.degrees(tilt.max()) < np.degrees(least) + 0.4
+        )
         assert (made.path.axis[middle, 1] < 0.0).all()  # away from the wall
         seen += len(middle)
     assert seen > 3
@@ -73,11 +86,18 @@ def test_the_tilted_program_is_free_and_a_judge_says_so_too(along):
     off, made = along
     result = job.prove(made)
     tilted = next(finding for finding in result.findings if finding.code == "tilted")
-    assert 5.0 < tilted.value < 30.0 == pytest.approx(tilted.limit) and f"most by {tilted.value:.3g} deg" in tilted.text
+    assert (
+        5.0 < tilted.value < 30.0 == pytest.approx(tilted.limit)
+        and f"most by {tilted.value:.3g} deg" in tilted.text
+    )
     body, points = job.tool_body(made.settings), dense_points(step(WALL), 1.0)
     holder = body.only(HOLDER)
     for path, free in ((off.path, False), (made.path, True)):
-        blocks = [k for k in range(len(path.tip) - 1) if path.motion[k + 1] == 0 and -13.0 < path.contact[k + 1, 1] < -4.0]
+        blocks = [
+            k
+            for k in range(len(path.tip) - 1)
+            if path.motion[k + 1] == 0 and -13.0 < path.contact[k + 1, 1] < -4.0
+        ]
         worst = max(sampled_depth(holder, points, straight_motion(path.tip, path.axis), k, 5) for k in blocks)
         assert (worst <= 0.01) == free
 
@@ -100,7 +120,9 @@ def test_rows_before_and_behind_turn_together_and_none_jumps():
     way = np.abs(np.diff(path.contact[floor, 1]))
     assert tilt.max() > 5.0 and (np.abs(np.diff(tilt)) / np.maximum(way, 0.5)).max() < tilt.max() / 4.0
     lone = make_jump(tilt)
-    assert (np.abs(np.diff(lone)) / np.maximum(way, 0.5)).max() > tilt.max() / 4.0  # a row that turns alone would be noticed
+    assert (
+        np.abs(np.diff(lone)) / np.maximum(way, 0.5)
+    ).max() > tilt.max() / 4.0  # a row that turns alone would be noticed
 
 
 def make_jump(tilt):
@@ -137,13 +159,15 @@ def test_no_step_of_the_search_leads_beyond_the_largest_tilt():
 
 
 def test_a_tapered_flank_never_leans_into_the_facet():
-    """A taper of 20 deg: the axis may stand 70 deg from the normal, no more; the first state, which is the given one, always."""
+    """A taper of 20 deg: the axis may stand 70 deg from the normal, no more; the first state, which is the
+    given one, always."""
     lean = np.radians([0.0, 69.9, 70.1, 85.0])
     axes = np.stack([np.zeros(4), np.sin(lean), np.cos(lean)], axis=1)
     upright = np.tile([0.0, 0.0, 1.0], (2, 1))
     for taper, known in ((20.0, [True, True, False, False]), (0.0, [True, True, True, True])):
         task = SimpleNamespace(
-            kinematics=chain(load_machine("trunnion_ac"), Setup()), cutter=SimpleNamespace(taper=np.radians(taper))
+            kinematics=chain(load_machine("trunnion_ac"), Setup()),
+            cutter=SimpleNamespace(taper=np.radians(taper)),
         )
         runs = SimpleNamespace(window=np.array([0]), task=task, path=SimpleNamespace(normal=upright))
         found = _Runs.allowed(runs, np.repeat(axes[:, None], 2, axis=1))
@@ -168,7 +192,13 @@ def test_a_cutter_with_a_ring_sits_anew_under_the_tilted_axis(cutter):
 @cache
 def convex(path, gouge):
     """The program for a convex part, made once for all cures that are compared with it."""
-    options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 15, "holder": "30x30", "links": "over"}
+    options = {
+        "machine": "trunnion_ac",
+        "tool_length": 120,
+        "stepover": 15,
+        "holder": "30x30",
+        "links": "over",
+    }
     return job.make(build_settings("mill", path, {**options, "gouge": gouge}))
 
 
@@ -180,18 +210,22 @@ def test_on_convex_parts_no_cure_changes_a_bit(parts, part, gouge):
     )  # with "off" rapids would keep the cutter alone off the part
     assert one.nc == two.nc
     assert all(
-        (getattr(one.path, name) == getattr(two.path, name)).all() for name in ("tip", "axis", "motion", "contact", "normal")
+        (getattr(one.path, name) == getattr(two.path, name)).all()
+        for name in ("tip", "axis", "motion", "contact", "normal")
     )
 
 
-# ------------------------------------------------------------------------------------------------ the other cures
+# -------------------------------------------------------------------------------------------- the other cures
 
 
 @pytest.mark.parametrize("cutter", ["bull:6:1", "flat:6"])
 def test_leaving_out_looks_at_the_hub_of_a_cutter_with_a_ring(cutter):
-    """Fixed upright, the hub stands a ring radius off the contact: over the shelf's edge, and in the wall beside the floor."""
+    """Fixed upright, the hub stands a ring radius off the contact: over the shelf's edge, and in the wall
+    beside the floor."""
     options = {"cutter": cutter, "direction": 90, "stepover": 8}
-    before, after = (job.prove(made_of(step(6.0), gouge=gouge, **options)) for gouge in ("report", "leave-out"))
+    before, after = (
+        job.prove(made_of(step(6.0), gouge=gouge, **options)) for gouge in ("report", "leave-out")
+    )
     assert "overcut" in codes(before) and "left-out" in codes(after) and "overcut" not in codes(after)
     assert len(rows_on(after.draft, -25.0, -3.5)) >= 2  # the floor away from the wall is still cut
 
@@ -201,14 +235,20 @@ def test_with_divided_blocks_no_more_than_the_tolerance_is_left_on_the_real_way(
     options = {"tool_axis": "facet_mean", "cutter": f"ball:{diameter}", "stepover": 4, "max_axis_angle": 85}
     mesh = read_stl(str(parts / "freeform_233.stl"))
     result = job.prove(made_of(mesh, gouge=cure, **options))
-    assert {"lift": "lifted", "leave-out": "left-out"}[cure] in codes(result) and "overcut" not in codes(result)
+    assert {"lift": "lifted", "leave-out": "left-out"}[cure] in codes(result) and "overcut" not in codes(
+        result
+    )
 
 
-@pytest.mark.parametrize(("lean", "radius"), [({"lead": 5.0}, 2.0 + 3.0 / np.sin(np.radians(5.0))), ({"tilt": 20.0}, 2.0)])
+@pytest.mark.parametrize(
+    ("lean", "radius"), [({"lead": 5.0}, 2.0 + 3.0 / np.sin(np.radians(5.0))), ({"tilt": 20.0}, 2.0)]
+)
 def test_the_scallop_of_a_stepover_is_that_of_the_effective_radius(lean, radius):
     mesh, stepover = step(1.0), 1.0
     options = AxisOptions(**{name: np.radians(angle) for name, angle in lean.items()})
-    scallop = scallop_of(parse_cutter("bull:10:2"), mesh, mesh.normal[:, 2] > 0.9, 0.0, "facet_mean", options, stepover)
+    scallop = scallop_of(
+        parse_cutter("bull:10:2"), mesh, mesh.normal[:, 2] > 0.9, 0.0, "facet_mean", options, stepover
+    )
     assert scallop == pytest.approx(stepover**2 / (8.0 * radius), rel=0.1)
     assert abs(scallop - stepover**2 / 40.0) > 0.2 * scallop  # not that of the diameter
 
@@ -244,7 +284,9 @@ def test_a_cutter_larger_than_the_part_ends_with_a_path_or_an_error(gouge):
     except SettingsError as error:
         assert gouge == "leave-out" and "leaves nothing" in str(error)
     else:
-        assert {"overcut", "lifted", "left-out", "corner-not-reached", "surface-tighter-than-cutter"} & codes(result)
+        assert {"overcut", "lifted", "left-out", "corner-not-reached", "surface-tighter-than-cutter"} & codes(
+            result
+        )
         assert gouge == "report" or "overcut" not in codes(result)
 
 
@@ -263,7 +305,8 @@ def test_open_meshes_and_facets_that_look_inward_end_with_a_finding_or_an_error(
 
 
 def test_blocks_of_no_length_are_cured_as_others_are():
-    """A zigzag whose passes begin where the last one ended has such blocks; the check takes them for poses."""
+    """A zigzag whose passes begin where the last one ended has such blocks; the check takes them for
+    poses."""
     tips = np.repeat(np.array([[0.0, -6.0, 0.0], [4.0, -6.0, 0.0]]), 3, axis=0)
     swept = straight_motion(tips, np.tile([0.0, 0.0, 1.0], (6, 1)))
     body = job.tool_body(build_settings("mill", "part", {**OPTIONS, **LONG}))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command has a help page; what the pages call a field is what the window calls it; no link leads nowhere."""
+"""Every command has a help page; what the pages call a field is what the window calls it; no link leads
+nowhere."""
 
 import re
 
@@ -22,15 +23,26 @@ def named_fields(page):
     """The first cells of the tables in the sections that list what the window shows."""
     for section in re.split(r"^## ", page, flags=re.MULTILINE)[1:]:
         title, _, body = section.partition("\n")
-        rows = [line.split("|")[1].strip() for line in body.splitlines() if line.startswith("|")] if title in SHOWN else []
+        rows = (
+            [line.split("|")[1].strip() for line in body.splitlines() if line.startswith("|")]
+            if title in SHOWN
+            else []
+        )
         yield from (
-            name.strip() for row in rows if row not in ("field", "property", "---") for name in re.split(r", (?=Colour)", row)
+            name.strip()
+            for row in rows
+            if row not in ("field", "property", "---")
+            for name in re.split(r", (?=Colour)", row)
         )
 
 
 def test_every_command_has_its_page():
     commands = (ROOT / "freecad_fiveaxis" / "gui" / "commands").glob("*.py")
-    names = [found for path in commands for found in re.findall(r'NAME = "(\w+)"', path.read_text(encoding="utf-8"))]
+    names = [
+        found
+        for path in commands
+        for found in re.findall(r'NAME = "(\w+)"', path.read_text(encoding="utf-8"))
+    ]
     assert len(names) >= 6
     assert sorted(names) == [path.stem for path in PAGES]
 
@@ -45,9 +57,9 @@ def test_pages_name_the_fields_as_the_window_does(page, texts):
 
 
 def test_a_field_that_is_gone_would_be_noticed(texts):
-    assert list(named_fields("# X\n## Fields\n\n| field | what |\n|---|---|\n| Number of wings | none |\n")) == [
-        "Number of wings"
-    ]
+    assert list(
+        named_fields("# X\n## Fields\n\n| field | what |\n|---|---|\n| Number of wings | none |\n")
+    ) == ["Number of wings"]
     assert "Number of wings" not in texts
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The house rules that a tool can check: what the core may import, in which order, and that every file names its licence."""
+"""The house rules that a tool can check: what the core may import, in which order, and that every file names
+its licence."""
 
 import io
 import os
@@ -17,9 +18,22 @@ pytestmark = pytest.mark.texts
 
 ROOT = Path(__file__).parents[2]
 CORE = ROOT / "freecad_fiveaxis" / "core"
-FOREIGN = ("FreeCAD", "FreeCADGui", "Part", "Mesh", "MeshPart", "PySide", "PySide2", "PySide6", "pivy", "Path")
+FOREIGN = (
+    "FreeCAD",
+    "FreeCADGui",
+    "Part",
+    "Mesh",
+    "MeshPart",
+    "PySide",
+    "PySide2",
+    "PySide6",
+    "pivy",
+    "Path",
+)
 MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in CORE.rglob("*.py"))
-LAYERS = (  # packages of the core in the order of the process; a lower line may import from any above it, never from below
+# packages of the core in the order of the process; a lower line may import from any above it, never from
+# below
+LAYERS = (
     "base", "geometry", "tool", "controllers", "machine", "passes", "toolpath", "motion", "nc", "gouge", "orientation", "links", "audit",
     "report", "pipeline", "studies", "calibration", "batch", "cli",
 )  # fmt: skip
@@ -28,7 +42,9 @@ LAYERS = (  # packages of the core in the order of the process; a lower line may
 def test_every_core_module_imports_with_freecad_and_qt_blocked():
     block = f"import sys\nfor name in {FOREIGN!r}: sys.modules[name] = None\n"
     code = block + "\n".join(f"import {name}" for name in MODULES if not name.endswith("__main__"))
-    done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, cwd=ROOT, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, cwd=ROOT, timeout=60
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -40,7 +56,9 @@ def test_the_block_would_be_noticed():
 @cache
 def imports_of(path):
     """The files of the core that a file imports, relative or not."""
-    return frozenset(file for file in import_graph.imports_of(path, [ROOT]) if file.is_relative_to(CORE)) - {path}
+    return frozenset(file for file in import_graph.imports_of(path, [ROOT]) if file.is_relative_to(CORE)) - {
+        path
+    }
 
 
 def test_imports_in_the_core_go_one_way():
@@ -48,7 +66,9 @@ def test_imports_in_the_core_go_one_way():
     seen, on_the_way = set(), []
 
     def visit(path):
-        assert path not in on_the_way, " -> ".join(part.stem for part in [*on_the_way[on_the_way.index(path) :], path])
+        assert path not in on_the_way, " -> ".join(
+            part.stem for part in [*on_the_way[on_the_way.index(path) :], path]
+        )
         if path in graph and path not in seen:
             on_the_way.append(path)
             for made in graph[path]:
@@ -72,7 +92,9 @@ def upward_imports(path):
 
 def test_no_layer_imports_from_one_below_it():
     files = [path for path in CORE.rglob("*.py") if path != CORE / "__init__.py"]
-    assert {path.relative_to(CORE).as_posix(): upward_imports(path) for path in files if upward_imports(path)} == {}
+    assert {
+        path.relative_to(CORE).as_posix(): upward_imports(path) for path in files if upward_imports(path)
+    } == {}
 
 
 def test_an_import_from_below_would_be_noticed(monkeypatch):
@@ -81,12 +103,14 @@ def test_an_import_from_below_would_be_noticed(monkeypatch):
 
 
 def test_every_package_of_the_core_is_a_layer():
-    assert {path.relative_to(CORE).with_suffix("").parts[0] for path in CORE.rglob("*.py")} - {"__init__"} == set(LAYERS)
+    assert {path.relative_to(CORE).with_suffix("").parts[0] for path in CORE.rglob("*.py")} - {
+        "__init__"
+    } == set(LAYERS)
 
 
 def sources():
-    """Every Python and shell file of the project. Folders that are not its own are never entered: while other tests run, a chroot is
-    built in .cache, and what was listed there is gone before it is read."""
+    """Every Python and shell file of the project. Folders that are not its own are never entered: while other
+    tests run, a chroot is built in .cache, and what was listed there is gone before it is read."""
     for folder, inner, names in os.walk(ROOT):
         inner[:] = [name for name in inner if name not in (".git", ".venv", ".cache", "out", "build")]
         yield from (Path(folder) / name for name in names if name.endswith((".py", ".sh")))
@@ -96,11 +120,15 @@ def test_every_file_names_its_licence():
     files = list(sources())
     assert len(files) > 40
     assert not [
-        str(path) for path in files if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:200]
+        str(path)
+        for path in files
+        if "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:200]
     ]
 
 
-@pytest.mark.parametrize("tag", ["name", "version", "date", "description", "maintainer", "license", "icon", "content", "depend"])
+@pytest.mark.parametrize(
+    "tag", ["name", "version", "date", "description", "maintainer", "license", "icon", "content", "depend"]
+)
 def test_the_package_has_what_the_addon_manager_needs(tag):
     space = "{https://wiki.freecad.org/Package_Metadata}"
     root = ET.parse(ROOT / "package.xml").getroot()
@@ -118,13 +146,15 @@ def test_the_version_is_the_same_wherever_it_stands():
 
 
 PRIVATE = frozenset(["said", "told", "led", "laid", "sat", "stood", "asked", "made", "lent", "foretold"])
-"""Past participles that once stood for findings, texts, axes, rows and records; the trade has words for all of these."""
+"""Past participles that once stood for findings, texts, axes, rows and records; the trade has words for all
+of these."""
 
 PACKAGE = ROOT / "freecad_fiveaxis"
 
 
 def packages():
-    """The folders of the whole tree, the core's and those of ``app`` and ``gui``, in which Python modules lie."""
+    """The folders of the whole tree, the core's and those of ``app`` and ``gui``, in which Python modules
+    lie."""
     return sorted({path.parent.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py")})
 
 
@@ -134,15 +164,23 @@ CODES = frozenset(["AXIS_LED_PAST_POLE", "CYCLE_STEP_NOT_SAID", "UNITS_NOT_SAID"
 
 def private_names(source):
     """The names of a source, with their lines, that are made of such words."""
-    names = [one for one in tokenize.generate_tokens(io.StringIO(source).readline) if one.type == tokenize.NAME]
+    names = [
+        one for one in tokenize.generate_tokens(io.StringIO(source).readline) if one.type == tokenize.NAME
+    ]
     return [
-        (one.start[0], one.string) for one in names if PRIVATE & set(one.string.lower().split("_")) and one.string not in CODES
+        (one.start[0], one.string)
+        for one in names
+        if PRIVATE & set(one.string.lower().split("_")) and one.string not in CODES
     ]
 
 
 def private_words_in(folder):
-    """The files of a folder, by their names, that carry such a word in their own name or in a name within, with its line."""
-    found = {path.name: private_names(path.stem + "\n" + path.read_text(encoding="utf-8")) for path in folder.glob("*.py")}
+    """The files of a folder, by their names, that carry such a word in their own name or in a name within,
+    with its line."""
+    found = {
+        path.name: private_names(path.stem + "\n" + path.read_text(encoding="utf-8"))
+        for path in folder.glob("*.py")
+    }
     return {name: [(line - 1, word) for line, word in names] for name, names in found.items() if names}
 
 
@@ -152,16 +190,27 @@ def test_names_are_words_of_the_trade(package):
 
 
 def test_all_of_the_tree_is_read_for_private_words():
-    assert {"core/passes", "app", "gui", "gui/panels", "gui/scene", "gui/play", "gui/commands"} <= set(packages())
+    assert {"core/passes", "app", "gui", "gui/panels", "gui/scene", "gui/play", "gui/commands"} <= set(
+        packages()
+    )
 
 
 def test_a_private_word_would_be_noticed():
-    assert private_names("offset, said = close(path)\nled_axis = said\n") == [(1, "said"), (2, "led_axis"), (2, "said")]
-    assert private_names("# said\nsaid_so = 'told'") == [(2, "said_so")] and not private_names("solid = 'told'")
+    assert private_names("offset, said = close(path)\nled_axis = said\n") == [
+        (1, "said"),
+        (2, "led_axis"),
+        (2, "said"),
+    ]
+    assert private_names("# said\nsaid_so = 'told'") == [(2, "said_so")] and not private_names(
+        "solid = 'told'"
+    )
 
 
 def test_a_private_word_in_a_file_would_be_noticed(tmp_path):
     (tmp_path / "told.py").write_text("")
     (tmp_path / "panel.py").write_text("import told as wording\n\nMADE_HERE = True\n")
     (tmp_path / "clean.py").write_text("wording = 'told'\n")
-    assert private_words_in(tmp_path) == {"told.py": [(0, "told")], "panel.py": [(1, "told"), (3, "MADE_HERE")]}
+    assert private_words_in(tmp_path) == {
+        "told.py": [(0, "told")],
+        "panel.py": [(1, "told"), (3, "MADE_HERE")],
+    }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``scripts/install``: links, twice without harm, never over anything that is not ours. Run in an empty home."""
+"""``scripts/install``: links, twice without harm, never over anything that is not ours. Run in an empty
+home."""
 
 import os
 import shutil
@@ -10,7 +11,21 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-TOOLS = ("bash", "dirname", "mkdir", "ln", "rm", "find", "readlink", "sed", "sort", "head", "cat", "mktemp", "timeout")
+TOOLS = (
+    "bash",
+    "dirname",
+    "mkdir",
+    "ln",
+    "rm",
+    "find",
+    "readlink",
+    "sed",
+    "sort",
+    "head",
+    "cat",
+    "mktemp",
+    "timeout",
+)
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="a shell script")
 
@@ -30,7 +45,11 @@ def home(tmp_path):
 def install(home, *arguments):
     environment = {"HOME": str(home), "PATH": str(home.parent / "tools"), "LANG": "C.UTF-8"}
     return subprocess.run(
-        ["bash", ROOT / "scripts" / "install", *arguments], env=environment, capture_output=True, text=True, timeout=60
+        ["bash", ROOT / "scripts" / "install", *arguments],
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=60,
     )
 
 

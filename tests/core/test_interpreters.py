@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which Python works beside FreeCAD, by where it lies in each kind of installation; and that only one that says so is taken."""
+"""Which Python works beside FreeCAD, by where it lies in each kind of installation; and that only one that
+says so is taken."""
 
 import os
 import sys
@@ -10,7 +11,8 @@ from freecad_fiveaxis.app import interpreters
 from freecad_fiveaxis.app.interpreters import Around, candidates, find_worker
 from freecad_fiveaxis.core.base import workers
 
-LAYOUTS = {  # home, system, executables, prefix, the files there are, those that are candidates, in their order
+# home, system, executables, prefix, the files there are, those that are candidates, in their order
+LAYOUTS = {
     "Debian": (
         "usr/lib/freecad", "linux", ("usr/bin/freecad",), "usr",
         ("usr/bin/freecad", "usr/bin/python3.11", "usr/bin/python3", "usr/bin/python3.12"), ("usr/bin/python3.11", "usr/bin/python3"),
@@ -49,7 +51,9 @@ def test_the_python_that_belongs_to_freecad_is_found(name, tmp_path):
         made.parent.mkdir(parents=True, exist_ok=True)
         made.touch(mode=0o755)
     home, prefix = (str(tmp_path / one) if one else "" for one in (home, prefix))
-    around = Around(home, "", system, tuple(str(tmp_path / one) if one else "" for one in executables), (prefix,), (3, 11))
+    around = Around(
+        home, "", system, tuple(str(tmp_path / one) if one else "" for one in executables), (prefix,), (3, 11)
+    )
     assert candidates(around) == [tmp_path / one for one in expected]
 
 
@@ -71,7 +75,10 @@ def forgetful(monkeypatch):
 
 def test_a_python_that_computes_with_our_versions_is_taken_and_asked_once(tmp_path, monkeypatch):
     around = around_here(sys.executable)
-    assert find_worker(around, str(tmp_path)).words[:2] == (sys.executable, "-c") and not interpreters.has_no_worker(around)
+    assert find_worker(around, str(tmp_path)).words[:2] == (
+        sys.executable,
+        "-c",
+    ) and not interpreters.has_no_worker(around)
     monkeypatch.setattr(interpreters, "is_proven", None)
     assert find_worker(around, str(tmp_path)).words[0] == sys.executable and os.listdir(tmp_path) == []
 
@@ -86,9 +93,9 @@ def test_where_there_is_no_python_freecad_without_a_window_is_asked(tmp_path, mo
     """By a file, for FreeCAD takes no code."""
     around = around_here(without_window=sys.executable)
     command = find_worker(around, str(tmp_path))
-    assert command.words == (sys.executable, str(tmp_path / "serve.py")) and command.environment["FREECAD_USER_HOME"] == str(
-        tmp_path
-    )
+    assert command.words == (sys.executable, str(tmp_path / "serve.py")) and command.environment[
+        "FREECAD_USER_HOME"
+    ] == str(tmp_path)
     process = workers.start(command)
     workers.skip_greeting(process.stdout)
     process.communicate(timeout=60)
@@ -96,11 +103,14 @@ def test_where_there_is_no_python_freecad_without_a_window_is_asked(tmp_path, mo
 
 
 @pytest.mark.parametrize(
-    "words", [("no-such-program",), (sys.executable, "-c", "print('Python')"), (sys.executable, "-c", "input()")]
+    "words",
+    [("no-such-program",), (sys.executable, "-c", "print('Python')"), (sys.executable, "-c", "input()")],
 )
 def test_a_program_that_says_something_else_is_not_proven(words):
     assert not interpreters.is_proven(workers.Command(words))
 
 
 def test_one_that_hangs_is_killed_and_not_proven():
-    assert not interpreters.is_proven(workers.Command((sys.executable, "-c", "import time; time.sleep(3600)")), 0.1)
+    assert not interpreters.is_proven(
+        workers.Command((sys.executable, "-c", "import time; time.sleep(3600)")), 0.1
+    )

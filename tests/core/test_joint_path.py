@@ -23,7 +23,9 @@ def path_of(tip, axis, motion):
     tip, axis, motion = np.array(tip, float), np.array(axis, float), np.array(motion, np.int8)
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     none = np.full(len(tip), -1)
-    return CLPath(tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 800.0), tip, axis, none, none, none)
+    return CLPath(
+        tip, axis, motion, np.where(motion == Motion.RAPID, 0.0, 800.0), tip, axis, none, none, none
+    )
 
 
 def linked(tip, axis):
@@ -37,14 +39,18 @@ def linked(tip, axis):
 
 def joined(*paths):
     columns = {
-        name: np.concatenate([getattr(p, name) for p in paths]) for name in CLPath.__dataclass_fields__ if name != "findings"
+        name: np.concatenate([getattr(p, name) for p in paths])
+        for name in CLPath.__dataclass_fields__
+        if name != "findings"
     }
     return CLPath(**columns)
 
 
 def circling(turns, tilt=0.5, steps=72, start=0.3):
     a = np.linspace(start, start + 2.0 * math.pi * turns, round(steps * turns) + 1)
-    axis = np.column_stack([math.sin(tilt) * np.cos(a), math.sin(tilt) * np.sin(a), np.full(len(a), math.cos(tilt))])
+    axis = np.column_stack(
+        [math.sin(tilt) * np.cos(a), math.sin(tilt) * np.sin(a), np.full(len(a), math.cos(tilt))]
+    )
     return linked(np.column_stack([20.0 * np.cos(a), 20.0 * np.sin(a), np.zeros(len(a))]), axis)
 
 
@@ -59,7 +65,8 @@ def dome_zigzag(passes=9, points=41, radius=40.0):
 
 
 def meridian(tilts, azimuth=0.4, tip_step=1.0):
-    """A cut straight over the pole of a machine whose first rotary axis is vertical; tilts in degrees, signed."""
+    """A cut straight over the pole of a machine whose first rotary axis is vertical; tilts in degrees,
+    signed."""
     t = np.radians(np.array(tilts, float))
     axis = np.column_stack([np.sin(t) * math.cos(azimuth), np.sin(t) * math.sin(azimuth), np.cos(t)])
     return linked(np.column_stack([np.arange(len(t)) * tip_step, np.zeros(len(t)), np.zeros(len(t))]), axis)
@@ -69,10 +76,15 @@ def kinematics_of(name, first=None, second=None, **setup):
     machine = load_machine(name)
     limits = dict(zip(machine.rotary, (first, second), strict=True))
     axes = tuple(
-        replace(axis, low=math.radians(limits[axis][0]), high=math.radians(limits[axis][1])) if limits.get(axis) else axis
+        replace(axis, low=math.radians(limits[axis][0]), high=math.radians(limits[axis][1]))
+        if limits.get(axis)
+        else axis
         for axis in machine.axes
     )
-    return chain(replace(machine, axes=axes), Setup(setup.get("origin", machine.origin), setup.get("tool_length", 100.0)))
+    return chain(
+        replace(machine, axes=axes),
+        Setup(setup.get("origin", machine.origin), setup.get("tool_length", 100.0)),
+    )
 
 
 def given_rows(joints):
@@ -113,7 +125,9 @@ def test_every_row_gives_back_its_tip_and_axis_and_a_cut_goes_on_without_jumps(n
     away = joints.sine > 1e-6
     assert (joints.branch == branch_of(kinematics, joints.q[:, 4]))[away].all()
     assert not [f for f in joints.findings if f.code != "limit"]
-    assert (np.abs(np.diff(joints.q[:, 3:], axis=0))[joints.path.motion[1:] != Motion.RAPID] <= math.pi + 1e-9).all()
+    assert (
+        np.abs(np.diff(joints.q[:, 3:], axis=0))[joints.path.motion[1:] != Motion.RAPID] <= math.pi + 1e-9
+    ).all()
 
 
 @pytest.mark.parametrize("name", MACHINES)
@@ -141,11 +155,18 @@ def test_straight_over_the_pole_the_first_axis_stands_still_and_the_second_chang
 
 @pytest.mark.parametrize("degrees", [3.0, 0.3, 0.12])
 def test_past_the_pole_at_a_distance_the_first_axis_turns_on_one_branch(degrees):
-    """The comparison above can fail: beside the pole the branch has to stay; across it the axis would leave its arc by as much."""
+    """The comparison above can fail: beside the pole the branch has to stay; across it the axis would leave
+    its arc by as much."""
     t = np.radians(np.arange(-9.0, 10.0, 2.0))
     side = math.radians(degrees)
     axis = np.column_stack([np.sin(t), np.full(len(t), math.sin(side)), np.cos(t)])
-    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), kinematics_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
+    joints = solve(
+        linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis),
+        kinematics_of("trunnion_ac"),
+        LOW,
+        HIGH,
+        CLEARANCE,
+    )
     assert len(set(joints.branch.tolist())) == 1
     assert np.ptp(joints.q[:, 3]) > math.radians(120.0)
 
@@ -153,8 +174,16 @@ def test_past_the_pole_at_a_distance_the_first_axis_turns_on_one_branch(degrees)
 def test_so_near_to_the_pole_that_no_one_sees_it_the_branch_changes():
     t = np.radians(np.arange(-9.0, 10.0, 2.0))
     axis = np.column_stack([np.sin(t), np.full(len(t), math.sin(math.radians(0.08))), np.cos(t)])
-    joints = solve(linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis), kinematics_of("trunnion_ac"), LOW, HIGH, CLEARANCE)
-    assert set(joints.branch.tolist()) == {0, 1} and np.abs(np.diff(joints.q[:, 3])).max() < math.radians(10.0)
+    joints = solve(
+        linked(np.column_stack([t, 0 * t, 0 * t]) * 50.0, axis),
+        kinematics_of("trunnion_ac"),
+        LOW,
+        HIGH,
+        CLEARANCE,
+    )
+    assert set(joints.branch.tolist()) == {0, 1} and np.abs(np.diff(joints.q[:, 3])).max() < math.radians(
+        10.0
+    )
 
 
 def test_with_one_side_of_the_tilt_only_the_first_axis_turns_at_the_pole_in_one_step():
@@ -192,17 +221,24 @@ def test_the_turn_at_the_pole_is_made_on_the_longest_cut_rather_than_on_a_link()
     path = joined(first, second)
     motion = path.motion.copy()
     motion[len(first.motion)] = Motion.LINK  # from retract to approach, at the pole
-    joints = solve(replace(path, motion=motion), kinematics_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
+    joints = solve(
+        replace(path, motion=motion), kinematics_of("trunnion_ac", second=(0.0, 90.0)), LOW, HIGH, CLEARANCE
+    )
     turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
     assert joints.path.motion[turning].tolist() == [Motion.CUT]
     assert joints.path.tip[turning[0]] == pytest.approx((3.0, 0.0, 0.0), abs=1e-9)
 
 
 def test_a_turn_at_the_pole_that_no_cut_could_make_is_made_on_the_rapid():
-    """C from 160 deg to -160 deg, the short way barred by the limits: 320 deg, but never on a cut or a link."""
+    """C from 160 deg to -160 deg, the short way barred by the limits: 320 deg, but never on a cut or a
+    link."""
     up = path_of([[0, 0, 60.0], [30, 0, 60.0]], [[0, 0, 1.0]] * 2, [Motion.RAPID] * 2)
-    path = joined(meridian([9, 5, 0], azimuth=math.radians(70)), up, meridian([0, 5, 9], azimuth=math.radians(110)))
-    joints = solve(path, kinematics_of("trunnion_ac", first=(-175.0, 175.0), second=(0.0, 90.0)), LOW, HIGH, CLEARANCE)
+    path = joined(
+        meridian([9, 5, 0], azimuth=math.radians(70)), up, meridian([0, 5, 9], azimuth=math.radians(110))
+    )
+    joints = solve(
+        path, kinematics_of("trunnion_ac", first=(-175.0, 175.0), second=(0.0, 90.0)), LOW, HIGH, CLEARANCE
+    )
     turning = np.flatnonzero(np.abs(np.diff(joints.q[:, 3])) > 1e-9) + 1
     assert np.abs(np.diff(joints.q[:, 3])).sum() == pytest.approx(math.radians(320.0), abs=1e-9)
     assert (joints.path.motion[turning] == Motion.RAPID).all() and joints.findings == ()
@@ -219,7 +255,9 @@ def test_pole_rows_cost_no_needless_travel():
         joints = solve(linked(rng.uniform(-20, 20, (4, 3)), axis), kinematics, LOW, HIGH, CLEARANCE)
         angles = inverse_axis(kinematics, axis)[0]
         least = min(
-            abs(math.remainder(angles[b, 3, 0] - angles[a, 0, 0], 2 * math.pi)) + abs(angles[a, 0, 1]) + abs(angles[b, 3, 1])
+            abs(math.remainder(angles[b, 3, 0] - angles[a, 0, 0], 2 * math.pi))
+            + abs(angles[a, 0, 1])
+            + abs(angles[b, 3, 1])
             for a in range(2)
             for b in range(2)
         )
@@ -228,7 +266,9 @@ def test_pole_rows_cost_no_needless_travel():
 
 def test_a_path_that_stands_at_the_pole_keeps_the_first_axis_where_it_is():
     tip = [[0, 0, 50], [0, 0, 0], [5, 3, 0], [0, 0, 50]]
-    joints = solve(path_of(tip, [[0, 0, 1]] * 4, [3, 2, 0, 2]), kinematics_of("mikron_ucp710"), LOW, HIGH, CLEARANCE)
+    joints = solve(
+        path_of(tip, [[0, 0, 1]] * 4, [3, 2, 0, 2]), kinematics_of("mikron_ucp710"), LOW, HIGH, CLEARANCE
+    )
     np.testing.assert_array_equal(joints.q[:, 3:], 0.0)
     np.testing.assert_allclose(joints.q[:, :3], tip, atol=1e-9)
 
@@ -245,7 +285,9 @@ def test_five_turns_within_limits_rewind_as_seldom_as_possible(limit, rewinds):
     single = [f for f in joints.findings if f.code == "rewind"]
     assert len(single) == rewinds
     assert all(f.severity == Severity.WARNING and f.block is not None and f.unit == "deg" for f in single)
-    assert [f.value for f in joints.findings if f.code == "rewinds"] == ([float(rewinds)] if rewinds > 1 else [])
+    assert [f.value for f in joints.findings if f.code == "rewinds"] == (
+        [float(rewinds)] if rewinds > 1 else []
+    )
     assert np.abs(joints.q[:, 3]).max() <= math.radians(limit)
     cutting = joints.path.motion[1:] < Motion.LINK
     assert np.abs(np.diff(joints.q[:, 3]))[cutting].max() <= math.radians(5.0) + 1e-9
@@ -266,7 +308,9 @@ def test_a_rewind_leaves_along_the_axis_and_comes_back_to_the_same_place():
         assert motion[out + 1 : back].tolist() == [Motion.RAPID] * (back - out - 1)
         assert abs(joints.q[back, 3] - joints.q[out, 3]) == pytest.approx(2.0 * math.pi, abs=1e-6)
     cut = np.linalg.norm(np.diff(tip, axis=0), axis=1)[motion[1:] == Motion.CUT].sum()
-    assert cut == pytest.approx(np.linalg.norm(np.diff(path.tip, axis=0), axis=1)[path.motion[1:] == Motion.CUT].sum(), abs=1e-6)
+    assert cut == pytest.approx(
+        np.linalg.norm(np.diff(path.tip, axis=0), axis=1)[path.motion[1:] == Motion.CUT].sum(), abs=1e-6
+    )
     own = np.flatnonzero((motion == Motion.LINK) | (motion == Motion.RAPID))
     assert (joints.path.face[own] == -1).all() and (joints.path.feed[motion == Motion.RAPID] == 0.0).all()
 

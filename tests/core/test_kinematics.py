@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Forward and inverse kinematics against published formulas, a published table, and a route by 4x4 matrices."""
+"""Forward and inverse kinematics against published formulas, a published table, and a route by 4x4
+matrices."""
 
 from __future__ import annotations
 
@@ -36,7 +37,10 @@ UNIT_ROUNDING = 2e-15  # of the components of a unit vector
 
 def make(*axes, gauge_point=(0, 0, 0)):
     """A machine from (letter, side, direction, point) in the order from work to tool."""
-    built = tuple(Axis(letter, letter in "ABC", side, tuple(direction), tuple(point)) for letter, side, direction, point in axes)
+    built = tuple(
+        Axis(letter, letter in "ABC", side, tuple(direction), tuple(point))
+        for letter, side, direction, point in axes
+    )
     return Machine("test", built, gauge_point)
 
 
@@ -81,7 +85,9 @@ def test_xyzbc_trt_agrees_with_linuxcnc():
     check_against(chain(machine, Setup()), q, tip, axis)
 
 
-@pytest.mark.parametrize(("name", "offset"), [("linuxcnc_xyzac_trt", (0, 20, 10)), ("linuxcnc_xyzbc_trt", (-20, 0, -15))])
+@pytest.mark.parametrize(
+    ("name", "offset"), [("linuxcnc_xyzac_trt", (0, 20, 10)), ("linuxcnc_xyzbc_trt", (-20, 0, -15))]
+)
 def test_the_shipped_linuxcnc_machines_have_the_offsets_of_its_simulation(name, offset):
     q = words(np.random.default_rng(3))
     tilt_axis = X if "xyzac" in name else Y
@@ -141,7 +147,9 @@ CL_ROWS = np.array(
         (74.5130, -50.5510, 228.6857, 0.0175393, 0.0107682, 0.9997882),
     ]
 )
-NC_ROWS = np.array([(-90.9595, 7.3103, 227.6341, 148.9685, 1.0664), (-82.0656, -34.8175, 228.3975, 121.5477, 1.1793)])
+NC_ROWS = np.array(
+    [(-90.9595, 7.3103, 227.6341, 148.9685, 1.0664), (-82.0656, -34.8175, 228.3975, 121.5477, 1.1793)]
+)
 
 
 def test_table_2_of_so_et_al_goes_both_ways():
@@ -166,7 +174,9 @@ def by_matrices(machine, setup, q):
         axis.letter: angle for axis, angle in zip(machine.rotary, q[3:], strict=True)
     }
     machine_from_work, machine_from_tool = np.eye(4), np.eye(4)
-    for axis in reversed([axis for axis in machine.axes if axis.side == "table"]):  # from the base to the work
+    for axis in reversed(
+        [axis for axis in machine.axes if axis.side == "table"]
+    ):  # from the base to the work
         machine_from_work = machine_from_work @ motion(axis, -value[axis.letter])
     for axis in [axis for axis in machine.axes if axis.side == "head"]:  # from the base to the tool
         machine_from_tool = machine_from_tool @ motion(axis, value[axis.letter])
@@ -235,7 +245,9 @@ def test_any_chain_inverse_gives_the_pose_back_on_both_branches(seed):
     tip, axis = forward(kinematics, q)
     both, sine = inverse(kinematics, tip, axis)
     back = both[branch_of(kinematics, q[:, 4]), np.arange(len(q))]
-    plain = sine > 1e-3  # the angles are ill-conditioned next to the pole and the rim of the reach, the pose never is
+    plain = (
+        sine > 1e-3
+    )  # the angles are ill-conditioned next to the pole and the rim of the reach, the pose never is
     assert angle_between(back[plain, 3:], q[plain, 3:]).max() < 1e-9
     for branch in both:
         flat = np.isnan(branch[:, 0])
@@ -254,7 +266,9 @@ def test_measure_is_how_fast_the_axis_leaves_the_cone_of_the_first_axis():
         axis = forward(kinematics, q)[1]
         a1, k = kinematics.direction[3], axis
         a2 = turn_about(a1, q[:, 3]).apply(kinematics.direction[4])
-        np.testing.assert_allclose(inverse_axis(kinematics, axis)[1], np.abs(np.cross(a2, k) @ a1), rtol=0, atol=1e-7)
+        np.testing.assert_allclose(
+            inverse_axis(kinematics, axis)[1], np.abs(np.cross(a2, k) @ a1), rtol=0, atol=1e-7
+        )
 
 
 # At the pole and next to it.
@@ -314,9 +328,9 @@ def test_a_tool_pointing_up_is_the_other_pole_of_a_straight_machine():
 def test_rotary_words_lie_in_the_half_open_turn():
     heading = np.radians(np.arange(-360, 361, 45))
     tilt = np.radians(np.arange(-180, 181, 45))[:, None]
-    axis = np.stack([np.sin(tilt) * np.cos(heading), np.sin(tilt) * np.sin(heading), np.cos(tilt) + 0 * heading], -1).reshape(
-        -1, 3
-    )
+    axis = np.stack(
+        [np.sin(tilt) * np.cos(heading), np.sin(tilt) * np.sin(heading), np.cos(tilt) + 0 * heading], -1
+    ).reshape(-1, 3)
     axis = np.concatenate([np.round(axis, 15), -0.0 - np.round(axis, 15)])  # exact zeros of both signs
     for name in shipped_machines():
         angles, _ = inverse_axis(chain(load_machine(name), Setup()), axis)
@@ -325,7 +339,8 @@ def test_rotary_words_lie_in_the_half_open_turn():
 
 
 def test_a_machine_whose_pole_is_off_zero_tilt():
-    """A carries B, both on the table: the tool axis is parallel to the first rotary axis B at A = 90 deg only."""
+    """A carries B, both on the table: the tool axis is parallel to the first rotary axis B at A = 90 deg
+    only."""
     machine = make(("B", "table", Y, (0, 0, 10)), ("A", "table", X, (0, 0, -10)), *linear("head"))
     kinematics = chain(machine, Setup())
     both, sine = inverse(kinematics, np.zeros((1, 3)), Y[None])
@@ -355,14 +370,18 @@ def test_the_nutating_table_reaches_the_upper_half_and_nothing_else():
     np.testing.assert_allclose(forward(kinematics, both[0, :4])[1], axis[:4], atol=UNIT_ROUNDING)
     b = np.arccos(2 * np.cos(tilt[:3]) - 1)  # by hand: a cone of 45 deg has cos tilt = (1 + cos b) / 2
     np.testing.assert_allclose(both[0, :3, 4], b, rtol=0, atol=1e-12)
-    assert both[0, 3, 4] == pytest.approx(np.pi, abs=1e-7)  # on the rim of the reach the angle is free to first order
+    assert both[0, 3, 4] == pytest.approx(
+        np.pi, abs=1e-7
+    )  # on the rim of the reach the angle is free to first order
 
 
 @pytest.mark.parametrize(
-    ("beyond", "reached"), [(-1e-6, True), (0.0, True), (1e-13, True), (1e-9, False), (1e-6, False), (3e-5, False)]
+    ("beyond", "reached"),
+    [(-1e-6, True), (0.0, True), (1e-13, True), (1e-9, False), (1e-6, False), (3e-5, False)],
 )
 def test_an_axis_beyond_the_rim_of_the_reach_by_more_than_rounding_is_out_of_reach(beyond, reached):
-    """On the rim a table of 45 deg leans the tool by 90 deg; an axis beyond it by ``beyond`` rad is another axis."""
+    """On the rim a table of 45 deg leans the tool by 90 deg; an axis beyond it by ``beyond`` rad is another
+    axis."""
     kinematics = chain(load_machine("nutating_table_b45"), Setup())
     axis = np.array([[np.cos(beyond), 0.0, -np.sin(beyond)]])
     words, _ = inverse_axis(kinematics, axis)
@@ -452,7 +471,9 @@ def test_limits_are_of_the_words():
     axes = list(make(("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")).axes)
     axes[4] = Axis("Z", False, "head", (0, 0, 1), low=-400.0, high=0.0)
     axes[1] = Axis("A", True, "table", (1, 0, 0), low=-1.0, high=2.0)
-    kinematics = chain(Machine("test", tuple(axes), gauge_point=(0, 0, 500)), Setup((10.0, 20.0, 30.0), 100.0))
+    kinematics = chain(
+        Machine("test", tuple(axes), gauge_point=(0, 0, 500)), Setup((10.0, 20.0, 30.0), 100.0)
+    )
     assert kinematics.letters == "XYZCA"
     assert (kinematics.low[2], kinematics.high[2]) == (-400 + 500 - 100 - 30, 500 - 100 - 30)
     assert (kinematics.low[4], kinematics.high[4]) == (-1.0, 2.0)
@@ -463,7 +484,15 @@ def test_limits_are_of_the_words():
     [
         ((("C", "table", Z, (0, 0, 0)), ("A", "table", (0, 0, -1), (0, 0, 0)), *linear("head")), "parallel"),
         ((("A", "table", X, (0, 0, 0)), ("C", "table", Z, (0, 0, 0)), *linear("head")), "never tilts"),
-        ((("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")[:2], ("Z", "head", X, (0, 0, 0))), "plane"),
+        (
+            (
+                ("C", "table", Z, (0, 0, 0)),
+                ("A", "table", X, (0, 0, 0)),
+                *linear("head")[:2],
+                ("Z", "head", X, (0, 0, 0)),
+            ),
+            "plane",
+        ),
     ],
 )
 def test_a_chain_without_a_solution_is_refused(axes, problem):
@@ -479,16 +508,23 @@ def test_turn_is_rodrigues():
 
 
 def test_a_quarter_turn_by_hand():
-    """ISO 841: C90 takes the tool from the work's x to its y side; A90 lays the tool's axis from z to -y of the work."""
-    kinematics = chain(make(("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")), Setup())
-    tip, axis = forward(kinematics, np.array([(10.0, 0.0, 0.0, math.pi / 2, 0.0), (0.0, 0.0, 5.0, 0.0, math.pi / 2)]))
+    """ISO 841: C90 takes the tool from the work's x to its y side; A90 lays the tool's axis from z to -y of
+    the work."""
+    kinematics = chain(
+        make(("C", "table", Z, (0, 0, 0)), ("A", "table", X, (0, 0, 0)), *linear("head")), Setup()
+    )
+    tip, axis = forward(
+        kinematics, np.array([(10.0, 0.0, 0.0, math.pi / 2, 0.0), (0.0, 0.0, 5.0, 0.0, math.pi / 2)])
+    )
     np.testing.assert_allclose(tip, [(0, 10, 0), (0, -5, 0)], atol=ROUNDING)
     np.testing.assert_allclose(axis, [(0, 0, 1), (0, -1, 0)], atol=ROUNDING)
 
 
 def test_cosine_and_sine_through_the_tangent_are_right_to_rounding_at_any_angle():
     quarters = np.arange(-9, 10) * 0.5 * np.pi
-    angle = np.concatenate([np.random.default_rng(4).uniform(-50.0, 50.0, 20_000), quarters, quarters + 1e-9, quarters - 1e-9])
+    angle = np.concatenate(
+        [np.random.default_rng(4).uniform(-50.0, 50.0, 20_000), quarters, quarters + 1e-9, quarters - 1e-9]
+    )
     cos, sin = cos_sin(angle)
     np.testing.assert_allclose(cos, [math.cos(one) for one in angle], rtol=0, atol=5e-16)
     np.testing.assert_allclose(sin, [math.sin(one) for one in angle], rtol=0, atol=5e-16)

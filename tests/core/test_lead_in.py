@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lead-ins: arcs in closed form, counts of ends, and by another library's distances none of them leads the tool into the part."""
+"""Lead-ins: arcs in closed form, counts of ends, and by another library's distances none of them leads the
+tool into the part."""
 
 import itertools
 import subprocess
@@ -23,7 +24,13 @@ from freecad_fiveaxis.core.tool import Cutter
 from freecad_fiveaxis.core.tool.body import body_of
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:8:40", "stepover": 4.0, "max_axis_angle": 60}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "cutter": "ball:8:40",
+    "stepover": 4.0,
+    "max_axis_angle": 60,
+}
 PLATE = {"tool_axis": "fixed", "axis": "0.2,0.1,1", "direction": "30", "links": "over", "linearize": "off"}
 R, UP = 4.0, np.array([0.0, 0.0, 1.0])
 
@@ -41,7 +48,8 @@ def note(made):
 
 
 def contacts(path):
-    """The rows on the part that the tool comes to, and those that it leaves, told by what stands on a facet."""
+    """The rows on the part that the tool comes to, and those that it leaves, told by what stands on a
+    facet."""
     on = path.face >= 0
     return np.flatnonzero(on[1:] & ~on[:-1]) + 1, np.flatnonzero(on[:-1] & ~on[1:])
 
@@ -72,7 +80,9 @@ def test_on_a_plate_the_arcs_are_quarter_circles_tangent_to_it(cutter, control_p
             halfway = np.linalg.norm(0.5 * (arc[1:] + arc[:-1]) - middle, axis=1)
             assert (R - halfway).max() <= tolerance * (1 + 1e-9) and (arc[:, 2] >= arc[0, 2]).all()
             turn = np.arccos((arc[1] - arc[0]) @ away / np.linalg.norm(arc[1] - arc[0]))
-            assert turn == pytest.approx(0.25 * np.pi / chords, abs=1e-9)  # half of a chord's angle: tangent at the contact
+            assert turn == pytest.approx(
+                0.25 * np.pi / chords, abs=1e-9
+            )  # half of a chord's angle: tangent at the contact
             assert np.ptp(path.axis[row + way * np.arange(chords + 2)], axis=0).max() == 0.0
 
 
@@ -83,15 +93,21 @@ def test_the_approach_is_along_the_axis_and_all_rows_of_arcs_are_links():
     for rows, way in ((first, -1), (last, 1)):
         top, over, outer = (rows + way * k for k in (chords, chords + 1, chords + 2))
         rise = path.tip[over] - path.tip[top]
-        assert np.allclose(np.cross(rise, path.axis[rows]), 0.0, atol=1e-9) and ((rise * path.axis[rows]).sum(1) > 0).all()
+        assert (
+            np.allclose(np.cross(rise, path.axis[rows]), 0.0, atol=1e-9)
+            and ((rise * path.axis[rows]).sum(1) > 0).all()
+        )
         assert np.allclose(((path.tip[outer] - path.tip[over]) * path.axis[rows]).sum(1), 0.0, atol=1e-9)
     new = path.motion == Motion.LINK
-    assert (path.feed[new] > 0).all() and np.count_nonzero(new) == np.count_nonzero(bare.motion == Motion.LINK) + (chords + 1) * (
-        len(first) + len(last)
-    )
+    assert (path.feed[new] > 0).all() and np.count_nonzero(new) == np.count_nonzero(
+        bare.motion == Motion.LINK
+    ) + (chords + 1) * (len(first) + len(last))
     assert set(path.feed[first]) == {1000.0} and set(path.feed[first - chords]) == {300.0}
     for name in ("tip", "axis", "contact", "normal", "face", "pass_"):
-        kept = [getattr(one, name)[np.isin(one.motion, (Motion.CUT, Motion.FILL, Motion.RAPID))] for one in (path, bare)]
+        kept = [
+            getattr(one, name)[np.isin(one.motion, (Motion.CUT, Motion.FILL, Motion.RAPID))]
+            for one in (path, bare)
+        ]
         assert np.array_equal(*kept), name
 
 
@@ -110,15 +126,21 @@ def test_none_is_the_default_and_changes_no_byte():
     assert milled(step(), lead_in=1).nc != bare.nc
 
 
-# ------------------------------------------------------------------------------------------------ beside walls
+# ----------------------------------------------------------------------------------------------- beside walls
 
-WALLED = {"knob": lambda: knob_in_corner(cells=16), "blade": lambda: blade_beside_hub(cells=16), "step": lambda: step(6.0)}
+WALLED = {
+    "knob": lambda: knob_in_corner(cells=16),
+    "blade": lambda: blade_beside_hub(cells=16),
+    "step": lambda: step(6.0),
+}
 
 
 def deepest(made):
     """How deep the cutter goes on any feed block, mm, by the judge."""
     blocks = np.flatnonzero(made.program.motion[1:] != Motion.RAPID)
-    return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks).worst
+    return gouge_judge.judged(
+        made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks
+    ).worst
 
 
 @pytest.mark.thorough
@@ -135,7 +157,7 @@ def test_the_judge_would_see_an_arc_that_is_not_free(monkeypatch):
     assert deepest(milled(knob_in_corner(cells=16), lead_in=R, stepover=2.0, linearize="off")) > 0.1
 
 
-# ------------------------------------------------------------------------------------------------ by hand: counts, table, near links
+# ------------------------------------------------------------------------- by hand: counts, table, near links
 
 CUTTER = Cutter(8.0, length=40.0)
 FLOOR = [(-30, -10), (30, -10), (30, 30), (0, 30), (0, 0), (-30, 0)]
@@ -163,7 +185,9 @@ def floor_line(y, x=(-10.0, 10.0)):
 
 def led(path, radius=R, mesh=None, table=None, tolerance=0.01):
     body = body_of(CUTTER)
-    return lead_in(path, facet_tree(mesh or prism(FLOOR)), body, LeadOptions(radius, tolerance, 0.005, table, 0.0, 4.0))
+    return lead_in(
+        path, facet_tree(mesh or prism(FLOOR)), body, LeadOptions(radius, tolerance, 0.005, table, 0.0, 4.0)
+    )
 
 
 @pytest.mark.parametrize(("room", "radius"), [(4.5, 4.0), (3.0, 2.0), (1.5, 1.0), (0.5, 0.0)])
@@ -176,11 +200,15 @@ def test_towards_a_wall_the_radius_is_halved_up_to_two_times_and_counted(room, r
     assert np.abs(made.tip[last[0] + 1 :, 1] - made.tip[last[0], 1]).max() == pytest.approx(radius, abs=1e-9)
     told = [(one.code, one.value) for one in made.findings]
     assert told == ([] if radius == R else [("lead-in-smaller", 1.0)])
-    assert not told or made.findings[0].text.startswith("1 of 2 ends of passes has a smaller lead-in or lead-out than 4 mm")
+    assert not told or made.findings[0].text.startswith(
+        "1 of 2 ends of passes has a smaller lead-in or lead-out than 4 mm"
+    )
 
 
 def test_a_path_without_a_single_free_end_stays_as_it_is_but_for_the_note():
-    path = by_hand(np.array([[0.0, -4.1, 0.0], [0.0, -4.2, 0.0]])[::-1], np.array([[0.0, -4.2, 0.0], [0.0, -4.1, 0.0]]))
+    path = by_hand(
+        np.array([[0.0, -4.1, 0.0], [0.0, -4.2, 0.0]])[::-1], np.array([[0.0, -4.2, 0.0], [0.0, -4.1, 0.0]])
+    )
     walls = prism([(-9, -10), (9, -10), (9, 30), (0, 30), (0, 0), (-8.3, 0), (-8.3, 30), (-9, 30)])
     made = led(path, mesh=walls)
     assert np.array_equal(made.tip, path.tip) and [one.value for one in made.findings] == [4.0]
@@ -190,7 +218,9 @@ def test_below_the_table_no_arc_goes():
     """Up a wall that faces -y, with a level axis: the arc begins below the contact."""
     level = np.array([0.0, -1.0, 0.0])
     path = by_hand(np.array([[0.0, 0.0, 6.0], [0.0, 0.0, 20.0]]), axis=level, normal=level)
-    free, held = (led(path, mesh=prism([(0, -10), (20, -10), (20, 30), (0, 30)]), table=table) for table in (-2.5, 1.0))
+    free, held = (
+        led(path, mesh=prism([(0, -10), (20, -10), (20, 30), (0, 30)]), table=table) for table in (-2.5, 1.0)
+    )
     assert free.tip[:, 2].min() == pytest.approx(2.0) and not free.findings
     assert held.tip[:, 2].min() == pytest.approx(5.0) and [one.value for one in held.findings] == [1.0]
 
@@ -216,7 +246,7 @@ def test_links_on_the_surface_have_no_arcs():
     assert sorted(ends.outer) == [0, 5] and np.allclose(ends.along, [[-1, 0, 0]] * 2)
 
 
-# ------------------------------------------------------------------------------------------------ what is given
+# ---------------------------------------------------------------------------------------------- what is given
 
 
 @pytest.mark.parametrize("given", ["-1", "nan", "inf", "100.1", "much"])
@@ -226,12 +256,22 @@ def test_a_radius_that_is_none_is_refused(given):
 
 
 @pytest.mark.parametrize(
-    ("task", "given", "said"), [("mill", "101", "at most 100 mm"), ("mill", "-1", "at least 0 mm"), ("post", "1", "lead-in")]
+    ("task", "given", "said"),
+    [("mill", "101", "at most 100 mm"), ("mill", "-1", "at least 0 mm"), ("post", "1", "lead-in")],
 )
 def test_the_command_line_refuses_it_in_one_line(task, given, said, tmp_path):
     part = tmp_path / "part.stl"
     write_stl(step(), part)
-    words = [sys.executable, "-m", "freecad_fiveaxis", task, part, "--machine", "trunnion_ac", f"--lead-in={given}"]
+    words = [
+        sys.executable,
+        "-m",
+        "freecad_fiveaxis",
+        task,
+        part,
+        "--machine",
+        "trunnion_ac",
+        f"--lead-in={given}",
+    ]
     done = subprocess.run(words, capture_output=True, text=True, timeout=60)
     assert done.returncode == 2 and said in done.stderr and given in done.stderr, done.stderr
     assert task == "post" or len(done.stderr.splitlines()) == 1

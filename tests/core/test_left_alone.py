@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ways over facets that are not machined: found, in closed form; and no feed block of a program touches a strip between two floors."""
+"""Ways over facets that are not machined: found, in closed form; and no feed block of a program touches a
+strip between two floors."""
 
 import numpy as np
 import pytest
@@ -18,12 +19,16 @@ LENGTH, HEIGHT = 20.0, 5.0
 
 
 def plate(wide):
-    """A plate whose top is two floors, 10 mm wide, with a strip ``wide`` mm between them at x = 10; and which facets are no strip."""
+    """A plate whose top is two floors, 10 mm wide, with a strip ``wide`` mm between them at x = 10; and which
+    facets are no strip."""
     x = np.array([0.0, 10.0, 10.0 + wide, 20.0 + wide])
     y, z = np.array([0.0, LENGTH]), np.array([0.0, HEIGHT])
     at = lambda i, j, k: (i * 2 + j) * 2 + k  # noqa: E731
     vertex = [(a, b, c) for a in x for b in y for c in z]
-    quads = [(at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)), (at(3, 0, 0), at(3, 1, 0), at(3, 1, 1), at(3, 0, 1))]
+    quads = [
+        (at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), at(0, 1, 0)),
+        (at(3, 0, 0), at(3, 1, 0), at(3, 1, 1), at(3, 0, 1)),
+    ]
     strip = [False, False]
     for i in range(3):
         n = i + 1
@@ -39,9 +44,13 @@ def plate(wide):
 def test_ways_over_the_strip_are_found_and_those_along_its_border_are_none():
     mesh, chosen = plate(2.0)
     begin = np.array([(9.0, 5.0), (10.0, 3.0), (2.0, 2.0), (10.0, 5.0), (12.0, 1.0), (9.0, 5.0)])
-    end = np.array([(13.0, 5.0), (10.0, 7.0), (8.0, 9.0), (12.0, 5.0), (12.0, 8.0), (10.0 + 0.5 * BESIDE, 5.0)])
+    end = np.array(
+        [(13.0, 5.0), (10.0, 7.0), (8.0, 9.0), (12.0, 5.0), (12.0, 8.0), (10.0 + 0.5 * BESIDE, 5.0)]
+    )
     on_top = [np.column_stack([one, np.full(len(one), HEIGHT)]) for one in (begin, end)]
-    np.testing.assert_array_equal(lead_over_others(*on_top, mesh, chosen), [True, False, False, True, False, False])
+    np.testing.assert_array_equal(
+        lead_over_others(*on_top, mesh, chosen), [True, False, False, True, False, False]
+    )
     assert not lead_over_others(*on_top, mesh, np.ones(len(chosen), bool)).any()
     assert not len(lead_over_others(on_top[0][:0], on_top[1][:0], mesh, chosen))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What needs no numbers waits for no numpy: the command line's lists and helps, and the settings that they are made from."""
+"""What needs no numbers waits for no numpy: the command line's lists and helps, and the settings that they
+are made from."""
 
 import subprocess
 import sys
@@ -18,14 +19,18 @@ def loaded(code, *words):
     return done.stderr.split()
 
 
-@pytest.mark.parametrize("words", ["--version", "--help", "machines", "controllers", "mill --help", "audit --help"])
+@pytest.mark.parametrize(
+    "words", ["--version", "--help", "machines", "controllers", "mill --help", "audit --help"]
+)
 def test_lists_and_helps_load_no_engine(words):
     modules = loaded(COMMAND, *words.split())
     assert not set(HEAVY) & set(modules)
     assert not [
         name
         for name in modules
-        if name.startswith(("freecad_fiveaxis.core.orientation.minimax", "freecad_fiveaxis.core.orientation.past_pole"))
+        if name.startswith(
+            ("freecad_fiveaxis.core.orientation.minimax", "freecad_fiveaxis.core.orientation.past_pole")
+        )
     ]
     assert sum(name.startswith("freecad_fiveaxis") for name in modules) < 45
 
@@ -57,10 +62,19 @@ def test_what_computes_would_be_noticed():
 
 def test_the_ranges_of_the_options_are_those_of_the_work():
     """The least change leaves room to lead in: above what is kept off the pole."""
-    from freecad_fiveaxis.core.base.ranges import LARGEST_CHANGE, LEAST_CHANGE, LEAST_TILT, MOST_TILT, OFF_POLE
+    from freecad_fiveaxis.core.base.ranges import (
+        LARGEST_CHANGE,
+        LEAST_CHANGE,
+        LEAST_TILT,
+        MOST_TILT,
+        OFF_POLE,
+    )
     from freecad_fiveaxis.core.pipeline.settings import option_fields
 
     rules = {leaf.name: leaf.metadata for _, leaf in option_fields()}
     assert (rules["max_tilt"]["least"], rules["max_tilt"]["most"]) == (LEAST_TILT, MOST_TILT)
-    assert (rules["max_axis_change"]["least"], rules["max_axis_change"]["most"]) == (LEAST_CHANGE, LARGEST_CHANGE)
+    assert (rules["max_axis_change"]["least"], rules["max_axis_change"]["most"]) == (
+        LEAST_CHANGE,
+        LARGEST_CHANGE,
+    )
     assert 0 < OFF_POLE < LEAST_CHANGE < LARGEST_CHANGE

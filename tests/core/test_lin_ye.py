@@ -21,11 +21,12 @@ STEP = np.radians(20.0)
 DOCUMENT = lin_ye.DOCUMENT.read_text(encoding="utf-8")
 
 
-# ------------------------------------------------------------------------------------------------ the half circle
+# -------------------------------------------------------------------------------------------- the half circle
 
 
 def test_the_half_circle_deviates_by_the_papers_2_70_mm_with_the_r0_solved_from_it():
-    """The paper prints no R0; PAPER_R0 is solved from its 2.70 mm by eq. (6). Tested is that the simulated path agrees."""
+    """The paper prints no R0; PAPER_R0 is solved from its 2.70 mm by eq. (6). Tested is that the simulated
+    path agrees."""
     assert arc.shift_measured(arc.PAPER_R0, STEP) == pytest.approx(2.70, abs=0.01)
 
 
@@ -53,14 +54,18 @@ def test_eq_6_is_of_first_order_elsewhere():
     assert arc.deviation_simulated(arc.PAPER_R0, STEP, quarter) == pytest.approx(1.880, abs=0.001)
     assert float(lin_ye_deviation(arc.PAPER_R0, STEP, quarter)) == pytest.approx(1.909, abs=0.001)
     miss = [
-        float(lin_ye_deviation(arc.PAPER_R0, step, quarter)) / arc.deviation_simulated(arc.PAPER_R0, step, quarter) - 1.0
+        float(lin_ye_deviation(arc.PAPER_R0, step, quarter))
+        / arc.deviation_simulated(arc.PAPER_R0, step, quarter)
+        - 1.0
         for step in (STEP, STEP / 2)
     ]
     assert miss[0] / miss[1] == pytest.approx(4.0, abs=0.2)
 
 
 def test_the_whole_tool_is_shifted_by_the_same_way_wherever_on_the_arc():
-    assert arc.shift_measured(arc.PAPER_R0, STEP, 1.0) == pytest.approx(arc.shift_measured(arc.PAPER_R0, STEP), rel=1e-6)
+    assert arc.shift_measured(arc.PAPER_R0, STEP, 1.0) == pytest.approx(
+        arc.shift_measured(arc.PAPER_R0, STEP), rel=1e-6
+    )
 
 
 def test_an_arc_about_the_rotary_axis_is_cut_without_deviation():
@@ -70,18 +75,23 @@ def test_an_arc_about_the_rotary_axis_is_cut_without_deviation():
 
 def test_r0_to_the_contact_point_would_be_noticed():
     """The paper words R0 so; the contact point is 60 mm farther from the axis than the arc's centre."""
-    assert float(lin_ye_deviation(arc.PAPER_R0 + arc.ARC, STEP)) - arc.deviation_simulated(arc.PAPER_R0, STEP, 0.0) > 0.9
+    assert (
+        float(lin_ye_deviation(arc.PAPER_R0 + arc.ARC, STEP))
+        - arc.deviation_simulated(arc.PAPER_R0, STEP, 0.0)
+        > 0.9
+    )
 
 
 def test_an_audit_measures_from_the_chord_and_the_document_says_so():
-    """At the top: (R0 - R) (1 - cos(step / 2)); with the chord's own depth below the arc that is eq. (6) again."""
+    """At the top: (R0 - R) (1 - cos(step / 2)); with the chord's own depth below the arc that is eq. (6)
+    again."""
     sagitta = (arc.ARC + arc.BALL) * (1.0 - np.cos(0.5 * STEP))
     found = arc.off_the_chords(arc.PAPER_R0, STEP)
     assert found + sagitta == pytest.approx(2.70, abs=0.01)
     assert f"says {found:.2f} mm" in DOCUMENT and f"lies {sagitta:.2f} mm inside" in DOCUMENT
 
 
-# ------------------------------------------------------------------------------------------------ eqs. (9) and (10)
+# ------------------------------------------------------------------------------------------ eqs. (9) and (10)
 
 
 @pytest.mark.thorough
@@ -150,7 +160,7 @@ def test_the_worst_block_of_step_weighted_is_a_sliver():
         assert two.length[two.deviation.argmax()] < 0.5 < one.length[one.deviation.argmax()]
 
 
-# ------------------------------------------------------------------------------------------------ the document
+# ----------------------------------------------------------------------------------------------- the document
 
 
 def drifted(text, names):
@@ -160,8 +170,11 @@ def drifted(text, names):
 
 
 def same_numbers(one, two):
-    """Cell by cell: the same words, and numbers within one step of their last digit (rounding may differ by platform)."""
-    words = [" ".join(lines).replace("/", " ").replace("(", " ").replace(")", " ").split() for lines in (one, two)]
+    """Cell by cell: the same words, and numbers within one step of their last digit (rounding may differ by
+    platform)."""
+    words = [
+        " ".join(lines).replace("/", " ").replace("(", " ").replace(")", " ").split() for lines in (one, two)
+    ]
     return len(words[0]) == len(words[1]) and all(near(a, b) for a, b in zip(*words, strict=True))
 
 
@@ -173,7 +186,8 @@ def near(one, two):
 
 
 def test_the_documents_tables_are_those_of_a_fresh_run():
-    """If this fails: .venv/bin/python docs/studies/lin_ye.py writes them anew; then read the prose beside them again."""
+    """If this fails: .venv/bin/python docs/studies/lin_ye.py writes them anew; then read the prose beside
+    them again."""
     assert drifted(DOCUMENT, ["beta", "steps", "part-ab", "passes", "worst"]) == []
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divided blocks: as few as can be, proven, sampled densely, on every kind of chain, at the pole, and where it cannot be done."""
+"""Divided blocks: as few as can be, proven, sampled densely, on every kind of chain, at the pole, and where
+it cannot be done."""
 
 from __future__ import annotations
 
@@ -9,14 +10,29 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from five_kinds import KINDS, TABLE_2, interleaved, kinematics_of, mikron_links, random_blocks, sampled_deviation
+from five_kinds import (
+    KINDS,
+    TABLE_2,
+    interleaved,
+    kinematics_of,
+    mikron_links,
+    random_blocks,
+    sampled_deviation,
+)
 from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ProgramError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words, q_to_words, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import (
+    Setup,
+    chain,
+    forward,
+    joint_words,
+    q_to_words,
+    words_to_q,
+)
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.motion.linearize import linearize, linearize_words
@@ -40,7 +56,9 @@ def rounded_blocks(kinematics, count, seed):
 def divided(kinematics, start, end, tolerance, decimals=4):
     """Words of all pieces, for each the row it ends in, the number of the block it is of, and findings."""
     feeds = np.arange(2 * len(start)) % 2 == 1
-    words, row, findings = linearize_words(kinematics, interleaved(start, end), (decimals, decimals), tolerance, feeds)
+    words, row, findings = linearize_words(
+        kinematics, interleaved(start, end), (decimals, decimals), tolerance, feeds
+    )
     piece = np.flatnonzero(row % 2 == 1)
     return words, piece, row[piece] // 2, findings
 
@@ -53,12 +71,15 @@ def from_segment(points, start, end):
 
 
 def sampled(kinematics, words, piece, start, end, block, u=U):
-    """The largest distance (p,) of the real path of each piece from the commanded segment of its block, by dense sampling."""
+    """The largest distance (p,) of the real path of each piece from the commanded segment of its block, by
+    dense sampling."""
     p0, p1 = (forward(kinematics, words_to_q(w))[0] for w in (start, end))
     parts = np.array_split(np.arange(len(piece)), max(1, len(piece) * len(u) // 400_000))
     return np.concatenate(
         [
-            from_segment(tip_at(kinematics, words[piece[p] - 1], words[piece[p]], u[None]), p0[block[p]], p1[block[p]])
+            from_segment(
+                tip_at(kinematics, words[piece[p] - 1], words[piece[p]], u[None]), p0[block[p]], p1[block[p]]
+            )
             for p in parts
         ]
     )
@@ -67,7 +88,9 @@ def sampled(kinematics, words, piece, start, end, block, u=U):
 def course_of(kinematics, start, end):
     words = interleaved(start, end)
     q = words_to_q(words)
-    return commanded_moves(kinematics, forward(kinematics, q)[0], q[:, 3:], words, np.arange(1, len(words), 2))
+    return commanded_moves(
+        kinematics, forward(kinematics, q)[0], q[:, 3:], words, np.arange(1, len(words), 2)
+    )
 
 
 def holds(kinematics, way, block, low, high, tolerance, steps):
@@ -135,7 +158,9 @@ def test_table_2_takes_as_few_blocks_as_is_asked_and_all_are_proven(tolerance, d
     assert sampled(kinematics, words, piece, start, end, piece * 0).max() <= tolerance
     assert [finding.code for finding in findings] == ["linearized"]
     if halving:
-        assert bisected(kinematics, start, end, tolerance, Steps(decimals, decimals), np.array([99])).tolist() == [halving]
+        assert bisected(
+            kinematics, start, end, tolerance, Steps(decimals, decimals), np.array([99])
+        ).tolist() == [halving]
 
 
 def test_the_undivided_block_and_one_piece_less_are_over_tolerance():
@@ -144,7 +169,9 @@ def test_the_undivided_block_and_one_piece_less_are_over_tolerance():
     assert sampled(kinematics, TABLE_2, np.array([1]), start, end, np.array([0])).max() > 2.0
     way = course_of(kinematics, start, end)
     for share in (np.linspace(0, 1, 10), np.linspace(0, 1, 10) ** 1.2):
-        assert not holds(kinematics, way, np.zeros(9, np.int64), share[:-1], share[1:], 0.01, Steps(4, 4)).all()
+        assert not holds(
+            kinematics, way, np.zeros(9, np.int64), share[:-1], share[1:], 0.01, Steps(4, 4)
+        ).all()
 
 
 def test_linear_words_make_up_for_the_rounding_of_the_rotary_words():
@@ -157,7 +184,7 @@ def test_linear_words_make_up_for_the_rounding_of_the_rotary_words():
     assert most_off(kinematics, Steps(4, 2)) == pytest.approx(0.5e-4 * math.sqrt(3.0))
 
 
-# ------------------------------------------------------------------------------------------------ every kind of chain
+# ---------------------------------------------------------------------------------------- every kind of chain
 
 
 @pytest.mark.thorough
@@ -174,13 +201,21 @@ def test_random_blocks_hold_and_never_take_more_pieces_than_halving(kind):
     assert whole.sum() == sum(finding.value for finding in findings if finding.code == "linearize-impossible")
     held = ~whole[block]
     assert found.bound[piece[held]].max() <= 0.01
-    assert sampled(kinematics, words, piece[held], start, end, block[held], U[:: 1 if BLOCKS > 1000 else 20]).max() <= 0.01
+    assert (
+        sampled(
+            kinematics, words, piece[held], start, end, block[held], U[:: 1 if BLOCKS > 1000 else 20]
+        ).max()
+        <= 0.01
+    )
     halving = bisected(kinematics, start, end, 0.01, Steps(4, 4), np.full(len(start), 4 * count.max()))
     assert (count <= halving)[halving > 0].all()
     assert (halving > 0)[~whole].mean() > 0.95
     many = halving > 4
     assert np.median(count[many] / halving[many]) <= 0.8
-    first, last = words[piece[np.flatnonzero(np.diff(block, prepend=-1))] - 1], words[piece[np.diff(block, append=-1) != 0]]
+    first, last = (
+        words[piece[np.flatnonzero(np.diff(block, prepend=-1))] - 1],
+        words[piece[np.diff(block, append=-1) != 0]],
+    )
     assert (first == start).all() and (last == end).all()  # the whole rotary change is kept
 
 
@@ -210,18 +245,24 @@ def test_the_axis_stays_on_the_great_arc_and_the_tip_on_the_chord(kind):
     size = np.linalg.norm(normal, axis=1)
     aside = np.abs((axis * normal).sum(1))[size > 1e-3] / size[size > 1e-3]
     assert aside.max() < 2.0 * math.radians(1e-4)  # the rounding of two words
-    assert from_segment(tip[:, None], way.tip[at], way.tip[at] + way.chord[at]).max() < most_off(kinematics, Steps(4, 4)) + 1e-9
+    assert (
+        from_segment(tip[:, None], way.tip[at], way.tip[at] + way.chord[at]).max()
+        < most_off(kinematics, Steps(4, 4)) + 1e-9
+    )
     even = [finding.value for finding in findings if finding.code == "rotary-words-even"]
     assert inner.any()
     assert sum(even) <= way.even.sum() + (0 if kind != "linear_axes_everywhere" else len(start))
 
 
 def test_halving_is_the_answer_where_it_is_the_fewest():
-    """One rotary axis, an even course: 2^n pieces that just hold are the fewest, and rounding must not make it one more."""
+    """One rotary axis, an even course: 2^n pieces that just hold are the fewest, and rounding must not make
+    it one more."""
     kinematics = kinematics_of("table_table")
     start = np.array([[100.0, 0.0, 50.0, 0.0, 30.0]])
     tip = forward(kinematics, words_to_q(start))[0]
-    end = np.concatenate([joint_words(kinematics, tip, np.radians([[40.0, 30.0]]))[:, :3], [[40.0, 30.0]]], axis=1)
+    end = np.concatenate(
+        [joint_words(kinematics, tip, np.radians([[40.0, 30.0]]))[:, :3], [[40.0, 30.0]]], axis=1
+    )
     end = np.round(end, 4)
     way = course_of(kinematics, start, end)
     shares = np.linspace(0.0, 1.0, 17)
@@ -236,7 +277,8 @@ def test_halving_is_the_answer_where_it_is_the_fewest():
 
 
 def trunnion_block(start_ca, end_ca, move):
-    """Words of a block of the Table 2 machine from C, A to C, A in degrees while the tip moves by ``move``."""
+    """Words of a block of the Table 2 machine from C, A to C, A in degrees while the tip moves by
+    ``move``."""
     kinematics = mikron_links()
     tip = np.array([[20.0, 30.0, 40.0], [20.0, 30.0, 40.0]]) + np.array([[0.0, 0.0, 0.0], move])
     words = q_to_words(joint_words(kinematics, tip, np.radians([start_ca, end_ca])))
@@ -246,7 +288,11 @@ def trunnion_block(start_ca, end_ca, move):
 @pytest.mark.parametrize(
     ("start", "end", "even"),
     [
-        ((0.0, 0.0), (90.0, 5.0), 0),  # leaves the pole in another direction than its word gives: a pure rotation first
+        (
+            (0.0, 0.0),
+            (90.0, 5.0),
+            0,
+        ),  # leaves the pole in another direction than its word gives: a pure rotation first
         ((10.0, 5.0), (100.0, 0.0), 0),  # arrives at the pole, and turns there
         ((0.0, 10.0), (180.0, 10.0), 0),  # the great arc leads through the pole itself, on one branch
         ((0.0, 0.001), (120.0, 0.002), 0),  # passes close by
@@ -278,7 +324,7 @@ def test_a_block_that_only_turns_is_divided_evenly():
     assert measure(kinematics, found).bound.max() <= 0.01
 
 
-# ------------------------------------------------------------------------------------------------ what cannot be done
+# ---------------------------------------------------------------------------------------- what cannot be done
 
 
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, math.nan, math.inf])
@@ -327,7 +373,13 @@ def test_a_program_without_blocks_stays_as_it_is(rows):
 
 def test_a_straight_block_that_only_rounding_keeps_over_tolerance_is_not_divided_for_nothing():
     kinematics, steps = mikron_links(), (4, 4)
-    words = np.array([[10.0, 20.0, 30.0, 5.0, 7.0], [10.00004, 20.00004, 29.99996, 5.0, 7.0], [40.00004, 0.0, 0.0, 5.0, 7.0]])
+    words = np.array(
+        [
+            [10.0, 20.0, 30.0, 5.0, 7.0],
+            [10.00004, 20.00004, 29.99996, 5.0, 7.0],
+            [40.00004, 0.0, 0.0, 5.0, 7.0],
+        ]
+    )
     found, _, findings = linearize_words(kinematics, words, steps, 1e-5)
     assert len(found) == 3
     (finding,) = findings
@@ -336,7 +388,7 @@ def test_a_straight_block_that_only_rounding_keeps_over_tolerance_is_not_divided
     assert finding.value <= most_off(kinematics, Steps(*steps))
 
 
-# ------------------------------------------------------------------------------------------------ through the pipeline
+# --------------------------------------------------------------------------------------- through the pipeline
 
 
 def path_of(tip, axis, motion):
@@ -368,7 +420,9 @@ def test_the_program_of_a_divided_path_is_proven(dialect):
     program = build_program(longer, kinematics, dialect, True)
     feed = program.motion != Motion.RAPID
     assert measure(kinematics, program.words).bound[feed].max() <= 0.01
-    assert q_to_words(longer.q)[program.row] == pytest.approx(program.words, abs=1e-9)  # nothing is rounded a second time
+    assert q_to_words(longer.q)[program.row] == pytest.approx(
+        program.words, abs=1e-9
+    )  # nothing is rounded a second time
     assert [f.code for f in longer.findings if f.code.startswith("linear")] == ["linearized"]
 
 
@@ -377,7 +431,10 @@ def test_inserted_rows_carry_what_the_row_they_lead_to_carries():
     longer = linearize(joints, kinematics, DIALECTS["linuxcnc"], 0.01)
     own = np.arange(len(longer.row))
     given = list(zip(joints.path.tip, joints.path.motion, strict=True))
-    place = [np.flatnonzero((longer.path.tip == tip).all(1) & (longer.path.motion == motion))[-1] for tip, motion in given]
+    place = [
+        np.flatnonzero((longer.path.tip == tip).all(1) & (longer.path.motion == motion))[-1]
+        for tip, motion in given
+    ]
     leads_to = np.searchsorted(place, own)
     for name in ("motion", "feed", "face", "coedge", "pass_"):
         assert (getattr(longer.path, name) == getattr(joints.path, name)[leads_to]).all()
@@ -431,14 +488,16 @@ def test_balanced_shares_spread_the_load_evenly():
 
 def test_a_block_without_any_load_keeps_its_shares():
     share, load = np.array([0.0, 0.3, 1.0, 0.0, 0.5, 1.0]), np.array([0.0, 0.0, 0.0, 1.0, 3.0, 0.0])
-    found = balanced_shares(share, load, np.array([2, 2]), np.zeros(2, bool), np.array([0, 1]), np.array([2, 2]))
+    found = balanced_shares(
+        share, load, np.array([2, 2]), np.zeros(2, bool), np.array([0, 1]), np.array([2, 2])
+    )
     assert np.abs(found[:3] - (0.0, 0.3, 1.0)).max() < 1e-12
     assert (found[[3, 5]] == (0.0, 1.0)).all() and 0.5 < found[4] < 0.8
 
 
 def test_words_on_the_arc_stay_on_the_winding_of_their_block():
-    """The first axis of a nutating table turns by 255 deg while the tool axis turns by less than half a turn: what follows the
-    arc goes from the start's own words to the end's, whole turns included."""
+    """The first axis of a nutating table turns by 255 deg while the tool axis turns by less than half a turn:
+    what follows the arc goes from the start's own words to the end's, whole turns included."""
     kinematics = kinematics_of("nutating")
     start, end = np.array([[0.0, 0, 0, -62.8391, 173.4297]]), np.array([[0.0, 0, 0, 191.7896, 8.6368]])
     way = course_of(kinematics, start, end)
@@ -446,7 +505,11 @@ def test_words_on_the_arc_stay_on_the_winding_of_their_block():
     share = np.linspace(0.0, 1.0, 2001)
     words = follow(kinematics, way, np.zeros(2001, int), share, Steps(4, 4))
     axis = forward(kinematics, words_to_q(words))[1]
-    assert np.abs(np.diff(words[:, 3:], axis=0)).max() < 15.0 and words[0, 3] == start[0, 3] and words[-1, 3] == end[0, 3]
+    assert (
+        np.abs(np.diff(words[:, 3:], axis=0)).max() < 15.0
+        and words[0, 3] == start[0, 3]
+        and words[-1, 3] == end[0, 3]
+    )
     ends = axis[[0, -1]]
     angle = np.arccos(ends[0] @ ends[1])
     sine = np.sin(np.stack([1.0 - share, share]) * angle) / np.sin(angle)

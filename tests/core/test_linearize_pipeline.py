@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Blocks divided through the whole pipeline: proven, the surface as it was, feeds right, rapids whole, and nothing of it when off."""
+"""Blocks divided through the whole pipeline: proven, the surface as it was, feeds right, rapids whole, and
+nothing of it when off."""
 
 import json
 import shutil
@@ -28,7 +29,12 @@ from freecad_fiveaxis.core.pipeline.settings import flat_options
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ROOT = Path(__file__).parents[2]
-CASES = [("dome", "trunnion_ac"), ("saddle", "trunnion_ac"), ("saddle", "fork_head_bc"), ("dome", "nutating_table_b45")]
+CASES = [
+    ("dome", "trunnion_ac"),
+    ("saddle", "trunnion_ac"),
+    ("saddle", "fork_head_bc"),
+    ("dome", "nutating_table_b45"),
+]
 
 
 @pytest.fixture(scope="session")
@@ -49,8 +55,8 @@ def own_rows(divided, whole):
 
 
 def walks(made, samples, above=0.0):
-    """The points (m - 1, samples, 3) mm that stand ``above`` mm over the tip, of every block of a program, by plain forward
-    kinematics."""
+    """The points (m - 1, samples, 3) mm that stand ``above`` mm over the tip, of every block of a program, by
+    plain forward kinematics."""
     q = words_to_q(made.program.words)
     u = np.linspace(0.0, 1.0, samples)[None, :, None]
     way = q[:-1, None] + u * np.diff(q, axis=0)[:, None]
@@ -66,14 +72,22 @@ def test_every_feed_block_is_proven_within_tolerance(part, machine, milled):
     assert result.surface.bound[feed].max() <= 0.01
     codes = {finding.code for finding in result.findings}
     assert "linearized" in codes
-    assert not codes & {"deviation-over-tolerance", "bound-over-tolerance", "linearize-rounding", "linearize-impossible"}
+    assert not codes & {
+        "deviation-over-tolerance",
+        "bound-over-tolerance",
+        "linearize-rounding",
+        "linearize-impossible",
+    }
 
 
 @pytest.mark.parametrize(("part", "machine"), CASES)
 def test_the_real_centre_stays_by_the_commanded_segments_of_the_undivided_path(part, machine, milled):
-    """201 points of every block of the rounded words, against the segments of the ball's centre along the CL path."""
+    """201 points of every block of the rounded words, against the segments of the ball's centre along the CL
+    path."""
     whole, made = milled(part, machine).draft.joints, milled(part, machine, linearize="on").draft
-    end = np.searchsorted(own_rows(made.joints, whole), made.program.row[1:])  # the undivided row that each block leads to
+    end = np.searchsorted(
+        own_rows(made.joints, whole), made.program.row[1:]
+    )  # the undivided row that each block leads to
     radius = made.settings.cutter.cutter.radius
     centre = whole.path.tip + radius * whole.path.axis
     start = centre[end - 1][:, None]
@@ -93,9 +107,15 @@ def test_contacts_tips_and_axes_are_those_of_the_undivided_path(part, machine, m
     inserted = np.setdiff1d(np.arange(len(divided.row)), own)
     inserted = inserted[divided.path.motion[inserted] < Motion.LINK]
     end = np.searchsorted(own, inserted)
-    start, stop, between = whole.path.contact[end - 1], whole.path.contact[end], divided.path.contact[inserted]
+    start, stop, between = (
+        whole.path.contact[end - 1],
+        whole.path.contact[end],
+        divided.path.contact[inserted],
+    )
     detour = (
-        np.linalg.norm(between - start, axis=1) + np.linalg.norm(stop - between, axis=1) - np.linalg.norm(stop - start, axis=1)
+        np.linalg.norm(between - start, axis=1)
+        + np.linalg.norm(stop - between, axis=1)
+        - np.linalg.norm(stop - start, axis=1)
     )
     assert np.abs(detour).max(initial=0.0) < 1e-9
 
@@ -106,7 +126,9 @@ def test_rapids_are_never_divided(part, machine, milled):
     rapid, rapid_too = whole.motion == Motion.RAPID, divided.motion == Motion.RAPID
     assert len(divided.words) > len(whole.words)
     assert rapid.sum() == rapid_too.sum()
-    assert np.abs(whole.words[rapid] - divided.words[rapid_too]).max() < 5e-3  # linear words make up for rounded rotary ones
+    assert (
+        np.abs(whole.words[rapid] - divided.words[rapid_too]).max() < 5e-3
+    )  # linear words make up for rounded rotary ones
 
 
 @pytest.mark.parametrize("mode", ["g93", "g94"])
@@ -122,7 +144,9 @@ def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode,
     else:  # LinuxCNC: F counts along X Y Z where any of them moves
         moved = np.diff(program.words, axis=0)
         linear = np.linalg.norm(moved[:, :3], axis=1)
-        minutes = np.where(linear > 0.0, linear, np.linalg.norm(moved[:, 3:], axis=1)) / np.where(fed, program.feed[1:], 1.0)
+        minutes = np.where(linear > 0.0, linear, np.linalg.norm(moved[:, 3:], axis=1)) / np.where(
+            fed, program.feed[1:], 1.0
+        )
     least = least_minutes(made.kinematics.rate, np.diff(words_to_q(program.words), axis=0))
     asked = path.feed[program.row[1:]]
     free = fed & (length > 0.05) & (least < 0.99 * length / np.where(fed, asked, 1.0))
@@ -141,7 +165,12 @@ def test_the_tip_keeps_the_programmed_feed_over_the_part_in_divided_blocks(mode,
 def test_linuxcnc_accepts_divided_programs(part, machine, mode, milled, tmp_path):
     (tmp_path / "part.ngc").write_bytes(milled(part, machine, linearize="on", feed_mode=mode).draft.nc)
     done = subprocess.run(
-        ["rs274", "-g", "part.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
+        ["rs274", "-g", "part.ngc"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        timeout=120,
     )
     assert done.returncode == 0, done.stderr[-400:]
 
@@ -151,7 +180,9 @@ def test_off_is_the_pipeline_without_it_byte_for_byte(part, machine, milled):
     made = milled(part, machine).draft
     assert milled(part, machine, linearize="off", singularity="report").draft.nc == made.nc
     settings = made.settings
-    bare = solve(made.path, made.kinematics, *made.mesh.box, settings.links.clearance, settings.cutter.cutter.radius)
+    bare = solve(
+        made.path, made.kinematics, *made.mesh.box, settings.links.clearance, settings.cutter.cutter.radius
+    )
     program = build_program(bare, made.kinematics, made.dialect, True)
     height, _ = start_plane(made.context(silent), program)
     title, options = asked.nc_title(settings, made.machine), asked.post_options(settings)
@@ -181,7 +212,12 @@ def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_wha
     (finding,) = (finding for finding in result.findings if finding.code == "linearize-rounding")
     assert finding.severity is Severity.WARNING and finding.limit == 5e-5 and 5e-5 < finding.value < 3e-4
     assert finding.line == program.line[finding.block]
-    assert np.linalg.norm(forward(result.draft.kinematics, words_to_q(program.words[[finding.block]]))[0] - finding.place) < 1e-9
+    assert (
+        np.linalg.norm(
+            forward(result.draft.kinematics, words_to_q(program.words[[finding.block]]))[0] - finding.place
+        )
+        < 1e-9
+    )
     feed = program.motion != Motion.RAPID
     assert result.surface.bound[feed].max() <= finding.value
     text = f"X{finding.place[0]:.3f} Y{finding.place[1]:.3f} Z{finding.place[2]:.3f}"
@@ -191,9 +227,15 @@ def test_what_rounding_makes_impossible_is_named_with_its_block_its_line_and_wha
 def test_findings_of_the_joint_path_come_to_their_blocks_and_lines(milled):
     made = milled("saddle", "trunnion_ac", linearize="on").draft
     row = int(made.program.row[100])
-    joints = replace(made.joints, q=np.insert(made.joints.q, row, made.joints.q[row], axis=0)[: len(made.joints.q)])
-    program = build_program(joints, made.kinematics, made.dialect, True)  # row + 1 has the words of row, and no block
-    given = [Finding(Severity.NOTE, "x", "", block=at) for at in (row, row + 1, row + 2)] + [Finding(Severity.NOTE, "x", "")]
+    joints = replace(
+        made.joints, q=np.insert(made.joints.q, row, made.joints.q[row], axis=0)[: len(made.joints.q)]
+    )
+    program = build_program(
+        joints, made.kinematics, made.dialect, True
+    )  # row + 1 has the words of row, and no block
+    given = [Finding(Severity.NOTE, "x", "", block=at) for at in (row, row + 1, row + 2)] + [
+        Finding(Severity.NOTE, "x", "")
+    ]
     told = block_findings(tuple(given), program)
     assert [finding.block for finding in told] == [100, 100, 101, None]
     assert [finding.line for finding in told] == [int(program.line[100])] * 2 + [int(program.line[101]), None]
@@ -209,7 +251,22 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     part = parts / "saddle.stl"
     out = [tmp_path / f"{name}.ngc" for name in "abc"]
     report = tmp_path / "a.json"
-    assert run("mill", part, "--stepover", 24, *words, "-o", out[0], "--cl", tmp_path / "a.apt", "--report", report) == cli.DONE
+    assert (
+        run(
+            "mill",
+            part,
+            "--stepover",
+            24,
+            *words,
+            "-o",
+            out[0],
+            "--cl",
+            tmp_path / "a.apt",
+            "--report",
+            report,
+        )
+        == cli.DONE
+    )
     assert run("post", tmp_path / "a.apt", *words, "-o", out[1]) == cli.DONE
     inputs = json.loads(report.read_text())["inputs"]
     assert inputs["linearize"] == "on" and inputs["singularity"] == "report" and inputs["tolerance"] == 0.01
@@ -219,14 +276,22 @@ def test_post_of_the_cl_file_and_the_job_file_give_the_same_divided_program(part
     assert json.loads(report.read_text())["summary"]["over_tolerance"] == 0
     blocks = [path.read_bytes().count(b"\n") for path in out]
     assert blocks[0] == pytest.approx(blocks[1], abs=12)  # the CL file rounds its numbers
-    assert run("mill", part, "--stepover", 24, *words[:2], "--linearize", "off", "--quiet", "-o", out[1]) == cli.DONE_WITH_ERRORS
+    assert (
+        run("mill", part, "--stepover", 24, *words[:2], "--linearize", "off", "--quiet", "-o", out[1])
+        == cli.DONE_WITH_ERRORS
+    )
 
 
 def test_mill_and_post_divide_unless_asked_not_to_or_the_controller_guides_the_tip():
     for task in ("mill", "post"):
         flat = flat_options(build_settings(task, "x", {"machine": "trunnion_ac"}))
         assert (flat["linearize"], flat["singularity"]) == ("on", "report")
-        for given in ({"linearize": "off"}, {"rtcp": "angles"}, {"rtcp": True}, {"rtcp": "vectors", "linearize": None}):
+        for given in (
+            {"linearize": "off"},
+            {"rtcp": "angles"},
+            {"rtcp": True},
+            {"rtcp": "vectors", "linearize": None},
+        ):
             assert build_settings(task, "x", {"machine": "trunnion_ac", **given}).cure.linearize == "off"
         with pytest.raises(SettingsError, match="give one"):
             build_settings(task, "x", {"machine": "trunnion_ac", "rtcp": "angles", "linearize": "on"})

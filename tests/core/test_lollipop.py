@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lollipop, a ball on a thinner neck: its outline in closed form, what it gets under, and its texts there and back."""
+"""The lollipop, a ball on a thinner neck: its outline in closed form, what it gets under, and its texts there
+and back."""
 
 import math
 
@@ -51,7 +52,9 @@ def test_its_outline_in_every_direction_is_that_of_a_ball_and_a_disc():
     across = np.sqrt(1.0 - along**2)
     begins = RADIUS + math.sqrt(RADIUS**2 - NECK**2)
     neck = np.maximum(LENGTH * along + NECK * across, begins * along + NECK * across)
-    np.testing.assert_allclose(body_support(body_of(lollipop()), along), np.maximum(RADIUS + RADIUS * along, neck), atol=1e-12)
+    np.testing.assert_allclose(
+        body_support(body_of(lollipop()), along), np.maximum(RADIUS + RADIUS * along, neck), atol=1e-12
+    )
 
 
 def test_its_body_is_the_ball_and_the_neck_and_a_ball_end_mills_is_not():
@@ -61,13 +64,18 @@ def test_its_body_is_the_ball_and_the_neck_and_a_ball_end_mills_is_not():
     depth = depth_of(body_of(lollipop()), np.zeros(3), UP[0], place)
     assert ((depth > 0.0) == truly_inside(radius, height)).all()
     ball = depth_of(body_of(Cutter(10.0, LENGTH)), np.zeros(3), UP[0], place)
-    assert ((ball > 0.0) != truly_inside(radius, height)).mean() > 0.2, "this comparison sees a shank as wide as the ball"
+    assert ((ball > 0.0) != truly_inside(radius, height)).mean() > 0.2, (
+        "this comparison sees a shank as wide as the ball"
+    )
 
 
 def test_the_neck_does_not_cut():
     ball, neck = body_of(lollipop()).pieces
     assert neck.part == SHANK and ball.part != SHANK
-    assert lollipop().profile().holder.tolist() == [[neck.low, NECK, LENGTH, NECK]] and len(lollipop().profile().flanks) == 0
+    assert (
+        lollipop().profile().holder.tolist() == [[neck.low, NECK, LENGTH, NECK]]
+        and len(lollipop().profile().flanks) == 0
+    )
 
 
 def test_it_stands_and_cuts_as_a_ball_does():
@@ -79,7 +87,9 @@ def test_it_stands_and_cuts_as_a_ball_does():
     stands = lollipop().tip_from_contact(point, normal, axis, feed)
     np.testing.assert_array_equal(stands, ball.tip_from_contact(point, normal, axis, feed))
     across = np.cross(normal, feed)
-    np.testing.assert_array_equal(lollipop().effective_radius(normal, axis, across), ball.effective_radius(normal, axis, across))
+    np.testing.assert_array_equal(
+        lollipop().effective_radius(normal, axis, across), ball.effective_radius(normal, axis, across)
+    )
     assert lollipop().equivalent_radius(UP, UP, np.eye(3)[:1], 0.01)[0] == pytest.approx(RADIUS, rel=3e-4)
 
 
@@ -93,18 +103,20 @@ def test_below_the_surface_it_touches_with_its_ball_as_far_as_its_neck_lets_it(b
     assert np.allclose(tip + RADIUS * axis, RADIUS * UP) == ball_touches
 
 
-# ------------------------------------------------------------------------------------------------ what it gets under
+# ----------------------------------------------------------------------------------------- what it gets under
 
 
 def test_it_cuts_beside_a_roof_that_the_shank_of_a_ball_would_hit():
-    """Floor at z 0, roof from y 0 on between z 12 and 16: 3 mm before its edge the ball's shank of 5 mm enters, the neck of 2 does
-    not; with its middle 1 mm before the edge the neck enters, too."""
+    """Floor at z 0, roof from y 0 on between z 12 and 16: 3 mm before its edge the ball's shank of 5 mm
+    enters, the neck of 2 does not; with its middle 1 mm before the edge the neck enters, too."""
     mesh, at = shelf(), np.array([[0.0, -3.0, 0.0]])
     assert overlaps(Cutter(10.0, LENGTH), at, UP, UP, mesh) == Obstacle.CUTTER
     assert overlaps(lollipop(), at, UP, UP, mesh) == Obstacle.NONE
     assert overlaps(lollipop(), at + (0.0, 2.0, 0.0), UP, UP, mesh) == Obstacle.SHANK
     drawn_out = Reacher(lollipop(), far=50.0)
-    assert obstacles(drawn_out, facet_tree(mesh), at, UP, UP)[0] != Obstacle.NONE, "its ball does not get out through the roof"
+    assert obstacles(drawn_out, facet_tree(mesh), at, UP, UP)[0] != Obstacle.NONE, (
+        "its ball does not get out through the roof"
+    )
 
 
 def test_it_cuts_the_underside_of_a_roof_from_before_its_edge():
@@ -119,7 +131,9 @@ def test_its_entries_are_those_of_dense_samples(text):
     """No sample is deeper than the bound, and the deepest sample is as deep as what is found."""
     cutter, mesh, rng = parse_cutter(text), shelf(length=24.0), np.random.default_rng(4)
     points, count, tolerance = dense_points(mesh, 0.4), 8, 0.01
-    tip = np.stack([rng.uniform(-8.0, 8.0, count), rng.uniform(-12.0, 6.0, count), rng.uniform(-1.0, 8.0, count)], axis=1)
+    tip = np.stack(
+        [rng.uniform(-8.0, 8.0, count), rng.uniform(-12.0, 6.0, count), rng.uniform(-1.0, 8.0, count)], axis=1
+    )
     axis = UP + np.stack([*rng.uniform(-0.4, 0.4, (2, count)), np.zeros(count)], axis=1)
     axis /= np.linalg.norm(axis, axis=1)[:, None]
     swept, body = straight_motion(tip, axis), body_of(cutter)
@@ -127,7 +141,9 @@ def test_its_entries_are_those_of_dense_samples(text):
     sampled = np.array([sampled_depth(body, points, swept, block) for block in range(count - 1)])
     assert (sampled <= found.bound + 1e-9).all() and (sampled > 0.5).any()
     np.testing.assert_allclose(found.depth, sampled, atol=0.2)  # as near as points and poses lie
-    as_ball = find_entries(body_of(Cutter(cutter.diameter, cutter.length)), facet_tree(mesh), swept, tolerance)
+    as_ball = find_entries(
+        body_of(Cutter(cutter.diameter, cutter.length)), facet_tree(mesh), swept, tolerance
+    )
     assert np.abs(as_ball.depth - sampled).max() > 0.5, "this comparison sees another body"
 
 
@@ -204,7 +220,11 @@ def test_a_neck_thicker_than_the_cl_files_is_told():
     head = read_cl_file(cl_file(parse_cutter("lollipop:10:6")).decode()).head
     assert [one.code for one in cutter_note(head, Cutter(10.0))] == ["cutter-differs"]
     assert [one.code for one in cutter_note(head, parse_cutter("lollipop:10:7"))] == ["cutter-differs"]
-    assert cutter_note(head, parse_cutter("lollipop:10:5")) == cutter_note(head, parse_cutter("lollipop:10:6")) == ()
+    assert (
+        cutter_note(head, parse_cutter("lollipop:10:5"))
+        == cutter_note(head, parse_cutter("lollipop:10:6"))
+        == ()
+    )
 
 
 def test_the_head_of_a_program_names_it_and_an_audit_reads_it():

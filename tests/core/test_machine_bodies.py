@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tool and spindle against bodies of the machine: by dense samples of the joints' way, with turns of their own, and by closed forms."""
+"""Tool and spindle against bodies of the machine: by dense samples of the joints' way, with turns of their
+own, and by closed forms."""
 
 import json
 import math
@@ -26,7 +27,11 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
 LENGTH, RADIUS, ORIGIN = 80.0, 3.0, (10.0, -5.0, 20.0)
 TOOL = Body(
-    (round_piece(0.0, RADIUS, RADIUS), frustum_piece(RADIUS, RADIUS, 40.0, RADIUS), frustum_piece(40.0, 15.0, LENGTH, 15.0, 2))
+    (
+        round_piece(0.0, RADIUS, RADIUS),
+        frustum_piece(RADIUS, RADIUS, 40.0, RADIUS),
+        frustum_piece(40.0, 15.0, LENGTH, 15.0, 2),
+    )
 )
 NOSE = MachineBody("nose", "spindle", "cylinder", ((0.0, 0.0, 0.0), (0.0, 0.0, 60.0)), (35.0,))
 MACHINES = ("trunnion_ac", "head_b_table_c", "nutating_table_b45", "fork_head_bc", "linuxcnc_xyzbc_trt")
@@ -48,7 +53,8 @@ def checked(machine, words, tolerance=0.01, part=None, length=LENGTH, motion=Non
 
 
 def frames(machine, q):
-    """Of each axis the place (4, 4) that it carries in the machine frame at joints ``q`` (letter: mm or deg), and that of the tool.
+    """Of each axis the place (4, 4) that it carries in the machine frame at joints ``q`` (letter: mm or deg),
+    and that of the tool.
 
     From the base outwards; a table's axis moves what it carries the other way."""
     place, found = np.eye(4), {"base": np.eye(4)}
@@ -72,10 +78,13 @@ def moved(axis, by):
 
 
 def dense(machine, words, body, count=160):
-    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints: by its points on a grid."""
+    """How deep a point of the box ``body`` is in the tool at most, on a straight way of the joints: by its
+    points on a grid."""
     setup = Setup(ORIGIN, LENGTH)
     kinematics = chain(machine, setup)
-    shift = np.linalg.solve(kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH)))
+    shift = np.linalg.solve(
+        kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH))
+    )
     share = np.stack(np.meshgrid(*(np.linspace(0.0, 1.0, 17),) * 3, indexing="ij"), -1).reshape(-1, 3)
     low, high = np.array(body.points)
     grid = low + share[((share == 0.0) | (share == 1.0)).any(axis=1)] * (high - low)
@@ -90,7 +99,11 @@ def dense(machine, words, body, count=160):
         off = in_machine - tip
         height = off @ axis
         across = np.linalg.norm(off - height[:, None] * axis, axis=1)
-        for bottom, top, radius in ((RADIUS, 40.0, RADIUS), (40.0, LENGTH, 15.0), (LENGTH, LENGTH + 60.0, 35.0)):
+        for bottom, top, radius in (
+            (RADIUS, 40.0, RADIUS),
+            (40.0, LENGTH, 15.0),
+            (LENGTH, LENGTH + 60.0, 35.0),
+        ):
             inside = np.minimum(np.minimum(height - bottom, top - height), radius - across)
             deepest = max(deepest, float(inside.max()))
         deepest = max(deepest, float((RADIUS - np.linalg.norm(off - RADIUS * axis, axis=1)).max()))
@@ -104,7 +117,8 @@ def carriers(machine):
 @pytest.mark.thorough
 @pytest.mark.parametrize("name", MACHINES)
 def test_dense_samples_find_nothing_deeper_than_what_is_told(name):
-    """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed, and what is told is there."""
+    """Random boxes on each carrier and random blocks: with a straight way of the joints nothing is missed,
+    and what is told is there."""
     rng, plain = np.random.default_rng(5), load_machine(name)
     hit = missed = 0
     for _ in range(24):
@@ -131,7 +145,8 @@ def test_a_locked_axis_that_is_not_locked_would_be_noticed(monkeypatch):
 
 
 def test_the_depth_in_a_column_is_that_of_the_closed_form():
-    """The holder, 15 mm in radius, stops 12 mm before a wall of the base, on a trunnion whose table has turned meanwhile."""
+    """The holder, 15 mm in radius, stops 12 mm before a wall of the base, on a trunnion whose table has
+    turned meanwhile."""
     plain = load_machine("trunnion_ac")
     column = MachineBody("column", "base", "box", ((40.0, -200.0, -100.0), (140.0, 200.0, 400.0)))
     machine = replace(plain, bodies=(column,))
@@ -140,7 +155,9 @@ def test_the_depth_in_a_column_is_that_of_the_closed_form():
     words[0, 0], words[1, 0] = -20.0, 28.0
     for column_of, turned in ((3, 70.0), (4, 200.0)):
         words[:, column_of] = turned if kinematics.letters[column_of] == "C" else 0.0
-    found = check_machine(InMachine(machine, setup, kinematics, TOOL, LENGTH), program_of(plain, words), None, 0.01)
+    found = check_machine(
+        InMachine(machine, setup, kinematics, TOOL, LENGTH), program_of(plain, words), None, 0.01
+    )
     assert [one.code for one in found] == ["machine-collision"]
     assert (
         found[0].value == pytest.approx(3.0, abs=0.15)
@@ -155,7 +172,11 @@ def test_the_depth_in_a_column_is_that_of_the_closed_form():
 def test_the_spindle_is_kept_out_of_part_and_bodies_and_needs_the_tools_length():
     plain = load_machine("trunnion_ac")
     machine = replace(
-        plain, bodies=(NOSE, MachineBody("post", "base", "cylinder", ((60.0, 0.0, 0.0), (60.0, 0.0, 120.0)), (10.0,)))
+        plain,
+        bodies=(
+            NOSE,
+            MachineBody("post", "base", "cylinder", ((60.0, 0.0, 0.0), (60.0, 0.0, 120.0)), (10.0,)),
+        ),
     )
     part = from_triangles(box((-60.0, -60.0, 0.0), (-40.0, -40.0, 110.0)) + ORIGIN)
     words = np.zeros((2, 5))
@@ -163,15 +184,24 @@ def test_the_spindle_is_kept_out_of_part_and_bodies_and_needs_the_tools_length()
     words[0, 2], words[1, 0], words[1, 1] = 200.0, -30.0 - ORIGIN[0], -30.0
     words[1, 2] = 0.0
     found = checked(machine, words, part=part)
-    assert [one.code for one in found] == ["machine-collision"] and "spindle" in found[0].text and "part" in found[0].text
+    assert (
+        [one.code for one in found] == ["machine-collision"]
+        and "spindle" in found[0].text
+        and "part" in found[0].text
+    )
     assert (found[0].hit.enters, found[0].hit.entered) == ("spindle", "")
     assert (found[0].hit.enters, found[0].hit.entered) == ("spindle", "")
     blind = checked(machine, words, part=part, length=None)
-    assert [one.code for one in blind] == ["machine-unproven"] and "--tool-length" in blind[0].text and "nose" in blind[0].text
+    assert (
+        [one.code for one in blind] == ["machine-unproven"]
+        and "--tool-length" in blind[0].text
+        and "nose" in blind[0].text
+    )
 
 
 def test_a_rapid_of_independent_axes_goes_another_way():
-    """From beside a post to its other side at another height: interpolated it goes over it, axis by axis through it."""
+    """From beside a post to its other side at another height: interpolated it goes over it, axis by axis
+    through it."""
     machine = replace(
         load_machine("trunnion_ac"),
         bodies=(
@@ -186,7 +216,9 @@ def test_a_rapid_of_independent_axes_goes_another_way():
     words = np.zeros((2, 5))
     words[:, :3] = [[-60.0, 0.0, 90.0], [60.0, 0.0, -10.0]]
     rapid = np.full(2, Motion.RAPID, np.int8)
-    straight, free = (checked(machine, words, motion=rapid, rapids=how) for how in ("interpolated", "independent"))
+    straight, free = (
+        checked(machine, words, motion=rapid, rapids=how) for how in ("interpolated", "independent")
+    )
     assert [one.code for one in free] == ["machine-collision"]
     assert not straight or straight[0].value < free[0].value
 
@@ -195,7 +227,11 @@ GOOD = [
     {"name": "cradle", "carrier": "A", "box": {"low": [-1, -2, -3], "high": [1, 2, 3]}},
     {"name": "platter", "carrier": "C", "cylinder": {"low": [0, 0, -10], "high": [0, 0, 0], "radius": 50}},
     {"name": "cap", "carrier": "base", "sphere": {"centre": [0, 0, 1], "radius": 2}},
-    {"name": "nose", "carrier": "spindle", "cone": {"low": [0, 0, 0], "high": [0, 0, 30], "low_radius": 20, "high_radius": 30}},
+    {
+        "name": "nose",
+        "carrier": "spindle",
+        "cone": {"low": [0, 0, 0], "high": [0, 0, 30], "low_radius": 20, "high_radius": 30},
+    },
     {"name": "vise", "carrier": "C", "file": "vise.stl"},
 ]
 
@@ -243,12 +279,19 @@ def test_a_body_that_cannot_be_used_is_refused_in_one_line(tmp_path, body, told)
 
 
 def test_the_example_cuts_a_part_free_of_its_bodies_and_a_short_tool_brings_the_spindle_into_them(tmp_path):
-    """On the trunnion of examples/, whose table turns up beside the tool; with a stub of a tool the nose hits what holds the table."""
+    """On the trunnion of examples/, whose table turns up beside the tool; with a stub of a tool the nose hits
+    what holds the table."""
     from freecad_fiveaxis.core.pipeline import job
     from freecad_fiveaxis.core.pipeline.settings import build_settings
 
     write_stl(from_triangles(box((-30, -20, -90), (30, 20, -80))), tmp_path / "part.stl")
-    given = {"machine": str(EXAMPLE), "cutter": "ball:6:30", "passes": "planes", "stepover": 6, "tool_axis": "facet_mean"}
+    given = {
+        "machine": str(EXAMPLE),
+        "cutter": "ball:6:30",
+        "passes": "planes",
+        "stepover": 6,
+        "tool_axis": "facet_mean",
+    }
     given |= {"spindle": "off", "linearize": "off", "gouge": "off", "max_axis_angle": 91}
     hit = {
         length: [one.text for one in job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "tool_length": length})).findings
@@ -294,7 +337,9 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
     codes, said = [], []
     for body in (post, far):
         machine = machine_file(tmp_path, [body])
-        codes.append(cli.main([*given, "--machine", str(machine), "-o", str(tmp_path / f"{body['name']}.ngc")]))
+        codes.append(
+            cli.main([*given, "--machine", str(machine), "-o", str(tmp_path / f"{body['name']}.ngc")])
+        )
         report = json.loads((tmp_path / "r.json").read_text())
         said.append([one["code"] for one in report["findings"]])
         assert ("machine's bodies: far" in json.dumps(report)) == (body is far)
@@ -308,29 +353,53 @@ def test_the_command_line_tells_what_is_hit_and_what_was_looked_at(tmp_path, cap
     assert cli.main([*given, "--machine", str(vise), "-o", str(tmp_path / "none.ngc")]) == 2
     assert "vise.stl" in capsys.readouterr().err and not (tmp_path / "none.ngc").exists()
     write_stl(from_triangles(box((22, -50, -100), (60, 50, 200))), tmp_path / "vise.stl")
-    audit = ["audit", str(tmp_path / "post.ngc"), "--machine", str(vise), "--cutter", "ball:6", "--holder", "40x30", "--quiet"]
+    audit = [
+        "audit",
+        str(tmp_path / "post.ngc"),
+        "--machine",
+        str(vise),
+        "--cutter",
+        "ball:6",
+        "--holder",
+        "40x30",
+        "--quiet",
+    ]
     assert cli.main([*audit, "--report", str(tmp_path / "a.json")]) == 1
-    assert "machine-collision" in [one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]]
+    assert "machine-collision" in [
+        one["code"] for one in json.loads((tmp_path / "a.json").read_text())["findings"]
+    ]
 
 
 def test_a_body_is_told_that_comes_nearer_than_its_own_clearance_or_that_of_all(tmp_path):
-    """A post on the platter, 15 mm beside the edge over which the middle of a ball of 6 runs: 12 mm are left."""
+    """A post on the platter, 15 mm beside the edge over which the middle of a ball of 6 runs: 12 mm are
+    left."""
     from freecad_fiveaxis.core.pipeline import job
     from freecad_fiveaxis.core.pipeline.settings import build_settings
 
     write_stl(from_triangles(box((-10, -10, 0), (10, 10, 10))), tmp_path / "part.stl")
     post = {"name": "post", "carrier": "C", "box": {"low": [25, -50, 0], "high": [60, 50, 40]}}
-    given = {"cutter": "ball:6", "passes": "planes", "stepover": 4, "spindle": "off", "gouge": "off", "max_axis_angle": 1}
+    given = {
+        "cutter": "ball:6",
+        "passes": "planes",
+        "stepover": 4,
+        "spindle": "off",
+        "gouge": "off",
+        "max_axis_angle": 1,
+    }
     given |= {"tool_axis": "facet_mean", "linearize": "off"}
 
     def near(body, **more):
         machine = str(machine_file(tmp_path, [body]))
-        found = job.run(build_settings("mill", str(tmp_path / "part.stl"), {**given, "machine": machine, **more})).findings
+        found = job.run(
+            build_settings("mill", str(tmp_path / "part.stl"), {**given, "machine": machine, **more})
+        ).findings
         return [one for one in found if one.code == "machine-near"]
 
     assert not near(post) and not near(post, fixture_clearance=2.0) and not near({**post, "clearance": 11.9})
     (one,), (other,) = near({**post, "clearance": 13}), near(post, fixture_clearance=13.0)
-    assert one.value == pytest.approx(12.0, abs=0.02) == other.value and one.limit == 13.0 and "post" in one.text
+    assert (
+        one.value == pytest.approx(12.0, abs=0.02) == other.value and one.limit == 13.0 and "post" in one.text
+    )
     assert (one.near.enters, one.near.entered, one.hit) == ("cutter", "post", None)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A machine as a draft: what is not changed is written as it stood, what is changed is read as it was given, and what is wrong is
-named by its field."""
+"""A machine as a draft: what is not changed is written as it stood, what is changed is read as it was given,
+and what is wrong is named by its field."""
 
 import json
 import math
@@ -41,7 +41,8 @@ def stem(name):
 
 
 def imperial(path):
-    """The shipped trunnion in inches, with keys of somebody else's, older spellings and numbers that no editor would write."""
+    """The shipped trunnion in inches, with keys of somebody else's, older spellings and numbers that no
+    editor would write."""
     data = json.loads(machine_path("trunnion_ac").read_text(encoding="utf-8"))
     data["machine"] |= {"units": "imperial", "manufacturer": "home", "serial": {"made": [1, 2, 3]}}
     for letter, axis in data["machine"]["axes"].items():
@@ -51,8 +52,15 @@ def imperial(path):
             axis |= {"limits": {"min": -7.3, "max": 11.1, "soft": True}, "max_velocity": 333.3}
         else:
             axis |= {"type": "angular", "joint": [[0.1, 0.2, -1.3], axis["joint"]["axis"]]}
-    data["fiveaxis"] |= {"gauge_point": [0, 0, 0.7], "table": -3.7, "no_motion": ["M317"], "rapids": "independent"}
-    data["fiveaxis"]["bodies"] = [{"name": "bed", "carrier": "base", "box": {"low": [-3.1, -3, -9], "high": [3.3, 3, -8]}}]
+    data["fiveaxis"] |= {
+        "gauge_point": [0, 0, 0.7],
+        "table": -3.7,
+        "no_motion": ["M317"],
+        "rapids": "independent",
+    }
+    data["fiveaxis"]["bodies"] = [
+        {"name": "bed", "carrier": "base", "box": {"low": [-3.1, -3, -9], "high": [3.3, 3, -8]}}
+    ]
     path.write_text(json.dumps(data), encoding="utf-8")
     return path
 
@@ -78,7 +86,20 @@ def test_the_same_program_is_written_for_it(tmp_path):
     programs = []
     for at, machine in enumerate(("trunnion_ac", tmp_path / "mine.fcm", tmp_path / "other.fcm")):
         out = tmp_path / f"{at}.ngc"
-        given = ["mill", part, "--machine", machine, "--cutter", "ball:6", "--stepover", "8", "--max-axis-angle", "60", "-o", out]
+        given = [
+            "mill",
+            part,
+            "--machine",
+            machine,
+            "--cutter",
+            "ball:6",
+            "--stepover",
+            "8",
+            "--max-axis-angle",
+            "60",
+            "-o",
+            out,
+        ]
         assert cli.main([str(word) for word in [*given, "--quiet"]]) < 2
         programs.append([line for line in out.read_text().splitlines() if not line.startswith("(")])
     assert programs[0] == programs[1]
@@ -111,16 +132,35 @@ def test_every_value_that_can_be_edited_is_read_as_it_was_given(tmp_path):
     )  # fmt: skip
     at = draft.letters().index("A")
     draft = change_axis(
-        draft, at, direction=(-1.0, 0.0, 0.0), point=(0.0, 3.0, -40.0), low=-math.inf, high=90.0, max_rate=720.0, wrap="modulo"
+        draft,
+        at,
+        direction=(-1.0, 0.0, 0.0),
+        point=(0.0, 3.0, -40.0),
+        low=-math.inf,
+        high=90.0,
+        max_rate=720.0,
+        wrap="modulo",
     )
     save_draft(draft, tmp_path / "mine.fcm")
     machine = load_machine(tmp_path / "mine.fcm")
     axis = next(one for one in machine.axes if one.letter == "A")
-    assert (machine.name, machine.description, machine.controller, machine.table) == ("mine", "built at home", "grbl", -90.0)
+    assert (machine.name, machine.description, machine.controller, machine.table) == (
+        "mine",
+        "built at home",
+        "grbl",
+        -90.0,
+    )
     assert (machine.gauge_point, machine.origin) == ((0.0, 0.0, 5.0), (1.0, 2.0, 3.0))
     assert machine.bodies == draft.bodies
-    assert (axis.direction, axis.point, axis.low, axis.wrap) == ((-1.0, 0.0, 0.0), (0.0, 3.0, -40.0), -math.inf, "modulo")
-    assert math.degrees(axis.high) == pytest.approx(90.0) and math.degrees(axis.max_rate) == pytest.approx(720.0)
+    assert (axis.direction, axis.point, axis.low, axis.wrap) == (
+        (-1.0, 0.0, 0.0),
+        (0.0, 3.0, -40.0),
+        -math.inf,
+        "modulo",
+    )
+    assert math.degrees(axis.high) == pytest.approx(90.0) and math.degrees(axis.max_rate) == pytest.approx(
+        720.0
+    )
     data = json.loads((tmp_path / "mine.fcm").read_bytes())
     assert data["postprocessor"]["file_name"] == "grbl", "FreeCAD's post goes with the controller"
     assert read_draft(tmp_path / "mine.fcm") == draft
@@ -140,7 +180,13 @@ def test_the_order_and_side_of_axes_say_what_carries_what(tmp_path):
     machine = load_machine(tmp_path / "under.fcm")
     assert machine.letters == "CAYXZ" and [one.side for one in machine.axes] == ["table"] * 3 + ["head"] * 2
     axes = json.loads((tmp_path / "under.fcm").read_bytes())["machine"]["axes"]
-    assert {letter: axis["parent"] for letter, axis in axes.items()} == {"A": "Y", "C": "A", "X": None, "Y": None, "Z": "X"}
+    assert {letter: axis["parent"] for letter, axis in axes.items()} == {
+        "A": "Y",
+        "C": "A",
+        "X": None,
+        "Y": None,
+        "Z": "X",
+    }
 
 
 def test_axes_are_added_removed_and_renamed(tmp_path):
@@ -149,10 +195,14 @@ def test_axes_are_added_removed_and_renamed(tmp_path):
     less = remove_axis(draft, draft.letters().index("C"))
     assert free_letters(less) == ("B", "C")
     _, problems = check_draft(less)
-    assert any("platter" in one.text and one.field == "bodies.platter" for one in problems), "what it carried has no carrier"
+    assert any("platter" in one.text and one.field == "bodies.platter" for one in problems), (
+        "what it carried has no carrier"
+    )
     more = add_axis(less, "C")
     _, problems = check_draft(more)
-    assert [one.field for one in problems if one.severity == Severity.ERROR] == ["axes.C"] and "rate" in problems[0].text
+    assert [one.field for one in problems if one.severity == Severity.ERROR] == [
+        "axes.C"
+    ] and "rate" in problems[0].text
     more = change_axis(more, 0, max_rate=9000.0)
     save_draft(more, tmp_path / "again.fcm")
     again = load_machine(tmp_path / "again.fcm")
@@ -237,7 +287,9 @@ def test_the_meshes_of_bodies_are_found_from_wherever_the_file_lies(tmp_path, mo
     (tmp_path / "old" / "parts").mkdir(parents=True)
     (tmp_path / "new").mkdir()
     write_part(tmp_path / "old" / "parts" / "bed.stl")
-    machine = replace(load_machine("trunnion_ac"), bodies=(MachineBody("bed", "base", "file", file="parts/bed.stl"),))
+    machine = replace(
+        load_machine("trunnion_ac"), bodies=(MachineBody("bed", "base", "file", file="parts/bed.stl"),)
+    )
     save_machine(machine, tmp_path / "old" / "mine.fcm")
     monkeypatch.chdir(tmp_path)
     draft = read_draft("old/mine.fcm")
@@ -245,9 +297,13 @@ def test_the_meshes_of_bodies_are_found_from_wherever_the_file_lies(tmp_path, mo
         save_draft(draft, Path(folder) / "again.fcm")
         data = json.loads((tmp_path / folder / "again.fcm").read_bytes())
         assert data["fiveaxis"]["bodies"] == [{"name": "bed", "carrier": "base", "file": name}]
-        assert Path(load_machine(f"{folder}/again.fcm").bodies[0].file).samefile(tmp_path / "old" / "parts" / "bed.stl")
+        assert Path(load_machine(f"{folder}/again.fcm").bodies[0].file).samefile(
+            tmp_path / "old" / "parts" / "bed.stl"
+        )
     machine, _ = check_draft(draft)
-    assert machine.bodies[0].file == str(tmp_path / "old" / "parts" / "bed.stl"), "a picture can read it from anywhere"
+    assert machine.bodies[0].file == str(tmp_path / "old" / "parts" / "bed.stl"), (
+        "a picture can read it from anywhere"
+    )
 
 
 def test_what_is_no_machine_makes_no_draft(tmp_path):
@@ -281,7 +337,12 @@ def test_attached_meshes_are_written_beside_the_machine_s_file_and_over_none(att
     save_draft(draft, "mine.fcm", attached)
     attached.close()
     bodies = json.loads((tmp_path / "mine.fcm").read_bytes())["fiveaxis"]["bodies"]
-    assert [body["file"] for body in bodies] == ["mine vise-2.stl", "mine a_b.stl", "mine a_b-2.stl", "mine A_b-3.stl"]
+    assert [body["file"] for body in bodies] == [
+        "mine vise-2.stl",
+        "mine a_b.stl",
+        "mine a_b-2.stl",
+        "mine A_b-3.stl",
+    ]
     assert (tmp_path / "mine vise.stl").read_text() == "somebody's"
     for body in load_machine("mine.fcm").bodies:
         assert [tuple(one) for one in read_stl(body.file).box] == [(0.0, 0.0, 0.0), (30.0, 20.0, 10.0)]
@@ -322,4 +383,6 @@ def test_meshes_are_gone_with_the_session_and_others_are_not_taken_for_attached(
 def test_what_is_attached_is_named_after_its_label_unlike_what_is_there(attached):
     draft = with_attached(attached, "vise", " vise", "", "vise", "vise 2")
     assert [one.name for one in draft.bodies] == ["vise", "vise 2", "body", "vise 3", "vise 2 2"]
-    assert {(one.carrier, one.shape) for one in draft.bodies} == {("A", "file")} and len({one.file for one in draft.bodies}) == 5
+    assert {(one.carrier, one.shape) for one in draft.bodies} == {("A", "file")} and len(
+        {one.file for one in draft.bodies}
+    ) == 5

@@ -11,7 +11,14 @@ from dataclasses import replace
 import pytest
 
 from freecad_fiveaxis.core.base.errors import FileError, MachineError
-from freecad_fiveaxis.core.machine import FARTHEST, Axis, Machine, load_machine, save_machine, shipped_machines
+from freecad_fiveaxis.core.machine import (
+    FARTHEST,
+    Axis,
+    Machine,
+    load_machine,
+    save_machine,
+    shipped_machines,
+)
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 
@@ -96,7 +103,13 @@ def test_a_limit_of_99999_is_none():
 
 
 def test_the_sides_are_those_of_the_roles():
-    assert [axis.side for axis in load_machine("head_b_table_c").axes] == ["table", "table", "head", "head", "head"]
+    assert [axis.side for axis in load_machine("head_b_table_c").axes] == [
+        "table",
+        "table",
+        "head",
+        "head",
+        "head",
+    ]
     assert load_machine("head_b_table_c").has_head and not load_machine("trunnion_ac").has_head
 
 
@@ -146,8 +159,12 @@ def test_directions_are_made_unit(data, load):
 
 SPARE = ["output", "postprocessor", "processing", "freecad_version", "fiveaxis"]
 SPARE += [f"fiveaxis.{key}" for key in ("origin", "gauge_point", "singular_cone", "controller")]
-SPARE += [f"machine.{key}" for key in ("kinematics", "toolheads", "description", "manufacturer", "axes.X.sequence")]
-SPARE += [f"machine.axes.A.{key}" for key in ("wrap_strategy", "allow_flip", "solution_preference", "sequence")]
+SPARE += [
+    f"machine.{key}" for key in ("kinematics", "toolheads", "description", "manufacturer", "axes.X.sequence")
+]
+SPARE += [
+    f"machine.axes.A.{key}" for key in ("wrap_strategy", "allow_flip", "solution_preference", "sequence")
+]
 
 
 @pytest.mark.parametrize("key", SPARE)
@@ -156,7 +173,11 @@ def test_what_is_not_needed_may_be_missing(data, load, key):
     del holder[last]
     machine = load(data)
     assert machine.letters == "CAXYZ"
-    assert (machine.origin, machine.gauge_point, machine.singular_cone) == ((0, 0, 0), (0, 0, 0), math.radians(5))
+    assert (machine.origin, machine.gauge_point, machine.singular_cone) == (
+        (0, 0, 0),
+        (0, 0, 0),
+        math.radians(5),
+    )
 
 
 def test_unlinked_linear_axes_stand_nearer_to_the_base(data, load):
@@ -196,13 +217,30 @@ def test_a_written_file_has_what_freecad_asks_for(tmp_path):
     path = tmp_path / "copy.fcm"
     save_machine(load_machine("head_b_table_c"), path)
     data = json.loads(path.read_text(encoding="utf-8"))
-    assert set(data) == {"freecad_version", "machine", "output", "postprocessor", "processing", "version", "fiveaxis"}
+    assert set(data) == {
+        "freecad_version",
+        "machine",
+        "output",
+        "postprocessor",
+        "processing",
+        "version",
+        "fiveaxis",
+    }
     assert data["machine"]["toolheads"][0]["name"]
     axes = data["machine"]["axes"]
-    assert {letter: axis["parent"] for letter, axis in axes.items()} == {"X": None, "C": "X", "Y": None, "Z": "Y", "B": "Z"}
+    assert {letter: axis["parent"] for letter, axis in axes.items()} == {
+        "X": None,
+        "C": "X",
+        "Y": None,
+        "Z": "Y",
+        "B": "Z",
+    }
     assert axes["B"]["joint"] == {"origin": [0.0, 0.0, 120.0], "axis": [0.0, 1.0, 0.0]}
     assert axes["B"]["limits"] == {"min": -100.0, "max": 100.0}
-    trees = {"table": ["X", "C"], "head": ["Y", "Z", "B"]}  # FreeCAD wants each tree's sequence numbers to differ
+    trees = {
+        "table": ["X", "C"],
+        "head": ["Y", "Z", "B"],
+    }  # FreeCAD wants each tree's sequence numbers to differ
     for side, letters in trees.items():
         assert [axes[letter]["sequence"] for letter in letters] == list(range(len(letters)))
         assert all(axes[letter]["role"].startswith(side) for letter in letters)
@@ -212,7 +250,9 @@ def test_degrees_come_back_to_the_last_bit(tmp_path):
     machine = load_machine("trunnion_ac")
     for thousandths in range(1, 90000, 997):
         low = math.radians(-thousandths / 1000)
-        tilted = replace(machine, axes=(machine.axes[0], replace(machine.axes[1], low=low), *machine.axes[2:]))
+        tilted = replace(
+            machine, axes=(machine.axes[0], replace(machine.axes[1], low=low), *machine.axes[2:])
+        )
         save_machine(tilted, tmp_path / "tilted.fcm", overwrite=True)
         assert load_machine(tmp_path / "tilted.fcm") == tilted
 
@@ -261,7 +301,9 @@ def test_an_unknown_name_lists_the_known_ones():
         load_machine("")
 
 
-@pytest.mark.parametrize("name", ["missing.fcm", "no/such/folder/m.fcm", "nul\0byte.fcm", "x" * 5000 + ".fcm"])
+@pytest.mark.parametrize(
+    "name", ["missing.fcm", "no/such/folder/m.fcm", "nul\0byte.fcm", "x" * 5000 + ".fcm"]
+)
 def test_a_missing_file_is_a_file_error(name, tmp_path):
     with pytest.raises(FileError, match=r"cannot be read|null character") as caught:
         load_machine(str(tmp_path / name))
@@ -336,8 +378,17 @@ def test_each_key_with_a_value_that_makes_no_sense_is_named(data, load, key, val
         load(data)  # no limit; nothing but defaults
         return
     content = json.dumps(data).replace("Infinity", "1.5e400").encode()
-    empty_object = value == {} and last in ("machine", "axes", "joint", "limits")  # then it is the first key in it that is missed
-    refused(load, content, "missing" if empty_object and last != "axes" else "" if empty_object else last.split("_")[0])
+    empty_object = value == {} and last in (
+        "machine",
+        "axes",
+        "joint",
+        "limits",
+    )  # then it is the first key in it that is missed
+    refused(
+        load,
+        content,
+        "missing" if empty_object and last != "axes" else "" if empty_object else last.split("_")[0],
+    )
 
 
 @pytest.mark.parametrize(
@@ -356,7 +407,11 @@ def test_each_key_with_a_value_that_makes_no_sense_is_named(data, load, key, val
         ("machine.axes.A.joint.axis", [0, 0, 0], ["axis A", "no direction"]),
         ("machine.axes.A.joint.axis", [0, 1], ["machine.axes.A.joint.axis", "[x, y, z]"]),
         ("machine.axes.A.joint.origin", [0, 0, 2 * FARTHEST], ["axis A", "beyond"]),
-        ("machine.axes.A.joint.origin", [0, 0, 10**400], ["machine.axes.A.joint.origin", "not a finite number"]),
+        (
+            "machine.axes.A.joint.origin",
+            [0, 0, 10**400],
+            ["machine.axes.A.joint.origin", "not a finite number"],
+        ),
         ("machine.axes.A.joint", [[0, 0, 0], [1, 0, 0], 3], ["machine.axes.A.joint", "[[origin], [axis]]"]),
         ("machine.axes.A.joint", 7, ["machine.axes.A.joint"]),
         ("machine.axes.A.limits.min", 130, ["axis A", "min", "max"]),

@@ -17,14 +17,25 @@ from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inve
 from freecad_fiveaxis.core.machine.machine_file import machine_folder
 
 SHIPPED = [path.read_bytes() for path in sorted(machine_folder().glob("*.fcm"))]
-QUICK = settings(max_examples=150, deadline=None, database=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+QUICK = settings(
+    max_examples=150,
+    deadline=None,
+    database=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow],
+)
 
 numbers = st.one_of(st.integers(), st.floats(), st.sampled_from([0, 1, -1, 99999, 1e308, 5e-324, 10**400]))
 words = st.one_of(
-    st.text(max_size=8), st.sampled_from(["A", "X", "C", "linear", "rotary", "table_rotary", "head_linear", "imperial"])
+    st.text(max_size=8),
+    st.sampled_from(["A", "X", "C", "linear", "rotary", "table_rotary", "head_linear", "imperial"]),
 )
 leaves = st.one_of(st.none(), st.booleans(), numbers, words)
-values = st.recursive(leaves, lambda inner: st.lists(inner, max_size=4) | st.dictionaries(words, inner, max_size=4), max_leaves=8)
+values = st.recursive(
+    leaves,
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(words, inner, max_size=4),
+    max_leaves=8,
+)
 
 
 def ways(node, way=()):
@@ -75,7 +86,8 @@ def test_a_file_with_anything_anywhere_loads_or_is_refused_in_one_line(folder, d
 
 
 def spoil(tree, way, value, remove):
-    """Put a value at a place, or take the place away; a place that an earlier change has removed is left alone."""
+    """Put a value at a place, or take the place away; a place that an earlier change has removed is left
+    alone."""
     for key in way[:-1]:
         if not isinstance(tree, (dict, list)) or (isinstance(tree, dict) and key not in tree):
             return

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machines made from LinuxCNC's configurations and FreeCAD's machine files, and the one line that names what is missing."""
+"""Machines made from LinuxCNC's configurations and FreeCAD's machine files, and the one line that names what
+is missing."""
 
 from __future__ import annotations
 
@@ -47,7 +48,10 @@ MIN_LIMIT = {low}
 MAX_LIMIT = {high}
 MAX_VELOCITY = {rate}
 """
-OFFSETS = {"xyzac": "setp {m}.y-offset 20\nsetp {m}.z-offset 10\n", "xyzbc": "setp {m}.x-offset -20\nsetp {m}.z-offset -15\n"}
+OFFSETS = {
+    "xyzac": "setp {m}.y-offset 20\nsetp {m}.z-offset 10\n",
+    "xyzbc": "setp {m}.x-offset -20\nsetp {m}.z-offset -15\n",
+}
 KINDS = pytest.mark.parametrize("kind", ["xyzac", "xyzbc"])
 LIMITS = {"X": (-300, 300, 20000 / 60), "Y": (-300, 300, 20000 / 60), "Z": (-300, 300, 20000 / 60), "A": (-100, 50, 90), "B": (-100, 50, 90), "C": (-36000, 36000, 150)}  # fmt: skip
 
@@ -62,7 +66,12 @@ def write(tmp_path):
         for joint, letter in enumerate(letters):
             low, high, rate = LIMITS[letter]
             ini += AXIS.format(
-                letter=letter, joint=joint, low=low, high=high, rate=rate, kind="LINEAR" if letter in "XYZ" else "ANGULAR"
+                letter=letter,
+                joint=joint,
+                low=low,
+                high=high,
+                rate=rate,
+                kind="LINEAR" if letter in "XYZ" else "ANGULAR",
             )
         for old, new in changed.get("swap", {}).items():
             assert old in ini
@@ -88,20 +97,31 @@ def test_linuxcncs_simulation_gives_the_shipped_machine(kind, write) -> None:
 @KINDS
 @pytest.mark.parametrize("sense", [-1.0, 1.0], ids=["as it is", "conventional-directions"])
 def test_the_tip_is_where_the_modules_formula_puts_it(kind, sense, write) -> None:
-    """P = r + Rz(-C)(d + Rx(-A)(J - r - d)), with Ry for B; with conventional directions the angles change sign."""
-    r, d = np.array([3.0, -5.0, -40.0]), np.array([0.0, 20.0, 10.0] if kind == "xyzac" else [-20.0, 0.0, -15.0])
-    pins = dict(zip(("x-rot-point", "y-rot-point", "z-rot-point"), r, strict=True)) | {"conventional-directions": int(sense > 0)}
+    """P = r + Rz(-C)(d + Rx(-A)(J - r - d)), with Ry for B; with conventional directions the angles change
+    sign."""
+    r, d = (
+        np.array([3.0, -5.0, -40.0]),
+        np.array([0.0, 20.0, 10.0] if kind == "xyzac" else [-20.0, 0.0, -15.0]),
+    )
+    pins = dict(zip(("x-rot-point", "y-rot-point", "z-rot-point"), r, strict=True)) | {
+        "conventional-directions": int(sense > 0)
+    }
     hal = OFFSETS[kind] + "".join(f"setp {{m}}.{pin} {value}\n" for pin, value in pins.items())
     machine = import_machine(str(write(kind, hal))).machine
     kinematics = chain(machine, Setup(machine.origin))
     joints = np.random.default_rng(2).uniform(-1, 1, (200, 5)) * (100, 100, 100, 3, 3)
     for q in joints:
         tilt, turn = q[3], q[4]
-        expected = r + _turn("z", sense * turn) @ (d + _turn("x" if kind == "xyzac" else "y", sense * tilt) @ (q[:3] - r - d))
+        expected = r + _turn("z", sense * turn) @ (
+            d + _turn("x" if kind == "xyzac" else "y", sense * tilt) @ (q[:3] - r - d)
+        )
         tip, axis = forward(kinematics, np.array([[*q[:3], q[4], q[3]]]))
         assert np.abs(tip[0] - expected).max() < 1e-11
         assert (
-            np.abs(axis[0] - _turn("z", sense * turn) @ _turn("x" if kind == "xyzac" else "y", sense * tilt) @ (0, 0, 1)).max()
+            np.abs(
+                axis[0]
+                - _turn("z", sense * turn) @ _turn("x" if kind == "xyzac" else "y", sense * tilt) @ (0, 0, 1)
+            ).max()
             < 1e-13
         )
 
@@ -136,7 +156,9 @@ def test_inches_and_radians_become_mm_and_radians(write) -> None:
     for ours, theirs in zip(machine.axes, plain.axes, strict=True):
         factor = math.degrees(1.0) if ours.rotary else 25.4
         assert ours.max_rate == pytest.approx(factor * theirs.max_rate)
-        assert ours.letter == "C" or ours.low == pytest.approx(factor * theirs.low)  # C's are beyond all turns then
+        assert ours.letter == "C" or ours.low == pytest.approx(
+            factor * theirs.low
+        )  # C's are beyond all turns then
 
 
 def test_limits_come_from_the_joint_or_else_the_axis_and_of_rotary_axes_the_narrower(write) -> None:
@@ -148,7 +170,10 @@ def test_limits_come_from_the_joint_or_else_the_axis_and_of_rotary_axes_the_narr
     )
     assert import_machine(str(lost)).machine.axes[2].low == -250.0
     wide = write(
-        swap={"[AXIS_Y]\nMIN_LIMIT = -300": "[AXIS_Y]\nMIN_LIMIT = -9", "[AXIS_A]\nMIN_LIMIT = -100": "[AXIS_A]\nMIN_LIMIT = -80"}
+        swap={
+            "[AXIS_Y]\nMIN_LIMIT = -300": "[AXIS_Y]\nMIN_LIMIT = -9",
+            "[AXIS_A]\nMIN_LIMIT = -100": "[AXIS_A]\nMIN_LIMIT = -80",
+        }
     )
     machine = import_machine(str(wide)).machine
     assert machine.axes[3].low == -300.0 and machine.axes[1].low == pytest.approx(math.radians(-80))
@@ -159,7 +184,12 @@ def test_limits_come_from_the_joint_or_else_the_axis_and_of_rotary_axes_the_narr
 def test_included_files_and_other_orders_of_joints_are_read(write, tmp_path) -> None:
     (tmp_path / "axes.inc").write_text("[TRAJ]\nANGULAR_UNITS = deg\n")
     path = write(swap={"ANGULAR_UNITS = deg\n": "#INCLUDE axes.inc\n", "sparm=": "coordinates=xyzca sparm="})
-    text = path.read_text().replace("JOINT_3", "JOINT_x").replace("JOINT_4", "JOINT_3").replace("JOINT_x", "JOINT_4")
+    text = (
+        path.read_text()
+        .replace("JOINT_3", "JOINT_x")
+        .replace("JOINT_4", "JOINT_3")
+        .replace("JOINT_x", "JOINT_4")
+    )
     path.write_text(text)
     assert import_machine(str(path)).machine.axes == import_machine(str(write())).machine.axes
 
@@ -215,7 +245,8 @@ def test_offsets_that_are_not_set_or_not_used_are_told(hal, code, write) -> None
 
 def test_a_constant_tool_offset_is_part_of_the_trunnions_height_and_told(write) -> None:
     path = write(
-        hal=OFFSETS["xyzac"] + "setp {m}.tool-offset 7\n", swap={"HALCMD = net :tool-offset motion.tooloffset.z =>": "#"}
+        hal=OFFSETS["xyzac"] + "setp {m}.tool-offset 7\n",
+        swap={"HALCMD = net :tool-offset motion.tooloffset.z =>": "#"},
     )
     imported = import_machine(str(path))
     assert imported.machine.rotary[1].point == (0.0, 20.0, 17.0)
@@ -236,7 +267,10 @@ def freecad_file(name: str = "trunnion_ac") -> dict:
 def test_a_file_of_freecads_machine_editor_is_taken_and_what_it_cannot_say_is_told(tmp_path) -> None:
     (tmp_path / "m.fcm").write_text(json.dumps(freecad_file()))
     imported = import_machine(str(tmp_path / "m.fcm"))
-    assert imported.machine.axes == load_machine("trunnion_ac").axes and imported.machine.controller == "linuxcnc"
+    assert (
+        imported.machine.axes == load_machine("trunnion_ac").axes
+        and imported.machine.controller == "linuxcnc"
+    )
     assert [found.code for found in imported.findings] == ["machine-default", "sign-unproven"]
     save_machine(imported.machine, tmp_path / "again.fcm")
     assert import_machine(str(tmp_path / "again.fcm")).findings == ()
@@ -246,7 +280,9 @@ def test_a_base_frame_that_is_turned_is_an_error_finding(tmp_path) -> None:
     data = freecad_file()
     data["machine"]["kinematics"]["base_frame"]["origin"] = [0, 0, 5]
     (tmp_path / "m.fcm").write_text(json.dumps(data))
-    assert [found.severity for found in import_machine(str(tmp_path / "m.fcm")).findings][-1] is Severity.ERROR
+    assert [found.severity for found in import_machine(str(tmp_path / "m.fcm")).findings][
+        -1
+    ] is Severity.ERROR
 
 
 @pytest.mark.parametrize(
@@ -258,7 +294,10 @@ def test_a_base_frame_that_is_turned_is_an_error_finding(tmp_path) -> None:
             ["only rotary axis C", "parallel to the tool"],
         ),
         (
-            lambda data: data["machine"]["axes"]["A"].update(parent="C") or data["machine"]["axes"]["C"].update(parent=None),
+            lambda data: (
+                data["machine"]["axes"]["A"].update(parent="C")
+                or data["machine"]["axes"]["C"].update(parent=None)
+            ),
             ["order"],
         ),
     ],
@@ -277,7 +316,9 @@ def test_a_freecad_file_of_four_axes_is_a_machine(tmp_path) -> None:
     data = freecad_file()
     data["machine"]["axes"].pop("C")
     (tmp_path / "m.fcm").write_text(json.dumps(data))
-    assert [axis.letter for axis in import_machine(str(tmp_path / "m.fcm")).machine.fitted if axis.rotary] == ["A"]
+    assert [
+        axis.letter for axis in import_machine(str(tmp_path / "m.fcm")).machine.fitted if axis.rotary
+    ] == ["A"]
 
 
 def test_the_command_writes_a_machine_that_the_program_takes(write, tmp_path, capsys) -> None:
@@ -286,7 +327,9 @@ def test_the_command_writes_a_machine_that_the_program_takes(write, tmp_path, ca
     told = capsys.readouterr().out
     assert "A table -1,0,0" in told and f"wrote {out}" in told
     assert load_machine(out).axes == import_machine(str(write())).machine.axes
-    assert cli.main(["import-machine", str(write()), "-o", str(out)]) == cli.UNUSABLE  # no file is overwritten
+    assert (
+        cli.main(["import-machine", str(write()), "-o", str(out)]) == cli.UNUSABLE
+    )  # no file is overwritten
     assert "exists already" in capsys.readouterr().err
 
 
@@ -294,7 +337,9 @@ def test_the_command_writes_a_machine_that_the_program_takes(write, tmp_path, ca
     ("source", "out", "said"),
     [("mill.ini", "my.json", ".fcm"), ("gone.ini", "my.fcm", "does not exist"), ("mill.hal", "my.fcm", ".ini"), ("mill.ini", "no/my.fcm", "folder")],
 )  # fmt: skip
-def test_the_command_refuses_in_one_line_and_leaves_no_file(source, out, said, write, tmp_path, capsys) -> None:
+def test_the_command_refuses_in_one_line_and_leaves_no_file(
+    source, out, said, write, tmp_path, capsys
+) -> None:
     write()
     assert cli.main(["import-machine", str(tmp_path / source), "-o", str(tmp_path / out)]) == cli.UNUSABLE
     error = capsys.readouterr().err
@@ -319,7 +364,8 @@ def test_no_spoilt_configuration_gives_a_traceback(spots, ini, write, tmp_path) 
 
 
 def older_file(*rotary: str) -> dict:
-    """A file as FreeCAD's templates were before the Machine editor's release: limits beside the axis, no roles, direction first."""
+    """A file as FreeCAD's templates were before the Machine editor's release: limits beside the axis, no
+    roles, direction first."""
     vectors = {"X": [1.0, 0, 0], "Y": [0, 1.0, 0], "Z": [0, 0, 1.0], "A": [1.0, 0, 0]}
     axes = {
         letter: {
@@ -332,14 +378,22 @@ def older_file(*rotary: str) -> dict:
         }
         for letter in "XYZ"
     }
-    turning = {"joint": [[0, 0, 0], vectors["A"]], "min": -90, "max": 90, "max_velocity": 3600, "type": "angular"}
+    turning = {
+        "joint": [[0, 0, 0], vectors["A"]],
+        "min": -90,
+        "max": 90,
+        "max_velocity": 3600,
+        "type": "angular",
+    }
     axes |= dict.fromkeys(rotary, turning)
     return {
         "machine": {"axes": axes, "name": "old mill", "units": "metric", "spindles": []}, "postprocessor": {"file_name": "grbl"}, "version": 1,
     }  # fmt: skip
 
 
-def test_a_template_of_freecads_from_before_the_release_is_a_machine_and_what_is_taken_is_told(tmp_path) -> None:
+def test_a_template_of_freecads_from_before_the_release_is_a_machine_and_what_is_taken_is_told(
+    tmp_path,
+) -> None:
     (tmp_path / "m.fcm").write_text(json.dumps(older_file()))
     imported = import_machine(str(tmp_path / "m.fcm"))
     axes = {axis.letter: axis for axis in imported.machine.fitted}

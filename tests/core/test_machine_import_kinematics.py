@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every kinematics of LinuxCNC that is imported puts the tip where the module's formula puts it.
 
-J are the joints, P the tip in the work with the tool length t counted in, so that the tip itself is P - t ez; k is the tool axis. The
-formulas stand here a second time, with matrices, as the modules' sources have them; none of the project's kinematics is used for them.
+J are the joints, P the tip in the work with the tool length t counted in, so that the tip itself is P - t ez;
+k is the tool axis. The formulas stand here a second time, with matrices, as the modules' sources have them;
+none of the project's kinematics is used for them.
 """
 
 import math
@@ -101,9 +102,11 @@ CASES = {
     "xyzacb_trsrn": ("XYZABC", {"y-pivot": 31.0, "z-pivot": 120.0, "x-offset": 2.5, "y-offset": -7.0, "nut-angle": 55.0}, nutating("B", "y")),
     "xyzbca_trsrn": ("XYZABC", {"x-pivot": 31.0, "z-pivot": 120.0, "x-offset": 2.5, "y-offset": -7.0, "nut-angle": 50.0}, nutating("A", "x")),
 }  # fmt: skip
-TOOL_PINS = {"xyzac-trt-kins": "tool-offset", "xyzbc-trt-kins": "tool-offset", "xyzab_tdr_kins": "tool-offset-z"} | dict.fromkeys(
-    ["xyzacb_trsrn", "xyzbca_trsrn"], "tool-offset-z"
-)
+TOOL_PINS = {
+    "xyzac-trt-kins": "tool-offset",
+    "xyzbc-trt-kins": "tool-offset",
+    "xyzab_tdr_kins": "tool-offset-z",
+} | dict.fromkeys(["xyzacb_trsrn", "xyzbca_trsrn"], "tool-offset-z")
 EVERY = pytest.mark.parametrize("module", CASES)
 
 
@@ -188,10 +191,15 @@ def test_conventional_directions_turn_the_b_of_maxkins(tmp_path) -> None:
 
 
 def test_maxkins_warns_of_its_forward_formula_and_says_where_the_tool_length_belongs(tmp_path) -> None:
-    assert [found.code for found in imported_of("maxkins", tmp_path).findings][:2] == ["forward-differs", "tool-length-in-w"]
+    assert [found.code for found in imported_of("maxkins", tmp_path).findings][:2] == [
+        "forward-differs",
+        "tool-length-in-w",
+    ]
 
 
-@pytest.mark.parametrize(("module", "held"), [("xyzacb_trsrn", "A"), ("xyzbca_trsrn", "B"), ("5axiskins", "W")])
+@pytest.mark.parametrize(
+    ("module", "held"), [("xyzacb_trsrn", "A"), ("xyzbca_trsrn", "B"), ("5axiskins", "W")]
+)
 def test_an_axis_that_a_machine_file_cannot_hold_is_named(module, held, tmp_path) -> None:
     (found,) = imported_of(module, tmp_path).findings
     assert (found.code, found.severity) == ("axis-held", Severity.WARNING) and f" {held} " in found.text
@@ -212,7 +220,9 @@ def test_a_pivot_that_no_file_sets_is_the_modules_own_and_named(module, own, tmp
 
 
 def test_a_pivot_without_the_tool_length_is_told(tmp_path) -> None:
-    imported = import_machine(write(tmp_path, "5axiskins", "XYZBCW", "setp 5axiskins.pivot-length 200\n", traj="XYZBC"))
+    imported = import_machine(
+        write(tmp_path, "5axiskins", "XYZBCW", "setp 5axiskins.pivot-length 200\n", traj="XYZBC")
+    )
     assert imported.machine.rotary[1].point == (0.0, 0.0, 200.0)
     assert [found.code for found in imported.findings] == ["constant-tool-offset"]
 
@@ -236,17 +246,23 @@ def test_a_slider_in_the_sum_is_named_and_a_tool_length_that_counts_twice_is_ref
         "[DISPLAY]\nPYVCP = p.xml\n",
         "loadrt sum2 names=s\nnet p s.out => 5axiskins.pivot-length\nnet t motion.tooloffset.z s.in1",
     )
-    slider = write(tmp_path, "5axiskins", "XYZBCW", hal + "\nnet g pyvcp.reach => s.in0\n", traj="XYZBC", more=panel)
+    slider = write(
+        tmp_path, "5axiskins", "XYZBCW", hal + "\nnet g pyvcp.reach => s.in0\n", traj="XYZBC", more=panel
+    )
     imported = import_machine(slider)
     assert imported.machine.rotary[1].point == (0.0, 0.0, 90.0)
-    assert [found.code for found in imported.findings] == ["offset-from-panel"] and "s.in0 90" in imported.findings[0].text
+    assert [found.code for found in imported.findings] == [
+        "offset-from-panel"
+    ] and "s.in0 90" in imported.findings[0].text
     with pytest.raises(MachineError, match=r"motion\.tooloffset\.z"):
         import_machine(write(tmp_path, "5axiskins", "XYZBCW", hal + " s.in0\n", traj="XYZBC"))
 
 
 def test_a_sum_of_what_nobody_says_is_refused_with_the_pin_to_set(tmp_path) -> None:
     hal = "loadrt sum2 names=s\nnet p s.out => 5axiskins.pivot-length\nnet t motion.tooloffset.z s.in1\nnet g s.in0 gui.len\n"
-    with pytest.raises(MachineError, match=r"s\.in0 comes from signal g \(gui\.len\).*write setp s\.in0 VALUE"):
+    with pytest.raises(
+        MachineError, match=r"s\.in0 comes from signal g \(gui\.len\).*write setp s\.in0 VALUE"
+    ):
         import_machine(write(tmp_path, "5axiskins", "XYZBCW", hal))
 
 
@@ -257,13 +273,19 @@ def test_a_slider_of_the_screen_gives_what_it_starts_with_and_is_named(tmp_path)
     )
     hal = "".join(f"net {pin} {gui} => xyzab_tdr_kins.{pin}\n" for pin, gui in [("x-rot-point", "pyvcp.tilt-f"), ("y-rot-point", "pyvcp.y-f"), ("z-rot-point", "pyvcp.z")])  # fmt: skip
     hal += "sets x-rot-point 99\nsetp xyzab_tdr_kins.z-offset 2\n"
-    imported = import_machine(write(tmp_path, "xyzab_tdr_kins", "XYZAB", hal, more="[DISPLAY]\nPYVCP = p.xml\n"))
+    imported = import_machine(
+        write(tmp_path, "xyzab_tdr_kins", "XYZAB", hal, more="[DISPLAY]\nPYVCP = p.xml\n")
+    )
     assert imported.machine.rotary[1].point == (-20.0, 0.0, 7.5)
     (found,) = imported.findings
-    assert found.code == "offset-from-panel" and "x-rot-point -20, y-rot-point 0, z-rot-point 7.5" in found.text
+    assert (
+        found.code == "offset-from-panel" and "x-rot-point -20, y-rot-point 0, z-rot-point 7.5" in found.text
+    )
 
 
-@pytest.mark.parametrize("panel", [None, "\0", "<scale><halpin>oddly</halpin>"], ids=["missing", "no text", "cut off"])
+@pytest.mark.parametrize(
+    "panel", [None, "\0", "<scale><halpin>oddly</halpin>"], ids=["missing", "no text", "cut off"]
+)
 def test_a_panel_that_cannot_be_read_leaves_the_pin_open(panel, tmp_path) -> None:
     if panel is not None:
         (tmp_path / "p.xml").write_text(panel)
@@ -282,7 +304,12 @@ def test_trivkins_of_linear_axes_alone_is_a_machine_of_three_axes(letters, tmp_p
 def test_trivkins_with_one_rotary_axis_says_what_is_assumed_of_it(letter, direction, tmp_path) -> None:
     imported = import_machine(write(tmp_path, f"trivkins coordinates=xyz{letter}", f"XYZ{letter}", ""))
     rotary = imported.machine.rotary[0]
-    assert (rotary.letter, rotary.side, rotary.direction, rotary.point) == (letter, "table", direction, (0.0, 0.0, 0.0))
+    assert (rotary.letter, rotary.side, rotary.direction, rotary.point) == (
+        letter,
+        "table",
+        direction,
+        (0.0, 0.0, 0.0),
+    )
     (found,) = imported.findings
     assert (found.code, found.severity) == ("rotary-assumed", Severity.WARNING) and "ISO 841" in found.text
 
@@ -302,11 +329,15 @@ def test_trivkins_without_coordinates_has_the_axes_of_traj_and_nine_joints(tmp_p
 def test_trivkins_that_says_too_little_is_refused_in_one_line(letters, words, tmp_path) -> None:
     with pytest.raises(MachineError) as caught:
         import_machine(write(tmp_path, f"trivkins coordinates={letters}", letters, ""))
-    assert all(word in str(caught.value) for word in ["m.ini line 2", *words]) and "\n" not in str(caught.value)
+    assert all(word in str(caught.value) for word in ["m.ini line 2", *words]) and "\n" not in str(
+        caught.value
+    )
 
 
 def test_the_module_that_hal_loads_counts_where_the_ini_file_names_none(tmp_path) -> None:
-    imported = import_machine(write(tmp_path, "", "XYZ", "loadrt threads name1=t\nloadrt trivkins coordinates=xyz\n"))
+    imported = import_machine(
+        write(tmp_path, "", "XYZ", "loadrt threads name1=t\nloadrt trivkins coordinates=xyz\n")
+    )
     assert "trivkins" in imported.machine.description
     both = write(tmp_path, "trivkins coordinates=xyz", "XYZ", "loadrt [KINS]KINEMATICS\n")
     assert import_machine(both).machine.axes == imported.machine.axes
@@ -315,13 +346,19 @@ def test_the_module_that_hal_loads_counts_where_the_ini_file_names_none(tmp_path
 def test_a_hal_file_that_is_missing_matters_only_where_the_module_has_pins(tmp_path) -> None:
     gone = "[HAL]\nHALFILE = core_sim.hal\n"
     imported = import_machine(write(tmp_path, "trivkins coordinates=xyz", "XYZ", "", more=gone))
-    assert [found.code for found in imported.findings] == ["hal-file-not-read"] and "core_sim.hal" in imported.findings[0].text
+    assert [found.code for found in imported.findings] == [
+        "hal-file-not-read"
+    ] and "core_sim.hal" in imported.findings[0].text
     with pytest.raises(FileError, match=r"core_sim\.hal"):
-        import_machine(write(tmp_path, "maxkins", "XYZABCUVW", hal_of("maxkins", CASES["maxkins"][1]), more=gone))
+        import_machine(
+            write(tmp_path, "maxkins", "XYZABCUVW", hal_of("maxkins", CASES["maxkins"][1]), more=gone)
+        )
 
 
 def test_two_modules_are_refused_with_both_names(tmp_path) -> None:
-    with pytest.raises(MachineError, match=r"m\.hal line 1 loads maxkins, but \[KINS\] KINEMATICS is 5axiskins"):
+    with pytest.raises(
+        MachineError, match=r"m\.hal line 1 loads maxkins, but \[KINS\] KINEMATICS is 5axiskins"
+    ):
         import_machine(write(tmp_path, "5axiskins", "XYZBCW", "loadrt maxkins\n"))
 
 
@@ -329,7 +366,9 @@ def test_two_modules_are_refused_with_both_names(tmp_path) -> None:
 def test_a_unit_as_a_number_is_so_many_in_a_millimetre(unit, length, tmp_path) -> None:
     path = Path(write(tmp_path, "maxkins", "XYZABCUVW", "setp maxkins.pivot-length 10\n"))
     path.write_text(path.read_text().replace("LINEAR_UNITS = mm", f"LINEAR_UNITS = {unit}"))
-    assert import_machine(str(path)).machine.rotary[1].point == pytest.approx((0.0, 0.0, 10.0 * length), rel=1e-15)
+    assert import_machine(str(path)).machine.rotary[1].point == pytest.approx(
+        (0.0, 0.0, 10.0 * length), rel=1e-15
+    )
 
 
 def test_the_command_tells_findings_and_ends_well(tmp_path, capsys) -> None:

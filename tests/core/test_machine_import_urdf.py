@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A URDF file becomes the machine that it describes: a trunnion written here is compared with the shipped one, and with products of
-its own joints' matrices, at random joints. What is no machine is refused by name."""
+"""A URDF file becomes the machine that it describes: a trunnion written here is compared with the shipped
+one, and with products of its own joints' matrices, at random joints. What is no machine is refused by
+name."""
 
 import json
 import math
@@ -50,10 +51,13 @@ TRUNNION = f"""<?xml version="1.0"?>
 
 @pytest.fixture
 def write(tmp_path):
-    """A function that writes the trunnion, pieces of its text replaced, and the mesh of its cradle; returns its path."""
+    """A function that writes the trunnion, pieces of its text replaced, and the mesh of its cradle; returns
+    its path."""
     (tmp_path / "mill" / "meshes").mkdir(parents=True)
     (tmp_path / "mill" / "urdf").mkdir()
-    write_stl(from_triangles(box((-100, -50, -60), (100, 50, -40))), tmp_path / "mill" / "meshes" / "cradle.stl")
+    write_stl(
+        from_triangles(box((-100, -50, -60), (100, 50, -40))), tmp_path / "mill" / "meshes" / "cradle.stl"
+    )
 
     def act(*swaps, name="mill.urdf"):
         text = TRUNNION
@@ -82,10 +86,14 @@ def at(*xyz, turned=None):
 
 
 def by_matrices(joints):
-    """The tool's point and axis in the frame of the table, mm, by the joints that stand in TRUNNION (x, y, z m; a, c rad)."""
+    """The tool's point and axis in the frame of the table, mm, by the joints that stand in TRUNNION (x, y, z
+    m; a, c rad)."""
     x, y, z, a, c = joints
     table = (
-        at(0.1, 0.2, 0.75) @ at(0, 0, 0, turned=turn((-1, 0, 0), a)) @ at(0, 0, 0, turned=turn((0, 0, -1), c)) @ at(0, 0, 0.05)
+        at(0.1, 0.2, 0.75)
+        @ at(0, 0, 0, turned=turn((-1, 0, 0), a))
+        @ at(0, 0, 0, turned=turn((0, 0, -1), c))
+        @ at(0, 0, 0.05)
     )
     slide = at(0, 0.2, 1.0, turned=turn((0, 0, 1), 0.5 * math.pi)) @ at(0, -x, 0)
     tool = slide @ at(y, 0, 0) @ at(0, 0, z) @ at(0, -0.1, -0.2)
@@ -106,7 +114,10 @@ def test_a_trunnion_is_the_shipped_one_but_for_where_its_zero_is(write):
     found, expected = (forward(chain(one, Setup(one.origin)), words) for one in (machine, shipped))
     assert np.abs(found[0] - expected[0]).max() < 1e-9 and np.abs(found[1] - expected[1]).max() < 1e-12
     moved = replace(
-        machine, axes=tuple(replace(axis, point=(0.0, 0.0, 1.0)) if axis.letter == "A" else axis for axis in machine.axes)
+        machine,
+        axes=tuple(
+            replace(axis, point=(0.0, 0.0, 1.0)) if axis.letter == "A" else axis for axis in machine.axes
+        ),
     )
     assert np.abs(forward(chain(moved, Setup(moved.origin)), words)[0] - expected[0]).max() > 1.0, (
         "a wrong point would be noticed"
@@ -156,7 +167,12 @@ def test_shapes_become_bodies_where_they_stand_on_the_axis_that_moves_them(write
     (tmp_path / "mine cradle.stl").write_text("somebody's")
     assert cli.main(["import-machine", str(write()), "-o", str(out)]) == cli.DONE
     told = capsys.readouterr().out
-    assert "A table 1,0,0" in told and "cradle (A)" in told and f"wrote {out}" in told and "mine cradle-2.stl" in told
+    assert (
+        "A table 1,0,0" in told
+        and "cradle (A)" in told
+        and f"wrote {out}" in told
+        and "mine cradle-2.stl" in told
+    )
     bodies = json.loads(out.read_bytes())["fiveaxis"]["bodies"]
     assert bodies == [
         {"name": "base", "carrier": "base", "box": {"low": [-100.0, -100.0, 550.0], "high": [300.0, 500.0, 650.0]}},
@@ -165,7 +181,10 @@ def test_shapes_become_bodies_where_they_stand_on_the_axis_that_moves_them(write
         {"name": "tool", "carrier": "spindle", "box": {"low": [65.0, 160.0, 800.0], "high": [135.0, 240.0, 860.0]}},
         {"name": "tool 2", "carrier": "spindle", "sphere": {"centre": [100.0, 200.0, 800.0], "radius": 20.0}},
     ]  # fmt: skip
-    assert [tuple(one) for one in read_stl(tmp_path / "mine cradle-2.stl").box] == [(0.0, 150.0, 690.0), (200.0, 250.0, 710.0)]
+    assert [tuple(one) for one in read_stl(tmp_path / "mine cradle-2.stl").box] == [
+        (0.0, 150.0, 690.0),
+        (200.0, 250.0, 710.0),
+    ]
     assert (tmp_path / "mine cradle.stl").read_text() == "somebody's"
     assert len(load_machine(out).bodies) == 5
 
@@ -173,17 +192,28 @@ def test_shapes_become_bodies_where_they_stand_on_the_axis_that_moves_them(write
 def test_a_box_that_leans_is_a_mesh_and_a_mirrored_mesh_keeps_its_outside_out(write):
     leaning = import_machine(str(write(('xyz="0.1 0.2 0.6"/>', 'xyz="0.1 0.2 0.6" rpy="0 0 0.5"/>'))))
     corner = leaning.meshes["base"].vertex - (100.0, 200.0, 600.0)
-    assert np.allclose(sorted(np.abs(corner @ turn((0, 0, 1), 0.5)).max(axis=0)), (50.0, 200.0, 300.0), atol=1e-6)
+    assert np.allclose(
+        sorted(np.abs(corner @ turn((0, 0, 1), 0.5)).max(axis=0)), (50.0, 200.0, 300.0), atol=1e-6
+    )
     mesh = import_machine(str(write(("0.001 0.001 0.001", "-0.001 0.001 0.002")))).meshes["cradle"]
     assert [tuple(np.round(one, 6)) for one in mesh.box] == [(0.0, 150.0, 630.0), (200.0, 250.0, 670.0)]
-    volume = np.einsum("fi,fi->", np.cross(*np.moveaxis(mesh.vertex[mesh.face], 1, 0)[:2]), mesh.vertex[mesh.face][:, 2]) / 6.0
+    volume = (
+        np.einsum(
+            "fi,fi->", np.cross(*np.moveaxis(mesh.vertex[mesh.face], 1, 0)[:2]), mesh.vertex[mesh.face][:, 2]
+        )
+        / 6.0
+    )
     assert volume == pytest.approx(200.0 * 100.0 * 40.0)
 
 
 def test_what_is_assumed_is_told(write):
     found = import_machine(str(write())).findings
-    assert [one.code for one in found] == ["machine-default", "sign-unproven"] and found[1].severity == Severity.WARNING
-    assert "C joint_c, A joint_a" in found[0].text and "(100, 200, 800) mm, the origin of tool" in found[0].text
+    assert [one.code for one in found] == ["machine-default", "sign-unproven"] and found[
+        1
+    ].severity == Severity.WARNING
+    assert (
+        "C joint_c, A joint_a" in found[0].text and "(100, 200, 800) mm, the origin of tool" in found[0].text
+    )
     (plain,) = [one for one in import_machine(str(bare(write))).findings if "no bodies" in one.text]
     assert plain.code == "machine-default"
 
@@ -263,7 +293,9 @@ def test_what_is_no_machine_is_refused_by_name_in_one_line(swaps, words, write, 
 def test_a_mesh_that_is_no_stl_is_named_with_the_remedy(write):
     path = write(("package://mill/meshes/cradle.stl", "cradle.dae"))
     (path.parent / "cradle.dae").write_text("<COLLADA/>")
-    with pytest.raises(MachineError, match=r"mill.urdf: cradle: the mesh cradle.dae is no STL file; convert it"):
+    with pytest.raises(
+        MachineError, match=r"mill.urdf: cradle: the mesh cradle.dae is no STL file; convert it"
+    ):
         import_machine(str(path))
 
 

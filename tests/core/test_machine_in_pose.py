@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tool axes that keep off the machine: beside closed forms, beside every pose by turns of their own, and in programs of `auto`."""
+"""Tool axes that keep off the machine: beside closed forms, beside every pose by turns of their own, and in
+programs of `auto`."""
 
 import math
 from dataclasses import replace
@@ -21,7 +22,15 @@ from freecad_fiveaxis.core.gouge.machine_in_pose import machine_in_pose
 from freecad_fiveaxis.core.gouge.obstacles import Obstacle, Reacher
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse_axis, joint_words, q_to_words, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import (
+    Setup,
+    chain,
+    forward,
+    inverse_axis,
+    joint_words,
+    q_to_words,
+    words_to_q,
+)
 from freecad_fiveaxis.core.pipeline import job, mill_context
 from freecad_fiveaxis.core.studies.reach_map import reach_map
 from freecad_fiveaxis.core.tool import Cutter
@@ -33,7 +42,9 @@ FAR = facet_tree(from_triangles(box((900, 900, 900), (901, 901, 901))))
 
 def standing(machine, length=LENGTH, setup=None, margin=0.0):
     setup = Setup(ORIGIN, LENGTH) if setup is None else setup
-    return machine_in_pose(InMachine(machine, setup, chain(machine, setup), TOOL, length), None, 0.01, margin=margin)
+    return machine_in_pose(
+        InMachine(machine, setup, chain(machine, setup), TOOL, length), None, 0.01, margin=margin
+    )
 
 
 def leaning(degrees):
@@ -49,8 +60,8 @@ def wall(carrier, x=25.0):
 
 
 def test_directions_that_lean_into_a_wall_on_the_table_are_not_free_and_those_away_are():
-    """A holder of 15 mm from 40 to 80 mm above a tip that stands 25 mm beside a wall: in closed form it touches where
-    80 sin + 15 cos is 25. Nothing is known of the tool's length, and need not be."""
+    """A holder of 15 mm from 40 to 80 mm above a tip that stands 25 mm beside a wall: in closed form it
+    touches where 80 sin + 15 cos is 25. Nothing is known of the tool's length, and need not be."""
     machine = replace(load_machine("trunnion_ac"), bodies=(wall("C"),))
     lean = np.linspace(-60.0, 60.0, 241)
     axis = leaning(lean)
@@ -63,7 +74,8 @@ def test_directions_that_lean_into_a_wall_on_the_table_are_not_free_and_those_aw
 
 
 def test_one_branch_is_enough_and_a_limit_takes_it_away():
-    """On a head that leans by B the wall of the base stands on one side: the other branch turns the table and leans away from it."""
+    """On a head that leans by B the wall of the base stands on one side: the other branch turns the table and
+    leans away from it."""
     plain = load_machine("head_b_table_c")
     head = next(axis for axis in plain.axes if axis.letter == "B")
     machine = replace(plain, bodies=(wall("base"),))
@@ -77,23 +89,32 @@ def test_one_branch_is_enough_and_a_limit_takes_it_away():
     into = angles[:, 0, 1][by_branch[:, 0]][0]
     limits = (-0.1, 1.6) if into > 0.0 else (-1.6, 0.1)
     axes = tuple(replace(one, low=limits[0], high=limits[1]) if one is head else one for one in machine.axes)
-    assert standing(replace(machine, axes=axes), setup=setup).hits(TOOL, FAR, np.zeros((2, 3)), axis, 0.01).all()
+    assert (
+        standing(replace(machine, axes=axes), setup=setup).hits(TOOL, FAR, np.zeros((2, 3)), axis, 0.01).all()
+    )
 
 
 def brute(machine, words, body, tool):
-    """Gaps (n,) mm, by convex.py, of the tool's pieces and what the spindle carries to a box in every pose, with turns of the test's
-    own; below 0: they are in each other."""
+    """Gaps (n,) mm, by convex.py, of the tool's pieces and what the spindle carries to a box in every pose,
+    with turns of the test's own; below 0: they are in each other."""
     kinematics, pieces = chain(machine, Setup(ORIGIN, LENGTH)), tool.pieces
-    shift = np.linalg.solve(kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH)))
+    shift = np.linalg.solve(
+        kinematics.direction[:3].T, np.array(ORIGIN) - (np.array(machine.gauge_point) - (0, 0, LENGTH))
+    )
     tip = np.array(machine.gauge_point) - (0.0, 0.0, LENGTH)
     corner = np.array(np.meshgrid(*np.array(body.points).T, indexing="ij")).reshape(3, -1).T
     turn, place = np.empty((len(words), 3, 3)), np.empty((len(words), 3))
     for k, word in enumerate(words):
-        carried, tool_at = frames(machine, dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True)))
+        carried, tool_at = frames(
+            machine, dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
+        )
         seen = np.linalg.inv(carried[body.carrier]) @ tool_at
         turn[k], place[k] = seen[:3, :3], seen[:3, 3]
     none, up = np.zeros(len(words)), np.tile((0.0, 0.0, 1.0), (len(words), 1))
-    gaps = [find_gaps(_tool_piece(piece, tip), convex_hull(corner), Poses(turn, place), 0.0, none + 1e9, up) for piece in pieces]
+    gaps = [
+        find_gaps(_tool_piece(piece, tip), convex_hull(corner), Poses(turn, place), 0.0, none + 1e9, up)
+        for piece in pieces
+    ]
     return np.min([np.where(gap.met, -1.0, gap.least) for gap in gaps], axis=0)
 
 
@@ -102,8 +123,8 @@ STACK = Body((*TOOL.pieces, frustum_piece(LENGTH, 35.0, LENGTH + 60.0, 35.0, 3))
 
 @pytest.mark.parametrize("name", ["trunnion_ac", "head_b_table_c", "fork_head_bc"])
 def test_every_pose_is_told_as_the_shortest_ways_between_the_pieces_tell_it(name):
-    """Random boxes on each carrier, random places and axes: a pose that a tool smaller by 0.1 mm hits is blocked, one that keeps 0.1 mm off
-    is not."""
+    """Random boxes on each carrier, random places and axes: a pose that a tool smaller by 0.1 mm hits is
+    blocked, one that keeps 0.1 mm off is not."""
     rng, plain = np.random.default_rng(3), load_machine(name)
     blocked = free = 0
     for carrier in carriers(plain) * 3:
@@ -137,7 +158,8 @@ def test_directions_of_mixed_up_lengths_would_be_noticed(monkeypatch):
 
 @pytest.mark.parametrize("length", [LENGTH, None])
 def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
-    """All bodies of examples/trunnion_with_bodies.fcm, and these against each other: a program that stands still in the pose."""
+    """All bodies of examples/trunnion_with_bodies.fcm, and these against each other: a program that stands
+    still in the pose."""
     rng, machine, setup = np.random.default_rng(8), load_machine(str(EXAMPLE)), Setup((0.0, 0.0, -40.0), 45.0)
     kinematics = chain(machine, setup)
     tip, axis = rng.uniform(-60, 60, (20, 3)), rng.normal(size=(20, 3))
@@ -149,13 +171,18 @@ def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
     words = q_to_words(joint_words(kinematics, tip, angles[0]))
     for k, word in enumerate(words):
         found = check_machine(given, program_of(machine, np.array([word, word])), part, 0.01)
-        hits = {one.hit.enters for one in found if one.hit is not None and (one.hit.enters, one.hit.entered) != ("spindle", "")}
+        hits = {
+            one.hit.enters
+            for one in found
+            if one.hit is not None and (one.hit.enters, one.hit.entered) != ("spindle", "")
+        }
         assert bool(hits) == told[k], (word, hits)
     assert 3 < told.sum() < 17
 
 
 def test_at_the_pole_the_tool_is_free_whatever_its_neighbours_turn_the_table_to():
-    """Upright beside a wall of the base: 20 mm from the table's middle the holder of 15 mm may come to 35 mm from it."""
+    """Upright beside a wall of the base: 20 mm from the table's middle the holder of 15 mm may come to 35 mm
+    from it."""
     machine, setup = load_machine("trunnion_ac"), Setup((0.0, 0.0, 0.0), LENGTH)
     tip, up = np.array([[20.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 1.0]])
     for x, met in ((34.0, True), (36.0, False)):
@@ -166,7 +193,14 @@ def test_at_the_pole_the_tool_is_free_whatever_its_neighbours_turn_the_table_to(
 
 
 PART = from_triangles(box((-30, -20, -90), (30, 20, -50)))
-MILL = {"machine": str(EXAMPLE), "cutter": "ball:6:25", "passes": "scallop", "stepover": 6, "tool_axis": "auto", "spindle": "off"}
+MILL = {
+    "machine": str(EXAMPLE),
+    "cutter": "ball:6:25",
+    "passes": "scallop",
+    "stepover": 6,
+    "tool_axis": "auto",
+    "spindle": "off",
+}
 
 
 def milled(**options):
@@ -174,7 +208,8 @@ def milled(**options):
 
 
 def test_a_part_on_the_trunnion_is_cut_free_of_its_bodies_where_the_spindle_hit_the_platter(monkeypatch):
-    """With a stub of a tool the spindle went into the platter beside the part; now nothing is hit, and all is cut."""
+    """With a stub of a tool the spindle went into the platter beside the part; now nothing is hit, and all is
+    cut."""
     take_nodes(monkeypatch, NODES)
     free = milled(tool_length=45)
     codes = {one.code for one in free.findings}
@@ -186,10 +221,13 @@ def test_a_part_on_the_trunnion_is_cut_free_of_its_bodies_where_the_spindle_hit_
 
 @pytest.mark.slow
 def test_what_no_axis_frees_of_the_machine_is_told_by_its_area_and_what_a_longer_tool_would_free(monkeypatch):
-    """A wall on the platter 12 mm beside one side of the part, as high as the clearance: a spindle as near to the tip finds no room there."""
+    """A wall on the platter 12 mm beside one side of the part, as high as the clearance: a spindle as near to
+    the tip finds no room there."""
     take_nodes(monkeypatch, NODES)
     plain = load_machine(str(EXAMPLE))
-    machine = replace(plain, bodies=(*plain.bodies, MachineBody("wall", "C", "box", ((42, -80, -100), (60, 80, -20)))))
+    machine = replace(
+        plain, bodies=(*plain.bodies, MachineBody("wall", "C", "box", ((42, -80, -100), (60, 80, -20))))
+    )
     monkeypatch.setattr("freecad_fiveaxis.core.pipeline.options.load_machine", lambda name: machine)
     found = milled(tool_length=27).findings
     assert not [one for one in found if one.code == "machine-collision"]
@@ -200,11 +238,16 @@ def test_what_no_axis_frees_of_the_machine_is_told_by_its_area_and_what_a_longer
 
 def test_where_a_machine_has_no_bodies_nothing_is_asked_and_bodies_far_away_change_no_byte(monkeypatch):
     take_nodes(monkeypatch, NODES)
-    plain, far = load_machine("trunnion_ac"), MachineBody("far", "base", "box", ((900, 900, 900), (950, 950, 950)))
+    plain, far = (
+        load_machine("trunnion_ac"),
+        MachineBody("far", "base", "box", ((900, 900, 900), (950, 950, 950))),
+    )
     made = []
     for bodies in ((), (far,)):
         machine = replace(plain, bodies=bodies)
-        monkeypatch.setattr("freecad_fiveaxis.core.pipeline.options.load_machine", lambda name, machine=machine: machine)
+        monkeypatch.setattr(
+            "freecad_fiveaxis.core.pipeline.options.load_machine", lambda name, machine=machine: machine
+        )
         made.append(job.make(build_settings("mill", "part", {**MILL, "machine": "trunnion_ac"}), mesh=PART))
         monkeypatch.setattr(module.MachineInPose, "hits", None)  # with bodies it is asked
         if bodies == ():
@@ -214,7 +257,8 @@ def test_where_a_machine_has_no_bodies_nothing_is_asked_and_bodies_far_away_chan
 
 
 def test_the_reach_map_tells_where_the_machine_is_in_the_way_and_a_longer_tool_helps():
-    """A wall of the table 12 mm beside a block: the nose of a spindle close above a short tool hits it, over a longer one it does not."""
+    """A wall of the table 12 mm beside a block: the nose of a spindle close above a short tool hits it, over
+    a longer one it does not."""
     mesh = from_triangles(box((-20, -20, 0), (20, 20, 40)))
     bodies = (MachineBody("wall", "C", "box", ((32, -80, 0), (50, 80, 70))), replace(NOSE, radii=(35.0,)))
     machine, setup = replace(load_machine("trunnion_ac"), bodies=bodies), Setup((0.0, 0.0, 0.0), 30.0)

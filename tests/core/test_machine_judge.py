@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Another judge of tool and spindle against bodies of the machine: python-fcl, where it is installed, on dense samples of 200 random
-scenes; a tool that is smaller by the tolerance must hit nothing that the check does not tell of."""
+"""Another judge of tool and spindle against bodies of the machine: python-fcl, where it is installed, on
+dense samples of 200 random scenes; a tool that is smaller by the tolerance must hit nothing that the check
+does not tell of."""
 
 from dataclasses import replace
 
@@ -24,18 +25,23 @@ def random_body(rng, carrier):
         return MachineBody("body", carrier, "box", (tuple(middle - half), tuple(middle + half)))
     if rng.random() < 0.5:
         return MachineBody("body", carrier, "sphere", (tuple(middle),), (float(half[0]),))
-    return MachineBody("body", carrier, "cylinder", (tuple(middle - half), tuple(middle + half)), (float(half[1]),))
+    return MachineBody(
+        "body", carrier, "cylinder", (tuple(middle - half), tuple(middle + half)), (float(half[1]),)
+    )
 
 
 def stack(smaller):
     """Shapes of fcl and the heights of their middles, as much smaller all about."""
     rows = ((RADIUS, 40.0, RADIUS), (40.0, LENGTH, 15.0), (LENGTH, LENGTH + 60.0, 35.0))
-    found = [(fcl.Cylinder(r - smaller, high - low - 2 * smaller), 0.5 * (low + high)) for low, high, r in rows]
+    found = [
+        (fcl.Cylinder(r - smaller, high - low - 2 * smaller), 0.5 * (low + high)) for low, high, r in rows
+    ]
     return [*found, (fcl.Sphere(RADIUS - smaller), RADIUS)]
 
 
 def hit_samples(machine, words, body, smaller):
-    """How many of the samples of a straight way of the joints have the tool in the body, whose facets are a mesh."""
+    """How many of the samples of a straight way of the joints have the tool in the body, whose facets are a
+    mesh."""
     setup = Setup(ORIGIN, LENGTH)
     kinematics = chain(machine, setup)
     gauge = np.array(machine.gauge_point) - (0, 0, LENGTH)
@@ -44,7 +50,10 @@ def hit_samples(machine, words, body, smaller):
     model.beginModel(len(mesh.vertex), len(mesh.face))
     model.addSubModel(mesh.vertex, mesh.face)
     model.endModel()
-    solid, tools = fcl.CollisionObject(model), [(fcl.CollisionObject(shape), at) for shape, at in stack(smaller)]
+    solid, tools = (
+        fcl.CollisionObject(model),
+        [(fcl.CollisionObject(shape), at) for shape, at in stack(smaller)],
+    )
     hits = 0
     for share in np.linspace(0.0, 1.0, SAMPLES):
         joints = words[0] + share * (words[1] - words[0]) + shift
@@ -52,12 +61,15 @@ def hit_samples(machine, words, body, smaller):
         solid.setTransform(fcl.Transform(carried[body.carrier][:3, :3], carried[body.carrier][:3, 3]))
         for one, at in tools:
             one.setTransform(fcl.Transform(tool[:3, :3], tool[:3, :3] @ (gauge + (0, 0, at)) + tool[:3, 3]))
-        hits += any(fcl.collide(one, solid, fcl.CollisionRequest(), fcl.CollisionResult()) > 0 for one, _ in tools)
+        hits += any(
+            fcl.collide(one, solid, fcl.CollisionRequest(), fcl.CollisionResult()) > 0 for one, _ in tools
+        )
     return hits
 
 
 def judge(name, scenes=SCENES):
-    """Missed scenes, and how many hit and how many are free, and those that are told of though not even the tool as it is hits."""
+    """Missed scenes, and how many hit and how many are free, and those that are told of though not even the
+    tool as it is hits."""
     rng, plain = np.random.default_rng(11), load_machine(name)
     missed, hit, free, alone = [], 0, 0, []
     for scene in range(scenes):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sketch of a machine: every body stands and moves as its axis does, and the table never meets its part."""
+"""The sketch of a machine: every body stands and moves as its axis does, and the table never meets its
+part."""
 
 from __future__ import annotations
 
@@ -49,14 +50,19 @@ def about(line, direction, angle):
     """The turn (4, 4) about a line by Euler's formula, written out by itself."""
     x, y, z = direction
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    turn = np.outer(direction, direction) + np.cos(angle) * (np.eye(3) - np.outer(direction, direction)) + np.sin(angle) * cross
+    turn = (
+        np.outer(direction, direction)
+        + np.cos(angle) * (np.eye(3) - np.outer(direction, direction))
+        + np.sin(angle) * cross
+    )
     placement = np.eye(4)
     placement[:3, :3], placement[:3, 3] = turn, line - turn @ line
     return placement
 
 
 def test_what_an_axis_carries_moves_as_the_axes_below_it(kinematics):
-    """From the base outwards: a table axis moves what it carries the other way round than its word says (ISO 841)."""
+    """From the base outwards: a table axis moves what it carries the other way round than its word says (ISO
+    841)."""
     words = random_words(kinematics)
     carried = placements(kinematics, words)["machine_from_carried"]
     for row in range(len(words)):
@@ -106,8 +112,13 @@ def test_every_machine_has_a_spindle_and_a_table_and_the_bodies_its_rotary_axes_
 def test_a_rotary_body_of_revolution_lies_on_its_line(kinematics):
     """The platter about the table axis next to the work, the cradle's pins about its own."""
     for body in sketch(kinematics, *PART, TOOL):
-        if body.name == "platter" or (body.name == "cradle" and isinstance(body.shape, Cylinder) and body.carrier == 4):
-            line, direction = (kinematics.point1, kinematics.point2)[body.carrier - 3], kinematics.direction[body.carrier]
+        if body.name == "platter" or (
+            body.name == "cradle" and isinstance(body.shape, Cylinder) and body.carrier == 4
+        ):
+            line, direction = (
+                (kinematics.point1, kinematics.point2)[body.carrier - 3],
+                kinematics.direction[body.carrier],
+            )
             if (
                 body.name == "cradle"
                 and abs(direction @ (body.shape.end - body.shape.start))
@@ -122,7 +133,11 @@ def test_the_table_meets_its_part_nowhere_between_the_limits(kinematics):
     """The part as a cloud of points, which the platter carries; cradle and base as they stand against it."""
     rng = np.random.default_rng(11)
     cloud = PART[0] + rng.random((4000, 3)) * (PART[1] - PART[0])
-    bodies = [body for body in sketch(kinematics, *PART, TOOL) if body.name in ("platter", "table", "cradle", "base")]
+    bodies = [
+        body
+        for body in sketch(kinematics, *PART, TOOL)
+        if body.name in ("platter", "table", "cradle", "base")
+    ]
     low, high = (np.clip(limit[3:], -np.pi, np.pi) for limit in (kinematics.low, kinematics.high))
     words = np.zeros((40, 5))
     words[1:, 3:] = np.degrees(low + rng.random((39, 2)) * (high - low))
@@ -131,20 +146,26 @@ def test_the_table_meets_its_part_nowhere_between_the_limits(kinematics):
     for row in range(len(words)):
         part = cloud @ placed["machine_from_work"][row, :3, :3].T + placed["machine_from_work"][row, :3, 3]
         for body in bodies:
-            placement = np.eye(4) if body.carrier is None else placed["machine_from_carried"][row, body.carrier]
+            placement = (
+                np.eye(4) if body.carrier is None else placed["machine_from_carried"][row, body.carrier]
+            )
             inside = holds(body.shape, (part - placement[:3, 3]) @ placement[:3, :3])
             assert not inside.any(), f"{body.name} at {words[row, 3:]}: {inside.sum()} points of the part"
 
 
 def test_a_body_in_the_part_would_be_noticed():
     body = next(one for one in sketch(shipped("trunnion_ac"), *PART, TOOL) if one.name == "platter")
-    assert holds(body.shape, np.array([[0.0, 0.0, PART[0][2] - 1.0], [0.0, 0.0, PART[0][2] + 1.0]])).tolist() == [True, False]
+    assert holds(
+        body.shape, np.array([[0.0, 0.0, PART[0][2] - 1.0], [0.0, 0.0, PART[0][2] + 1.0]])
+    ).tolist() == [True, False]
 
 
 def test_the_platter_lies_under_the_part_and_has_room_for_it_wherever_it_is_clamped():
     kinematics = shipped("trunnion_ac")
     for shift in (np.zeros(3), np.array([150.0, -80.0, 30.0])):
-        body = next(one for one in sketch(kinematics, PART[0] + shift, PART[1] + shift, TOOL) if one.name == "platter")
+        body = next(
+            one for one in sketch(kinematics, PART[0] + shift, PART[1] + shift, TOOL) if one.name == "platter"
+        )
         assert body.shape.end == pytest.approx([0.0, 0.0, PART[0][2] + shift[2]])
         assert body.shape.radius > np.linalg.norm((PART[1] + np.abs(shift))[:2])
 
@@ -156,7 +177,11 @@ def test_limits_that_swing_less_need_less_room():
         for a in machine.axes
     ]  # fmt: skip
     floor = [
-        min(corners(body.shape)[:, 2].min() for body in sketch(chain(one, Setup()), *PART, TOOL) if body.name == "base")
+        min(
+            corners(body.shape)[:, 2].min()
+            for body in sketch(chain(one, Setup()), *PART, TOOL)
+            if body.name == "base"
+        )
         for one in (machine, Machine("still", tuple(axes)))
     ]
     assert floor[0] < floor[1] - 5.0
@@ -165,7 +190,9 @@ def test_limits_that_swing_less_need_less_room():
 @pytest.mark.parametrize(("table", "face"), [(None, -5.0), (-30.0, -30.0), (10.0, -5.0)])
 def test_the_face_stands_where_the_machine_file_says_but_never_in_the_part(table, face):
     for name in ("trunnion_ac", "head_b_table_c", "fork_head_bc"):
-        (body,) = [one for one in sketch(shipped(name), *PART, TOOL, table) if one.name in ("platter", "table")]
+        (body,) = [
+            one for one in sketch(shipped(name), *PART, TOOL, table) if one.name in ("platter", "table")
+        ]
         assert corners(body.shape)[:, 2].max() == pytest.approx(face)
 
 
@@ -191,5 +218,7 @@ def test_a_part_on_the_table_needs_no_riser(table):
 def test_a_part_above_a_plain_table_stands_on_a_riser():
     plain = next(one for one in sorted(KINDS) if one.startswith("head"))
     bodies = sketch(kinematics_of(plain), *PART, TOOL, float(PART[0][2]) - 10.0)
-    assert [body.carrier for body in bodies if body.name == "riser"] == [body.carrier for body in bodies if body.name == "table"]
+    assert [body.carrier for body in bodies if body.name == "riser"] == [
+        body.carrier for body in bodies if body.name == "table"
+    ]
     assert any(body.name == "riser" for body in bodies)

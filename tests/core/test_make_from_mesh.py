@@ -14,8 +14,13 @@ OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:4", "stepover": 2.0}
 
 @pytest.fixture
 def block() -> Mesh:
-    """A block of 20 x 20 x 10 mm with a roof of two slopes: facets 0 and 1 are the slope towards -y, 2 and 3 towards +y."""
-    vertex = [[x, y, z] for x in (0.0, 20.0) for y, z in ((0.0, 10.0), (10.0, 14.0), (20.0, 10.0), (20.0, 0.0), (0.0, 0.0))]
+    """A block of 20 x 20 x 10 mm with a roof of two slopes: facets 0 and 1 are the slope towards -y, 2 and 3
+    towards +y."""
+    vertex = [
+        [x, y, z]
+        for x in (0.0, 20.0)
+        for y, z in ((0.0, 10.0), (10.0, 14.0), (20.0, 10.0), (20.0, 0.0), (0.0, 0.0))
+    ]
     quads = [(0, 5, 6, 1), (1, 6, 7, 2), (2, 7, 8, 3), (3, 8, 9, 4), (4, 9, 5, 0)]
     face = [facet for a, b, c, d in quads for facet in ((a, b, c), (a, c, d))]
     face += [(0, 1, 2), (0, 2, 3), (0, 3, 4), (5, 7, 6), (5, 8, 7), (5, 9, 8)]

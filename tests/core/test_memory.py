@@ -13,7 +13,9 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.geometry.mesh import from_faces, read_stl
 from freecad_fiveaxis.core.passes import slice_mesh, slicing
 
-linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="limits and page faults as Linux tells them")
+linux = pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="limits and page faults as Linux tells them"
+)
 
 FAULTS = """
 import resource, sys
@@ -31,7 +33,9 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
 
 def new_pages(mode: str) -> int:
     environment = {"NUMPY_MADVISE_HUGEPAGE": "0", "OPENBLAS_NUM_THREADS": "1"}  # small pages: each one counts
-    done = subprocess.run([sys.executable, "-c", FAULTS, mode], capture_output=True, text=True, env=environment)
+    done = subprocess.run(
+        [sys.executable, "-c", FAULTS, mode], capture_output=True, text=True, env=environment
+    )
     if done.returncode == 3:
         pytest.skip("this system's C library has no mallopt")
     return int(done.stdout)
@@ -58,8 +62,16 @@ def test_ten_million_facets_under_two_gigabytes_are_refused_before_they_are_read
         file.write(bytes(80) + struct.pack("<I", 10_000_000))
         file.truncate(84 + 50 * 10_000_000)  # a sparse file: nothing of it is read
     environment = {"OPENBLAS_NUM_THREADS": "1"}
-    done = subprocess.run([sys.executable, "-c", LIMITED, part, out], capture_output=True, text=True, env=environment, timeout=60)
-    assert done.returncode == 2 and "10000000 facets need at least 1.9 GB" in done.stderr.replace(",", ""), done.stderr
+    done = subprocess.run(
+        [sys.executable, "-c", LIMITED, part, out],
+        capture_output=True,
+        text=True,
+        env=environment,
+        timeout=60,
+    )
+    assert done.returncode == 2 and "10000000 facets need at least 1.9 GB" in done.stderr.replace(",", ""), (
+        done.stderr
+    )
     assert "coarser" in done.stderr and len(done.stderr.splitlines()) == 1 and not out.exists()
 
 
@@ -75,7 +87,9 @@ def test_free_memory_is_what_the_limit_of_the_process_leaves() -> None:
 
 
 def square() -> object:
-    return from_faces(np.array([(0.0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]), np.array([(0, 1, 2), (0, 2, 3)]))
+    return from_faces(
+        np.array([(0.0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]), np.array([(0, 1, 2), (0, 2, 3)])
+    )
 
 
 def test_more_segments_than_can_be_held_are_refused_before_they_are_made(monkeypatch) -> None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sphere of tool axes as two rotary axes divide it: against forward kinematics and dense sampling, on every kind of machine."""
+"""The sphere of tool axes as two rotary axes divide it: against forward kinematics and dense sampling, on
+every kind of machine."""
 
 from itertools import pairwise
 
@@ -25,7 +26,9 @@ def kinematics(request):
 def poses(kinematics, count=300, seed=3):
     """Rotary words (n, 2) rad, a third of them near the pole, and their axes (n, 3)."""
     rng = np.random.default_rng(seed)
-    pole = inverse_axis(kinematics, np.array([kinematics.direction[3] * np.sign(kinematics.direction[3][2])]))[0][0, 0, 1]
+    pole = inverse_axis(
+        kinematics, np.array([kinematics.direction[3] * np.sign(kinematics.direction[3][2])])
+    )[0][0, 0, 1]
     angles = rng.uniform(-1, 1, (count, 2)) * (np.pi, 1.2)
     angles[:, 1] = pole + angles[:, 1] * np.where(np.arange(count) % 3 == 0, 0.02, 1.0)
     return angles, forward(kinematics, np.column_stack([np.zeros((count, 3)), angles]))[1]
@@ -40,9 +43,9 @@ def test_the_side_is_the_angle_to_the_second_axis_and_the_other_branch_negates_i
     globe, (angles, axis) = Globe.of(kinematics), poses(kinematics)
     side = globe.side(axis, angles[:, 0])
     centre = globe.centre(angles[:, 0])
-    formula = axis @ globe.pole * np.cos(globe.lean) + np.linalg.norm(globe.across(axis), axis=1) * np.sin(globe.lean) * np.cos(
-        side
-    )
+    formula = axis @ globe.pole * np.cos(globe.lean) + np.linalg.norm(globe.across(axis), axis=1) * np.sin(
+        globe.lean
+    ) * np.cos(side)
     np.testing.assert_allclose((axis * centre).sum(1), formula, atol=1e-12)
     other = angles[:, 0] - 2 * side
     np.testing.assert_allclose((axis * globe.centre(other)).sum(1), np.cos(globe.circle), atol=1e-12)
@@ -58,14 +61,18 @@ def test_the_room_is_all_words_whose_meridian_is_within_the_change(kinematics, c
     free = np.isinf(below)
     assert (free == np.isinf(above)).all()
     turn = np.linspace(-np.pi, np.pi, 721)
-    far = np.array([meridian_angles(kinematics, one + turn, k[None])[0] for one, k in zip(word, axis, strict=True)])
+    far = np.array(
+        [meridian_angles(kinematics, one + turn, k[None])[0] for one, k in zip(word, axis, strict=True)]
+    )
     assert (far[free] <= change + 1e-9).all() and (far[~free].max(1) > change - 1e-9).all()
     inside = (turn >= -below[:, None]) & (turn <= above[:, None])
     assert (far[inside] <= change + 1e-9).all()
     for edge in (word - below, word + above):
         rows = np.flatnonzero(~free & (np.abs(edge - word) > 1e-6))
         at = np.array([meridian_angles(kinematics, edge[[row]], axis[[row]])[0, 0] for row in rows])
-        met = np.abs(np.sin(globe.side(axis[rows], edge[rows]))) < 1e-6  # there the other branch's room begins
+        met = (
+            np.abs(np.sin(globe.side(axis[rows], edge[rows]))) < 1e-6
+        )  # there the other branch's room begins
         np.testing.assert_allclose(at[~met], change, atol=1e-6)
 
 

@@ -39,13 +39,17 @@ def check_coedges(mesh):
             seen += 1
         else:
             assert len(rows) == len(uses)
-            assert {(int(mesh.coedge_face[r, 0]), int(mesh.coedge_face[r, 1])) for r in rows} == {(i, -1) for i, _, _ in uses}
+            assert {(int(mesh.coedge_face[r, 0]), int(mesh.coedge_face[r, 1])) for r in rows} == {
+                (i, -1) for i, _, _ in uses
+            }
             seen += len(uses)
         for i, k, _ in uses:
             row = mesh.face_coedge[i, k]
             assert set(mesh.coedge_vertex[row].tolist()) == set(pair)
             along = mesh.face[i, [k, (k + 1) % 3]].tolist()
-            assert mesh.coedge_vertex[row].tolist() == (along if mesh.coedge_face[row, 0] == i else along[::-1])
+            assert mesh.coedge_vertex[row].tolist() == (
+                along if mesh.coedge_face[row, 0] == i else along[::-1]
+            )
     assert len(mesh.coedge_face) == seen
 
 
@@ -166,11 +170,14 @@ def test_vertices_that_no_facet_uses_are_left_out():
 
 
 def test_half_edges_too_wide_for_one_word_are_paired_all_the_same():
-    # 8 million vertices need 23 bits twice, a facet 1 to 3: beside a long table of vertices few facets still fit or not
+    # 8 million vertices need 23 bits twice, a facet 1 to 3: beside a long table of vertices few facets still
+    # fit or not
     corners = sphere(rows=14, columns=30)
     mesh = from_triangles(corners)
     many = 1 << 29
-    wide, packed = (sorted_half_edges(mesh.face, vertices, lambda: None)[0] for vertices in (many, len(mesh.vertex)))
+    wide, packed = (
+        sorted_half_edges(mesh.face, vertices, lambda: None)[0] for vertices in (many, len(mesh.vertex))
+    )
     every = slice(None)
     key, narrow = wide.keys(every), packed.keys(every)
     assert wide.half is not None and packed.half is None
@@ -191,7 +198,9 @@ def test_an_inward_solid_is_turned_outward_with_a_note():
 
 
 def test_a_void_stays_a_void():
-    corners = np.concatenate([box(high=(9.0, 9.0, 9.0)), box(low=(3.0, 3.0, 3.0), high=(6.0, 6.0, 6.0))[:, ::-1]])
+    corners = np.concatenate(
+        [box(high=(9.0, 9.0, 9.0)), box(low=(3.0, 3.0, 3.0), high=(6.0, 6.0, 6.0))[:, ::-1]]
+    )
     mesh = from_triangles(corners)
     assert not mesh.findings
     assert volume(mesh) == pytest.approx(9.0**3 - 27.0)
@@ -226,7 +235,10 @@ def test_a_facet_with_a_vertex_twice_goes_and_its_neighbours_stay_joined():
 
 
 def test_a_needle_on_a_straight_line_goes_and_leaves_a_crack():
-    right = [[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [[0.1, 0.1, 0.1], [0.2, 0.2, 0.2], [0.4, 0.4, 0.4]]]
+    right = [
+        [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
+        [[0.1, 0.1, 0.1], [0.2, 0.2, 0.2], [0.4, 0.4, 0.4]],
+    ]
     for shift in (0.0, 100.0, 1e5):
         mesh = from_triangles(np.array(right) + shift)
         assert codes(mesh) == ["degenerate-facets", "open-shell"]
@@ -282,7 +294,8 @@ def test_no_facets_are_refused():
 
 
 @pytest.mark.parametrize(
-    ("value", "said"), [(np.nan, "finite"), (np.inf, "finite"), (-np.inf, "finite"), (1e9, "units"), (-1.1e6, "units")]
+    ("value", "said"),
+    [(np.nan, "finite"), (np.inf, "finite"), (-np.inf, "finite"), (1e9, "units"), (-1.1e6, "units")],
 )
 def test_a_coordinate_that_no_part_has_is_refused_with_facet_and_value(value, said):
     corners = box().astype(np.float32)
@@ -309,7 +322,9 @@ def test_a_vertex_row_that_does_not_exist_is_refused():
         from_faces(np.eye(3), [[0.0, 1.0, 2.0]])
 
 
-@pytest.mark.parametrize("corners", [np.ones(9), np.ones((2, 3, 2)), [["a", "b"]], [[1.0], [1.0, 2.0]], np.ones((1, 3, 3)) * 1j])
+@pytest.mark.parametrize(
+    "corners", [np.ones(9), np.ones((2, 3, 2)), [["a", "b"]], [[1.0], [1.0, 2.0]], np.ones((1, 3, 3)) * 1j]
+)
 def test_what_is_no_table_of_triangles_is_refused(corners):
     with pytest.raises(MeshError):
         from_triangles(corners)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""minimax: what it must reach, against facet_mean and an exact dynamic programme, and that it keeps what it must not touch."""
+"""minimax: what it must reach, against facet_mean and an exact dynamic programme, and that it keeps what it
+must not touch."""
 
 import itertools
 import sys
@@ -41,7 +42,13 @@ FEED = 1000.0
 
 
 def settings(machine, **others):
-    options = {"machine": machine, "cutter": "ball:10", "stepover": 12.0, "control_point": "centre", "max_axis_angle": 60.0}
+    options = {
+        "machine": machine,
+        "cutter": "ball:10",
+        "stepover": 12.0,
+        "control_point": "centre",
+        "max_axis_angle": 60.0,
+    }
     options |= UNCURED
     if load_machine(machine).has_head:
         options["tool_length"] = 120.0
@@ -73,7 +80,7 @@ def beyond(path, axis, samples=2001):
     return np.arccos(np.clip(np.einsum("nsi,ni->ns", arc, axis), -1, 1)).min(axis=1)
 
 
-# ------------------------------------------------------------------------------------------------ what it must reach
+# ----------------------------------------------------------------------------------------- what it must reach
 
 
 @some_in_core("depth", DEPTHS, kept=())
@@ -121,7 +128,10 @@ def test_the_dynamic_programmes_blocks_are_those_of_the_core():
     case = cases.profile("wavy", 1, 60.0)
     y, z = case.path.centre[:, 1], case.path.centre[:, 2] - case.axis_z
     place = z + 1j * y
-    bows = [cases._bows(place[i], case.mean[i : i + 1], place[i + 1], case.mean[i + 1 : i + 2])[0, 0] for i in range(len(y) - 1)]
+    bows = [
+        cases._bows(place[i], case.mean[i : i + 1], place[i + 1], case.mean[i + 1 : i + 2])[0, 0]
+        for i in range(len(y) - 1)
+    ]
     assert max(bows) == pytest.approx(case.largest(case.mean), rel=0.02)
 
 
@@ -132,7 +142,7 @@ def test_more_tilt_makes_it_smaller():
     assert largest[0] > 1.3 * largest[1] > 1.3 * 1.3 * largest[2]
 
 
-# ------------------------------------------------------------------------------------------------ what it must keep
+# ------------------------------------------------------------------------------------------ what it must keep
 
 
 MACHINES = [
@@ -169,7 +179,10 @@ def test_no_rotary_axis_exceeds_its_rate_where_it_did_not_before(machine):
     offset, axis, kinematics, reach = given(machine)
     minutes = np.linalg.norm(np.diff(offset.centre, axis=0), axis=1) / FEED
     inside = ~run_begins(offset)[1:]
-    turn = [np.abs(np.diff(_driven(offset, ways, kinematics, reach)[0], axis=0)) for ways in (axis, found(machine))]
+    turn = [
+        np.abs(np.diff(_driven(offset, ways, kinematics, reach)[0], axis=0))
+        for ways in (axis, found(machine))
+    ]
     most = np.maximum(kinematics.rate[3:] * minutes[:, None], turn[0])
     assert (turn[1] <= 1.01 * most + 2e-6)[inside].all()
 
@@ -202,17 +215,21 @@ def test_the_limits_of_the_rotary_axes_hold():
 
 
 @pytest.mark.parametrize(
-    "control_point", [pytest.param("tip", marks=pytest.mark.thorough), pytest.param("centre", marks=pytest.mark.slow)]
+    "control_point",
+    [pytest.param("tip", marks=pytest.mark.thorough), pytest.param("centre", marks=pytest.mark.slow)],
 )
 def test_the_surface_is_cut_as_before(control_point):
     """The ball's centre and its contact of every row are those of facet_mean; only the axis moves."""
     one, two = (
-        job.make(settings("trunnion_ac", tool_axis=method, control_point=control_point)) for method in ("facet_mean", "minimax")
+        job.make(settings("trunnion_ac", tool_axis=method, control_point=control_point))
+        for method in ("facet_mean", "minimax")
     )
     reach = 5.0 if control_point == "tip" else 0.0
     cut = [made.path.motion <= 1 for made in (one, two)]
     assert np.array_equal(one.path.contact[cut[0]], two.path.contact[cut[1]])
-    centre = [made.path.tip[rows] + reach * made.path.axis[rows] for made, rows in zip((one, two), cut, strict=True)]
+    centre = [
+        made.path.tip[rows] + reach * made.path.axis[rows] for made, rows in zip((one, two), cut, strict=True)
+    ]
     np.testing.assert_allclose(centre[0], centre[1], atol=1e-9)
     assert np.abs(one.path.axis[cut[0]] - two.path.axis[cut[1]]).max() > 0.02
     largest = [job.prove(made).deviation.segment[made.program.motion <= 1].max() for made in (one, two)]
@@ -237,14 +254,16 @@ def test_polylines_that_touch_are_one_run():
 
 def test_an_empty_path_and_a_flat_one_keep_their_axes():
     offset, axis, kinematics, reach = given("trunnion_ac")
-    none = replace(offset, **{name: value[:0] for name, value in vars(offset).items() if isinstance(value, np.ndarray)})
+    none = replace(
+        offset, **{name: value[:0] for name, value in vars(offset).items() if isinstance(value, np.ndarray)}
+    )
     assert minimax_axes(none, axis[:0], kinematics, reach, TILT).shape == (0, 3)
     flat = profiles.offset_path(np.column_stack([np.arange(6.0), np.zeros(6)]))
     up = tool_axes(flat, "facet_mean", AxisOptions())
     assert np.array_equal(minimax_axes(flat, up, kinematics, 0.0, TILT), up)
 
 
-# ------------------------------------------------------------------------------------------------ how it is told
+# --------------------------------------------------------------------------------------------- how it is told
 
 
 def test_it_says_where_it_stands_and_can_be_stopped():
@@ -256,9 +275,13 @@ def test_it_says_where_it_stands_and_can_be_stopped():
         0.0,
     )
     said = []
-    minimax_axes(offset, axis, kinematics, reach, TILT, FEED, lambda stage, share: said.append((stage, share)))
+    minimax_axes(
+        offset, axis, kinematics, reach, TILT, FEED, lambda stage, share: said.append((stage, share))
+    )
     assert len(said) > 5 and all(0.0 <= share <= 1.0 for _, share in said)
-    assert any(abs(40.0 * share - round(40.0 * share)) > 0.1 for _, share in said), "it speaks within a round, too"
+    assert any(abs(40.0 * share - round(40.0 * share)) > 0.1 for _, share in said), (
+        "it speaks within a round, too"
+    )
 
     def stop(stage, share):
         raise Cancelled("enough")

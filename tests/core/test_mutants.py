@@ -31,9 +31,20 @@ def tried(folder, table, *words):
 
 
 def test_a_survivor_and_a_text_that_is_gone_are_failures(tmp_path):
-    table = entry("2 * x", "5 * x") + entry("3 * x", "4 * x") + entry("9 * x", "") + entry("3 *", "4 *", "equivalent = 'unused'")
+    table = (
+        entry("2 * x", "5 * x")
+        + entry("3 * x", "4 * x")
+        + entry("9 * x", "")
+        + entry("3 *", "4 *", "equivalent = 'unused'")
+    )
     code, lines = tried(tmp_path, table)
-    assert code == 1 and [line.split(" ")[0] for line in lines] == ["killed", "SURVIVED", "no", "equivalent:", "mutants:"]
+    assert code == 1 and [line.split(" ")[0] for line in lines] == [
+        "killed",
+        "SURVIVED",
+        "no",
+        "equivalent:",
+        "mutants:",
+    ]
 
 
 @pytest.mark.thorough

@@ -11,12 +11,29 @@ from freecad_fiveaxis.core.nc.named_cutter import find_named_cutter
 from freecad_fiveaxis.core.pipeline import job
 from freecad_fiveaxis.core.tool import parse_cutter
 
-CUTTERS = ("ball:10", "ball:3.175", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg", "lollipop:10:6")
+CUTTERS = (
+    "ball:10",
+    "ball:3.175",
+    "flat:10",
+    "bull:10:2",
+    "taperball:6:5deg",
+    "taperbull:10:1:5deg",
+    "lollipop:10:6",
+)
 
 
 def posted(**options):
-    given = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 4, "gouge": "off", "linearize": "off", **options}
-    return job.make(build_settings("mill", "part", given), mesh=from_triangles(box((-10, -10, 0), (10, 10, 10)))).nc
+    given = {
+        "machine": "trunnion_ac",
+        "tool_length": 120,
+        "stepover": 4,
+        "gouge": "off",
+        "linearize": "off",
+        **options,
+    }
+    return job.make(
+        build_settings("mill", "part", given), mesh=from_triangles(box((-10, -10, 0), (10, 10, 10)))
+    ).nc
 
 
 @pytest.mark.parametrize("cutter", CUTTERS)
@@ -50,7 +67,9 @@ def test_an_audit_without_a_cutter_takes_the_programs_and_says_so(tmp_path):
     (tmp_path / "a.ngc").write_bytes(posted(cutter="ball:6", linearize="on"))
 
     def audited(**options):
-        return job.run(build_settings("audit", str(tmp_path / "a.ngc"), {"machine": "trunnion_ac", **options}))
+        return job.run(
+            build_settings("audit", str(tmp_path / "a.ngc"), {"machine": "trunnion_ac", **options})
+        )
 
     taken, given = audited(), audited(cutter="ball:8")
     assert taken.draft.settings.cutter.cutter.diameter == 6 and taken.surface.segment.max() > 0.0

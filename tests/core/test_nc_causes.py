@@ -29,18 +29,24 @@ def test_a_program_that_is_not_run_has_one_error_for_it() -> None:
 def test_what_has_another_cause_stays() -> None:
     program = read(HEAD + "2 WHATEVER 3\n3 RND R5\n4 L U+5 F100\n" + HYPERMILL.format("Q99"), "heidenhain")
     assert errors(program)[0] == "macro-not-interpreted"
-    assert {"arc-not-interpreted", "unknown-axis", "unknown-code"} <= {found.code for found in program.findings}
+    assert {"arc-not-interpreted", "unknown-axis", "unknown-code"} <= {
+        found.code for found in program.findings
+    }
 
 
 def test_without_a_cause_or_with_nothing_under_it_all_stays() -> None:
     cause = Finding(Severity.ERROR, "macro-not-interpreted", "Why.", line=4)
-    call, note = Finding(Severity.ERROR, "call-not-interpreted", "Call.", line=2), Finding(Severity.NOTE, "read-as", "So.")
+    call, note = (
+        Finding(Severity.ERROR, "call-not-interpreted", "Call.", line=2),
+        Finding(Severity.NOTE, "read-as", "So."),
+    )
     assert fold([call, note], None) == (call, note)
     assert fold([note, cause], cause) == (note, cause)
     folded = fold([call, note, cause], cause)
-    assert [found.code for found in folded] == ["macro-not-interpreted", "read-as"] and "call-not-interpreted (2)" in folded[
-        0
-    ].text
+    assert [found.code for found in folded] == [
+        "macro-not-interpreted",
+        "read-as",
+    ] and "call-not-interpreted (2)" in folded[0].text
 
 
 def test_polar_circles_are_one_finding_whatever_their_numbers() -> None:
@@ -54,7 +60,10 @@ def test_names_of_one_reason_are_one_finding_with_their_first_lines() -> None:
     iso = read("G90\nG0 X0 Y0 Z9 A0 C0\nG16\nG1 X1 F100\nG51 X2\nG16\nX3\nM30\n", "haas")
     (found,) = [one for one in iso.findings if one.code == "offset-not-interpreted"]
     assert (found.value, found.line) == (3.0, 3) and "G16 (3), G51 (5)" in found.text
-    siemens = read("G90 G710\nG0 X0 Y0 Z9 A0 C0\nMIRROR X0\nSCALE X2\nAMIRROR X0\nMIRROR Y0\nG1 X1 F100\nM30\n", "siemens840d")
+    siemens = read(
+        "G90 G710\nG0 X0 Y0 Z9 A0 C0\nMIRROR X0\nSCALE X2\nAMIRROR X0\nMIRROR Y0\nG1 X1 F100\nM30\n",
+        "siemens840d",
+    )
     (found,) = [one for one in siemens.findings if one.code == "offset-not-interpreted"]
     assert (found.value, found.line) == (4.0, 3)
     assert "MIRROR (3), SCALE (4), AMIRROR (5)" in found.text
@@ -79,6 +88,9 @@ def test_first_lines_are_those_of_the_file_where_a_program_is_written_out() -> N
     text = "G90 G710\nG0 X0 Y0 Z9 A0 C0\nR1=0\nAGAIN:\nX=R1\nR1=R1+1\nIF R1<5 GOTOB AGAIN\nMIRROR X0\nSCALE X2\nX9\nM30\n"
     (found,) = [one for one in read(text, "siemens840d").findings if one.code == "offset-not-interpreted"]
     assert found.line == 8 and "MIRROR (8), SCALE (9)" in found.text
-    iso = read("G90\nG0 X0 Y0 Z9 A0 C0\n#1=0\nWHILE[#1LT5]DO1\n#1=#1+1\nG1 X#1 F9\nEND1\nG16\nG51 X2\nX3\nM30\n", "fanuc")
+    iso = read(
+        "G90\nG0 X0 Y0 Z9 A0 C0\n#1=0\nWHILE[#1LT5]DO1\n#1=#1+1\nG1 X#1 F9\nEND1\nG16\nG51 X2\nX3\nM30\n",
+        "fanuc",
+    )
     (found,) = [one for one in iso.findings if one.code == "offset-not-interpreted"]
     assert found.line == 8 and "G16 (8), G51 (9)" in found.text

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rounded and chamfered corners of lines and arcs: against the closed forms; every other corner is an error."""
+"""Rounded and chamfered corners of lines and arcs: against the closed forms; every other corner is an
+error."""
 
 from __future__ import annotations
 
@@ -21,12 +22,17 @@ def places(text: str, language: str = "fanuc") -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("word", "language"), [(",R2", "fanuc"), (", R 2.", "fanuc"), ("RND=2", "siemens"), ("RND = 2.0", "siemens")]
+    ("word", "language"),
+    [(",R2", "fanuc"), (", R 2.", "fanuc"), ("RND=2", "siemens"), ("RND = 2.0", "siemens")],
 )
 def test_a_rounded_corner_is_an_arc_tangent_to_both_lines(word: str, language: str) -> None:
     path = places(f"G1 X10 {word} F100\nY10\n", language)
     arc = path[1:-1]
-    assert arc[0] == pytest.approx([8, 0, 0]) and arc[-1] == pytest.approx([10, 2, 0]) and path[-1].tolist() == [10, 10, 0]
+    assert (
+        arc[0] == pytest.approx([8, 0, 0])
+        and arc[-1] == pytest.approx([10, 2, 0])
+        and path[-1].tolist() == [10, 10, 0]
+    )
     assert np.abs(np.hypot(arc[:, 0] - 8, arc[:, 1] - 2) - 2).max() < 1e-9 and len(arc) > 10
     middle = (arc[1:] + arc[:-1]) / 2
     assert np.abs(np.hypot(middle[:, 0] - 8, middle[:, 1] - 2) - 2).max() < 1.1e-3
@@ -37,7 +43,9 @@ def test_a_rounded_corner_is_an_arc_tangent_to_both_lines(word: str, language: s
 def test_a_chamfer_takes_its_leg_of_both_lines(word: str, language: str, turn: float) -> None:
     along = math.cos(math.radians(turn)), math.sin(math.radians(turn))
     path = places(f"G1 X10 {word} F100\nX{10 + 10 * along[0]:.6f} Y{10 * along[1]:.6f}\n", language)
-    assert path[1] == pytest.approx([8, 0, 0]) and path[2] == pytest.approx([10 + 2 * along[0], 2 * along[1], 0], abs=1e-5)
+    assert path[1] == pytest.approx([8, 0, 0]) and path[2] == pytest.approx(
+        [10 + 2 * along[0], 2 * along[1], 0], abs=1e-5
+    )
     assert len(path) == 4
 
 
@@ -73,9 +81,15 @@ def test_any_other_corner_is_an_error_with_its_line(text: str) -> None:
 
 
 def test_what_is_no_plain_number_is_refused_or_an_error() -> None:
-    assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 CHF=2.5.5 F100\nY10\nM30\n", "siemens840d"))
-    assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 RNDM=2.5.5 F100\nY10\nM30\n", "siemens840d"))
-    assert "corner-not-interpreted" in errors(read(SIEMENS + "G1 X10 RNDM=2000000 F100\nY10\nM30\n", "siemens840d"))
+    assert "corner-not-interpreted" in errors(
+        read(SIEMENS + "G1 X10 CHF=2.5.5 F100\nY10\nM30\n", "siemens840d")
+    )
+    assert "corner-not-interpreted" in errors(
+        read(SIEMENS + "G1 X10 RNDM=2.5.5 F100\nY10\nM30\n", "siemens840d")
+    )
+    assert "corner-not-interpreted" in errors(
+        read(SIEMENS + "G1 X10 RNDM=2000000 F100\nY10\nM30\n", "siemens840d")
+    )
 
 
 CONTOUR = "G1 X20 {0} F100\nY10 {0}\nG3 X0 Y10 I-10 J0 {1}\nG1 Y0 {0}\n"
@@ -96,14 +110,19 @@ def test_rounding_of_every_corner_is_that_of_each_of_them(scale: str) -> None:
 def test_rounding_of_every_corner_takes_its_length_off_a_square() -> None:
     path = places("G1 X10 RNDM=2 F100\nY10\nX0\nY0\nX10\n", "siemens")
     length = np.linalg.norm(np.diff(path, axis=0, prepend=0.0), axis=1).sum()
-    assert length == pytest.approx(50.0 - 4 * (2 * 2.0 - np.pi), abs=0.01) and length < 50.0 - 4 * (2 * 2.0 - np.pi)
+    assert length == pytest.approx(50.0 - 4 * (2 * 2.0 - np.pi), abs=0.01) and length < 50.0 - 4 * (
+        2 * 2.0 - np.pi
+    )
 
 
 @pytest.mark.parametrize("text", ["G1 X10 RNDM=2 F100\nZ5\nX0\n", "G1 Z5 RNDM=2 F100\nX10 Y1 Z6\nG0 Z9\n"])
 def test_a_corner_that_leaves_the_plane_has_no_rounding_of_every_corner(text: str) -> None:
-    """6FC5398: no rounding is inserted where there is no contour in the plane; alone, RND= there stays an error."""
+    """6FC5398: no rounding is inserted where there is no contour in the plane; alone, RND= there stays an
+    error."""
     assert places(text, "siemens").tolist() == places(text.replace("RNDM=2", ""), "siemens").tolist()
-    assert "corner-not-interpreted" in errors(read(SIEMENS + text.replace("RNDM", "RND") + "M30\n", "siemens840d"))
+    assert "corner-not-interpreted" in errors(
+        read(SIEMENS + text.replace("RNDM", "RND") + "M30\n", "siemens840d")
+    )
 
 
 @pytest.mark.parametrize("text", ["G1 X10 RNDM=2 F100\nG0 Y10\n", "G1 X10 RNDM=2 F100\nY1\n"])
@@ -137,7 +156,9 @@ def test_a_rounding_between_a_line_and_an_arc_is_tangent_to_both(word: str, lang
 def test_a_rounding_between_an_arc_and_a_line_is_the_same_the_other_way_round() -> None:
     path = places("G1 Y10 F100\nG2 X10 Y0 I0 J-10 ,R2\nG1 X0\n")
     arc = rounded(path, (60.0**0.5, 2.0), 2.0)
-    assert arc[-1] == pytest.approx([60.0**0.5, 0]) and arc[0] == pytest.approx(np.array([60.0**0.5, 2.0]) * 10 / 8)
+    assert arc[-1] == pytest.approx([60.0**0.5, 0]) and arc[0] == pytest.approx(
+        np.array([60.0**0.5, 2.0]) * 10 / 8
+    )
 
 
 def test_a_rounding_between_two_arcs_lies_within_one_and_without_the_other() -> None:
@@ -173,7 +194,8 @@ def test_a_chamfer_by_its_own_length_is_so_long() -> None:
 
 
 @pytest.mark.parametrize(
-    ("word", "language"), [(",A30.", "fanuc"), (", A +30.", "fanuc"), ("ANG=30", "siemens"), ("ANG = 390.0", "siemens")]
+    ("word", "language"),
+    [(",A30.", "fanuc"), (", A +30.", "fanuc"), ("ANG=30", "siemens"), ("ANG = 390.0", "siemens")],
 )
 def test_a_line_by_its_angle_and_one_coordinate_ends_on_it(word: str, language: str) -> None:
     tan = math.tan(math.radians(30))
@@ -188,7 +210,9 @@ def test_a_line_by_its_angle_and_one_coordinate_ends_on_it(word: str, language: 
 
 def test_two_lines_by_their_angles_meet_in_a_corner_that_can_be_rounded() -> None:
     text = "G1 ANG=60 {} F100\nX20 Y0 ANG=-60\n"
-    assert places(text.format(""), "siemens")[-2:] == pytest.approx(np.array([[10, 10 * 3**0.5, 0], [20, 0, 0]]), abs=1e-9)
+    assert places(text.format(""), "siemens")[-2:] == pytest.approx(
+        np.array([[10, 10 * 3**0.5, 0], [20, 0, 0]]), abs=1e-9
+    )
     path = places(text.format("RND=2"), "siemens")
     arc = rounded(path, (10.0, 10 * 3**0.5 - 4.0), 2.0)
     assert arc[0] == pytest.approx([10 - 3**0.5, 10 * 3**0.5 - 3.0])
@@ -205,7 +229,9 @@ def test_two_lines_by_their_angles_meet_in_a_corner_that_can_be_rounded() -> Non
     ],
 )
 def test_an_angle_that_makes_no_end_is_an_error_with_its_line(text: str) -> None:
-    found = [one for one in read(HEAD + text + "M30\n", "fanuc").findings if one.code == "corner-not-interpreted"]
+    found = [
+        one for one in read(HEAD + text + "M30\n", "fanuc").findings if one.code == "corner-not-interpreted"
+    ]
     assert found and found[0].line == 3 and "by their angle" in found[0].text
 
 
@@ -215,7 +241,8 @@ def test_an_angle_leaves_the_rotary_axis_of_its_letter_alone_and_takes_values_be
 
 
 def test_random_corners_are_rounded_without_a_kink() -> None:
-    """Lines and arcs at random: where a corner is rounded, no two pieces of the path turn by more than two chords do."""
+    """Lines and arcs at random: where a corner is rounded, no two pieces of the path turn by more than two
+    chords do."""
     dice, rounded_ones = np.random.default_rng(32), 0
     for _ in range(120):
         way, end = dice.uniform(-20, 20, (2, 2))

@@ -22,9 +22,15 @@ HEAD = "G21 G90 G94 F100\nG0 X0 Y0 Z20 A0 C0\n"
 
 
 def trunnion():
-    linear = [Axis(name, False, "head", tuple(row), max_rate=6000.0) for name, row in zip("XYZ", np.eye(3), strict=True)]
+    linear = [
+        Axis(name, False, "head", tuple(row), max_rate=6000.0)
+        for name, row in zip("XYZ", np.eye(3), strict=True)
+    ]
     return chain(
-        Machine("trunnion", (Axis("C", True, "table", (0, 0, 1)), Axis("A", True, "table", (1, 0, 0)), *linear)), Setup()
+        Machine(
+            "trunnion", (Axis("C", True, "table", (0, 0, 1)), Axis("A", True, "table", (1, 0, 0)), *linear)
+        ),
+        Setup(),
     )
 
 
@@ -38,7 +44,9 @@ def read(text: str, controller: str = "linuxcnc", assumed: Assumed = Assumed()) 
 def path(program: Program) -> list[str]:
     """The moves after the first, as r for rapids and f for feeds with X Y Z."""
     letter = np.where(program.motion == Motion.RAPID, "r", "f")
-    return [f"{one} {x:g} {y:g} {z:g}" for one, (x, y, z) in zip(letter[1:], program.words[1:, :3], strict=True)]
+    return [
+        f"{one} {x:g} {y:g} {z:g}" for one, (x, y, z) in zip(letter[1:], program.words[1:, :3], strict=True)
+    ]
 
 
 def errors(program: Program) -> list[str]:
@@ -82,7 +90,12 @@ def test_repeats_under_g91_make_a_row_of_holes(controller: str, letter: str) -> 
 
 
 def test_no_repeat_keeps_the_words_for_the_holes_that_follow() -> None:
-    assert path(read(HEAD + "G98 G81 Z-3 R2 L0\nX5\nG80\n", "haas")) == ["r 5 0 20", "r 5 0 2", "f 5 0 -3", "r 5 0 20"]
+    assert path(read(HEAD + "G98 G81 Z-3 R2 L0\nX5\nG80\n", "haas")) == [
+        "r 5 0 20",
+        "r 5 0 2",
+        "f 5 0 -3",
+        "r 5 0 20",
+    ]
 
 
 def test_rotary_words_of_a_cycle_turn_before_it_and_g91_stays_in_force() -> None:
@@ -95,7 +108,9 @@ def test_inches_and_the_least_increment_count_for_the_words_of_cycles_too() -> N
     inch = read("G20 G90 F10\nG0 X0 Y0 Z1 A0 C0\nG98 G83 X1 Z-1 R0.5 Q1\nG80\n", "haas")
     assert inch.words[1:, 2] == pytest.approx([25.4, 12.7, -12.7, 12.7, -11.7, -25.4, 25.4])
     small = read(
-        "G21 G90 F10\nG0 X0 Y0 Z1000 A0 C0\nG98 G83 X1 Z-1000 R500 Q1000\nG80\n", "haas", Assumed(decimal="least-increment")
+        "G21 G90 F10\nG0 X0 Y0 Z1000 A0 C0\nG98 G83 X1 Z-1000 R500 Q1000\nG80\n",
+        "haas",
+        Assumed(decimal="least-increment"),
     )
     assert small.words[1:, 2] == pytest.approx([1, 0.5, -0.5, 0.5, 0.5, -1, 1])
 
@@ -120,7 +135,9 @@ def test_a_program_without_cycles_is_the_same_object() -> None:
     from freecad_fiveaxis.core.nc.reader import canned_cycles, codes, lines, words
 
     read_in = words.read_words(HEAD.encode() + b"G1 X1\nG80\n")
-    assert canned_cycles.written_out(read_in, lines.Lines(read_in, Assumed()), codes.ISO, "haas")[0] is read_in
+    assert (
+        canned_cycles.written_out(read_in, lines.Lines(read_in, Assumed()), codes.ISO, "haas")[0] is read_in
+    )
 
 
 def agree(text: str, tmp_path: Path) -> None:
@@ -134,13 +151,17 @@ def agree(text: str, tmp_path: Path) -> None:
     ours, theirs = program.words[:, [0, 1, 2, 4]], said.ends[:, :4]
     mine, his = moving(ours, 1e-6), moving(theirs, 1e-6)
     np.testing.assert_allclose(ours[mine], theirs[his], atol=said.off)
-    assert [program.motion[row] == Motion.RAPID for row in mine[1:]] == [said.kinds[row] == "rapid" for row in his[1:]]
+    assert [program.motion[row] == Motion.RAPID for row in mine[1:]] == [
+        said.kinds[row] == "rapid" for row in his[1:]
+    ]
 
 
 def some_cycles(seed: int) -> str:
     """A program of cycles as LinuxCNC accepts them."""
     dice = random.Random(seed)
-    plane, across, along = dice.choice([("G17", "XY", "Z"), ("G17", "XY", "Z"), ("G18", "XZ", "Y"), ("G19", "YZ", "X")])
+    plane, across, along = dice.choice(
+        [("G17", "XY", "Z"), ("G17", "XY", "Z"), ("G18", "XZ", "Y"), ("G19", "YZ", "X")]
+    )
     lines = [
         f"{dice.choice(('G21', 'G20'))} G90 G94 {plane} F100",
         "G0 X0 Y0 Z0 A0 C0",
@@ -152,7 +173,9 @@ def some_cycles(seed: int) -> str:
             (73, 81, 82, 83, 85, 86, 89, *((84,) if plane == "G17" else ()))
         )  # rs274 2.9 taps G18 and G19 along wrong axes
         steps = dice.random() < 0.4
-        r, depth = (dice.randint(-4, 4), -dice.randint(1, 9)) if steps else (dice.randint(0, 4), -dice.randint(1, 9))
+        r, depth = (
+            (dice.randint(-4, 4), -dice.randint(1, 9)) if steps else (dice.randint(0, 4), -dice.randint(1, 9))
+        )
         own = {73: " Q2.1", 83: " Q3", 82: " P0", 86: " P0", 89: " P0"}.get(code, "")
         lines.append(
             f"{dice.choice(('G98', 'G99', ''))} {'G91' if steps else 'G90'} G{code} {across[0]}{dice.randint(1, 9)} R{r} {along}{depth}{own}{dice.choice(('', ' L2'))}"
@@ -180,8 +203,19 @@ def test_cycles_move_as_linuxcnc_moves(seed: int, tmp_path: Path) -> None:
 @pytest.mark.parametrize("controller", ["fanuc", "haas"])
 def test_fine_boring_is_read_without_its_shift_and_said_so(controller: str) -> None:
     program = read(HEAD + "G98 G76 X5 Y6 Z-3 R2 Q0.5 P100\nX7\nG80\n", controller)
-    assert path(program) == ["r 5 6 20", "r 5 6 2", "f 5 6 -3", "r 5 6 20", "r 7 6 20", "r 7 6 2", "f 7 6 -3", "r 7 6 20"]
-    assert [found.line for found in program.findings if found.code == "boring-shift"] == [3] and not errors(program)
+    assert path(program) == [
+        "r 5 6 20",
+        "r 5 6 2",
+        "f 5 6 -3",
+        "r 5 6 20",
+        "r 7 6 20",
+        "r 7 6 2",
+        "f 7 6 -3",
+        "r 7 6 20",
+    ]
+    assert [found.line for found in program.findings if found.code == "boring-shift"] == [3] and not errors(
+        program
+    )
 
 
 def test_threads_of_linuxcnc_and_back_boring_are_named() -> None:
@@ -201,7 +235,9 @@ def test_a_row_in_steps_takes_r_from_the_initial_level_and_z_from_r(controller: 
 
 
 @pytest.mark.parametrize(("controller", "letter"), [("fanuc", "K"), ("haas", "L")])
-def test_heights_told_before_the_way_of_counting_changes_stay_where_they_are(controller: str, letter: str) -> None:
+def test_heights_told_before_the_way_of_counting_changes_stay_where_they_are(
+    controller: str, letter: str
+) -> None:
     hole = ["r {0} 5 2", "f {0} 5 -10", "r {0} 5 2"]
     row = read(HEAD + f"G99 G81 X5. Y5. R2. Z-10.\nG91 X10. {letter}3\nG90 X3.\nG80\n", controller)
     there = [move.format(x) for x in (5, 15, 25, 35, 3) for move in hole]

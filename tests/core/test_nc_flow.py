@@ -18,7 +18,11 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.nc.reader import interpreter, read_nc
 
-EXAMPLES = [path for root in ("/usr/share/linuxcnc", "/usr/share/doc/linuxcnc") for path in sorted(Path(root).rglob("*.ngc"))]
+EXAMPLES = [
+    path
+    for root in ("/usr/share/linuxcnc", "/usr/share/doc/linuxcnc")
+    for path in sorted(Path(root).rglob("*.ngc"))
+]
 FORMS = sorted(Path("/usr/share/linuxcnc/ncfiles/ngcgui_lib").glob("*.ngc"))
 
 
@@ -40,10 +44,16 @@ O_WORDS = {
     ),
     "if": ("o1 if [0]\nG1 X1\no1 elseif [1]\nG1 X2\no1 elseif [1]\nG1 X3\no1 else\nG1 X4\no1 endif\n", [2]),
     "else": ("o1 if [0]\nG1 X1\no1 else\nG1 X4\no1 endif\nG1 X5\n", [4, 5]),
-    "sub": ("o1 sub\n#3=7\nG1 X[#1+#2]\no1 endsub [#1*2]\n#3=1\no1 call [3] [4]\nG1 X#3\nG1 X#<_value>\n", [7, 1, 6]),
+    "sub": (
+        "o1 sub\n#3=7\nG1 X[#1+#2]\no1 endsub [#1*2]\n#3=1\no1 call [3] [4]\nG1 X#3\nG1 X#<_value>\n",
+        [7, 1, 6],
+    ),
     "return": ("o<a> sub\nG1 X1\no<a> return [5]\nG1 X2\no<a> endsub\no<a> call\nG1 X#<_value>\n", [1, 5]),
     "names": ("o1 sub\n#<a>=2\n#<_share>=3\no1 endsub\n#<a>=1\no1 call\nG1 X[#<a> + #<_share>]\n", [4]),
-    "recursion": ("o1 sub\no2 if [#1 GT 0]\nG1 X#1\no1 call [#1-1]\no2 endif\no1 endsub\no1 call [3]\n", [3, 2, 1]),
+    "recursion": (
+        "o1 sub\no2 if [#1 GT 0]\nG1 X#1\no1 call [#1-1]\no2 endif\no1 endsub\no1 call [3]\n",
+        [3, 2, 1],
+    ),
     "end": ("G1 X1\nM2\nG1 X#1\n", [1]),
 }
 
@@ -83,7 +93,9 @@ def test_macros_and_subprograms_run_as_on_fanuc_and_haas(text: str, ends: list[f
 
 
 def test_every_block_keeps_the_line_of_the_file_that_it_comes_from() -> None:
-    program = read(HEAD + "o1 sub\nG1 X#1\nG81 X9 Z-1 R1\no1 endsub\no1 call [1]\nG1 X3\no1 call [2]\nG2 X5 I1.5\nG123\n")
+    program = read(
+        HEAD + "o1 sub\nG1 X#1\nG81 X9 Z-1 R1\no1 endsub\no1 call [1]\nG1 X3\no1 call [2]\nG2 X5 I1.5\nG123\n"
+    )
     assert sorted(set(program.line.tolist()), key=program.line.tolist().index) == [2, 4, 5, 8, 10]
     assert [found.line for found in program.findings if found.code == "unknown-code"] == [11]
 
@@ -112,7 +124,9 @@ def test_what_does_not_end_is_refused_with_its_line(
     assert int(re.match(r"line (\d+)", str(caught.value))[1]) in line
 
 
-def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """Soon by the lines that are run before and after: how long it takes is for benchmarks/bench_stop.py."""
     step, run, looks = interpreter.Run._step, [], []
 
@@ -135,7 +149,9 @@ def test_a_loop_that_does_not_end_is_left_soon_when_the_work_is_stopped(monkeypa
         ("END1", "no begin"), ("o1 while 1\no1 endwhile", "not known here"),
     ],
 )  # fmt: skip
-def test_what_is_not_understood_is_named_with_its_line_and_the_plain_blocks_stay(line: str, said: str) -> None:
+def test_what_is_not_understood_is_named_with_its_line_and_the_plain_blocks_stay(
+    line: str, said: str
+) -> None:
     program = read(HEAD + "G1 X3\n" + line + "\nG1 X7\n")
     found = [one for one in program.findings if one.severity is Severity.ERROR]
     assert said in found[0].text and found[0].line == 4
@@ -154,7 +170,10 @@ def verdict(text: bytes, file: Path) -> str:
     except FiveAxisError:
         return "refused"
     named = ("machine-position", "unknown-code", "unknown-axis", "word-not-interpreted")
-    if any((found.severity is Severity.ERROR and found.code != "no-feed") or found.code in named for found in program.findings):
+    if any(
+        (found.severity is Severity.ERROR and found.code != "no-feed") or found.code in named
+        for found in program.findings
+    ):
         return "refused"
     said = judged(file)
     return "-" if said.refused else difference(program.words[:, [0, 1, 2, 4, 3]], said) or "agree"
@@ -177,13 +196,19 @@ def test_subprograms_of_linuxcnc_called_with_their_usual_values_agree_or_are_ref
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(interpreter, "MOST", 100_000)
-    text = "".join(one.read_text(errors="replace") + "\n" for one in sorted((file.parent / "utilitysubs").glob("*.ngc")))
+    text = "".join(
+        one.read_text(errors="replace") + "\n" for one in sorted((file.parent / "utilitysubs").glob("*.ngc"))
+    )
     usual = re.findall(r"= *#(\d+) *\((?:=) *([-+0-9.]+)", file.read_text(errors="replace"))
     given = {int(number): value for number, value in usual}
     arguments = " ".join(f"[{given.get(k, '0')}]" for k in range(1, max(given, default=0) + 1))
     text += "".join(one.read_text(errors="replace") + "\n" for one in FORMS)
-    text = re.sub("#5410|#<_feature:>|#<_remaining_features:>", "#4000", text)  # the tool's diameter, which the machine knows
-    text = re.sub(r"(?i)\bg4[12](\.1 *d *\S+)?(?![0-9.])|\bm110\b.*|\bg59\.3\b", "", text)  # compensation, a window's own code
+    text = re.sub(
+        "#5410|#<_feature:>|#<_remaining_features:>", "#4000", text
+    )  # the tool's diameter, which the machine knows
+    text = re.sub(
+        r"(?i)\bg4[12](\.1 *d *\S+)?(?![0-9.])|\bm110\b.*|\bg59\.3\b", "", text
+    )  # compensation, a window's own code
     text += f"#4000=0.05\nF100 M3 S100\nG0 X0 Y0 Z10 A0 C0\no<{file.stem}> call {arguments}\nM2\n"
     (tmp_path / "call.ngc").write_text(text.replace("\n%\n", "\n"))
     one = verdict((tmp_path / "call.ngc").read_bytes(), tmp_path / "call.ngc")

@@ -12,16 +12,23 @@ from freecad_fiveaxis.core.base.findings import Severity
 TEXT = "G21 G90 G94 F500\nG0 X0 Y0 Z50 A0 C0\n{on}\nG0 X1 Y2 Z40 A20 C30\nG1 X5 C45\n{off}\nG1 Z90\nM2\n"
 
 
-@pytest.mark.parametrize(("on", "off"), [("G12.1 P0", "G13.1"), ("G12.1 P0", "G12.1 P1"), ("G12.1P0", "G13.1")])
+@pytest.mark.parametrize(
+    ("on", "off"), [("G12.1 P0", "G13.1"), ("G12.1 P0", "G12.1 P1"), ("G12.1P0", "G13.1")]
+)
 def test_the_codes_switch_as_the_remaps_do(on: str, off: str) -> None:
-    remap, code = read(TEXT.format(on="M428", off="M429"), "linuxcnc"), read(TEXT.format(on=on, off=off), "linuxcnc")
+    remap, code = (
+        read(TEXT.format(on="M428", off="M429"), "linuxcnc"),
+        read(TEXT.format(on=on, off=off), "linuxcnc"),
+    )
     assert code.guided is not None and code.guided.on.tolist() == [False, True, True, False]
     np.testing.assert_array_equal(code.words, remap.words)
     assert codes_of(code, Severity.WARNING) == [] and codes_of(code).count("kinematics-number") == 1
 
 
 def test_g49_ends_no_kinematics_that_g12_1_selected_and_g13_1_needs_no_number() -> None:
-    program = read("G21 G90 F500\nG12.1 P0\nG0 X0 Y0 Z50 A20 C30\nG49\nG43 H2\nG1 X1\nG13.1\nG1 X2\nM2\n", "linuxcnc")
+    program = read(
+        "G21 G90 F500\nG12.1 P0\nG0 X0 Y0 Z50 A20 C30\nG49\nG43 H2\nG1 X1\nG13.1\nG1 X2\nM2\n", "linuxcnc"
+    )
     assert program.guided is not None and program.guided.on.tolist() == [True, True, False]
 
 

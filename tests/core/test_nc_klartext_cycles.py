@@ -83,7 +83,9 @@ def test_208_asks_for_the_tools_diameter() -> None:
     assert "wider than the hole" in reason(hole(208, {**words, "Q335": 5}))
     assert path(hole(208, {**words, "Q335": 6}))[1:4] == ["r 5 6 3", "f 5 6 -9", "r 5 6 3"]
     wider = hole(208, words, HEAD.replace("S500", "S500 DR+0.5"))
-    assert np.hypot(wider.words[:, 0] - 5, wider.words[:, 1] - 6)[wider.feed == 150].max() == pytest.approx(4.5, abs=1e-6)
+    assert np.hypot(wider.words[:, 0] - 5, wider.words[:, 1] - 6)[wider.feed == 150].max() == pytest.approx(
+        4.5, abs=1e-6
+    )
     other = HEAD.replace("3 L X+0", "TOOL CALL 6 Z S400\n3 L X+0")
     assert "DM=16" in reason(hole(208, words, other))
 
@@ -107,7 +109,9 @@ def test_cycle_1_goes_by_steps_from_where_the_tool_stands() -> None:
     assert "infeed" in reason(klartext(text.replace("PECKG -15", "PECKG 0") + "L X+5 Y+6 FMAX M99\n"))
 
 
-def test_cycle_1_takes_clearance_and_infeed_without_a_sign_too_and_a_dwell_spelled_otherwise_moves_nothing() -> None:
+def test_cycle_1_takes_clearance_and_infeed_without_a_sign_too_and_a_dwell_spelled_otherwise_moves_nothing() -> (
+    None
+):
     head = "L X+5 Y+6 Z+2 FMAX\nCYCLE DEF 9.0 DWELL TIME\nCYCLE DEF 9.1 5\nCYCL DEF 1.0 PECKING\n"
     text = "CYCL DEF 1.1 DIST{0}2.000\nCYCL DEF 1.2 DEPTH-20.000\nCYCL DEF 1.3 PLNGNG{0}15.0\nCYCL DEF 1.4 DWELL0\nCYCL DEF 1.5 F80\nL FMAX M99\n"
     plain, signed = (klartext(head + text.format(sign)) for sign in ("", "-"))
@@ -119,29 +123,56 @@ def test_what_a_cycle_lacks_is_found_once_and_the_rest_is_run() -> None:
         "Q1 = 5\nCYCL DEF 207 TAP ~\nQ200=2 ~\nQ201=-3\nL X+Q1 Y+6 FMAX M99\nL X+7 FMAX M99\nCALL LBL 1\nM30\nLBL 1\nL X+8\nLBL 0\n"
     )
     found = [one for one in program.findings if one.severity is Severity.ERROR]
-    assert [one.code for one in found] == ["cycle-not-interpreted"] and "without Q203" in found[0].text and found[0].line == 10
+    assert (
+        [one.code for one in found] == ["cycle-not-interpreted"]
+        and "without Q203" in found[0].text
+        and found[0].line == 10
+    )
     assert path(program) == ["r 5 6 20", "r 7 6 20", "f 8 6 20"]
 
 
-@pytest.mark.parametrize("other", ["CYCL DEF 4.0 POCKET\nCYCL DEF 4.1 SET UP -2\n", "CYCL DEF 251 POCKET ~\nQ215=0\n"])
+@pytest.mark.parametrize(
+    "other", ["CYCL DEF 4.0 POCKET\nCYCL DEF 4.1 SET UP -2\n", "CYCL DEF 251 POCKET ~\nQ215=0\n"]
+)
 def test_another_cycle_is_not_called_as_the_one_before(other: str) -> None:
-    program = klartext(f"CYCL DEF 207 TAP ~\nQ200=2 ~\nQ201=-3 ~\nQ203=0 ~\nQ239=1\n{other}L X+5 Y+6 FMAX M99\n")
+    program = klartext(
+        f"CYCL DEF 207 TAP ~\nQ200=2 ~\nQ201=-3 ~\nQ203=0 ~\nQ239=1\n{other}L X+5 Y+6 FMAX M99\n"
+    )
     assert path(program) == ["r 5 6 20"] and "cycle-not-interpreted" in errors(program)
 
 
 def test_one_datum_of_the_table_is_a_note_and_several_are_a_warning() -> None:
-    one = klartext("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+2\n")
-    assert [(found.code, found.severity, found.line) for found in one.findings] == [("datum-of-table", Severity.NOTE, 6)]
-    two = klartext("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+4\nL X+2\n")
+    one = klartext(
+        "CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+2\n"
+    )
+    assert [(found.code, found.severity, found.line) for found in one.findings] == [
+        ("datum-of-table", Severity.NOTE, 6)
+    ]
+    two = klartext(
+        "CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nL X+1\nCYCL DEF 247 DATUM SETTING ~\nQ339=+4\nL X+2\n"
+    )
     (found,) = [one for one in two.findings if one.severity is Severity.WARNING]
-    assert (found.code, found.value) == ("work-offset-change", 2.0) and "Q339=3 (6), CYCL DEF 247 Q339=4 (9)" in found.text
+    assert (found.code, found.value) == (
+        "work-offset-change",
+        2.0,
+    ) and "Q339=3 (6), CYCL DEF 247 Q339=4 (9)" in found.text
 
 
 @pytest.mark.parametrize(
     ("told", "note"),
-    [("DL+0 DR+0", ""), ("DL-0.0 DR0", ""), ("DL+0.25", "DL+0.25"), ("DR-.1 DR2+0.", "DR-.1"), ("DL+Q5", "DL+Q5")],
+    [
+        ("DL+0 DR+0", ""),
+        ("DL-0.0 DR0", ""),
+        ("DL+0.25", "DL+0.25"),
+        ("DR-.1 DR2+0.", "DR-.1"),
+        ("DL+Q5", "DL+Q5"),
+    ],
 )
 def test_a_tool_that_differs_from_its_table_is_a_note(told: str, note: str) -> None:
     program = klartext(f'TOOL CALL "DL+9" Z S1 {told}\nL X+1\n')
     notes = [found.text for found in program.findings if found.code == "tool-delta"]
-    assert len(notes) == bool(note) and (not note or notes[0].startswith(f"TOOL CALL {note} ")) and not errors(program)
+    assert (
+        len(notes) == bool(note)
+        and (not note or notes[0].startswith(f"TOOL CALL {note} "))
+        and not errors(program)
+    )

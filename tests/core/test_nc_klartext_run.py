@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Q parameters, labels and drilling cycles of Heidenhain klartext, by hand and against Python's own arithmetic."""
+"""Q parameters, labels and drilling cycles of Heidenhain klartext, by hand and against Python's own
+arithmetic."""
 
 from __future__ import annotations
 
@@ -41,7 +42,11 @@ def klartext(text: str):
 def test_parameters_and_labels_are_run(text: str, ends: list[float]) -> None:
     program = klartext(text)
     assert not errors(program), program.findings
-    last = np.flatnonzero(np.diff(program.line, append=-1) != 0) if "C X" in text else np.arange(len(program.line))
+    last = (
+        np.flatnonzero(np.diff(program.line, append=-1) != 0)
+        if "C X" in text
+        else np.arange(len(program.line))
+    )
     found = program.words[last[1:], 0].tolist()
     assert found == pytest.approx(ends)
 
@@ -108,10 +113,16 @@ def test_cycle_200_by_hand() -> None:
 
 def test_cycle_203_leaves_by_its_own_feed_and_what_is_not_simple_is_named() -> None:
     program = klartext(
-        drill(203, **(WORDS | {"Q202": 20, "Q204": 0, "Q208": 500, "Q212": 0, "Q213": 0})) + "L X+5 Y+6 FMAX M99\n"
+        drill(203, **(WORDS | {"Q202": 20, "Q204": 0, "Q208": 500, "Q212": 0, "Q213": 0}))
+        + "L X+5 Y+6 FMAX M99\n"
     )
     assert path(program) == ["r 5 6 20", "r 5 6 3", "f 5 6 -9", "f 5 6 3"] and program.feed[-1] == 500
-    for words, said in (({"Q213": 3}, "Q256"), ({"Q395": 1}, "Q395"), ({"Q201": 5}, "depth"), ({"Q202": 0}, "infeed")):
+    for words, said in (
+        ({"Q213": 3}, "Q256"),
+        ({"Q395": 1}, "Q395"),
+        ({"Q201": 5}, "depth"),
+        ({"Q202": 0}, "infeed"),
+    ):
         program = klartext(drill(203, **(WORDS | words)) + "L X+5 Y+6 FMAX M99\n")
         assert any(said in found.text for found in program.findings if found.severity is Severity.ERROR)
     program = klartext(drill(251, Q200=2, Q201=-10) + "L X+5 Y+6 FMAX M99\n")
@@ -124,7 +135,11 @@ def test_a_cycle_after_another_that_is_not_known_is_not_called_for_it() -> None:
 
 
 def test_cycles_in_a_tilted_plane_and_parameters_as_spatial_angles() -> None:
-    text = "Q1 = 30\nPLANE SPATIAL SPA+Q1 SPB+0 SPC+0 TURN FMAX\n" + drill(200, **WORDS) + "L X+5 Y+6 Z+40 FMAX M99\n"
+    text = (
+        "Q1 = 30\nPLANE SPATIAL SPA+Q1 SPB+0 SPC+0 TURN FMAX\n"
+        + drill(200, **WORDS)
+        + "L X+5 Y+6 Z+40 FMAX M99\n"
+    )
     program = klartext(text)
     assert not errors(program) and (program.words[2:, 4] == program.words[-1, 4]).all()
     assert program.words[-1, 4] == pytest.approx(30)

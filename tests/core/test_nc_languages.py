@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Siemens, Heidenhain and guided ISO programs as other systems write them; damaged and hostile files in every language."""
+"""Siemens, Heidenhain and guided ISO programs as other systems write them; damaged and hostile files in every
+language."""
 
 from __future__ import annotations
 
@@ -82,8 +83,17 @@ def test_fmax_is_rapid_for_its_block_alone_and_f_stays():
 
 
 def test_inches_of_a_klartext_program_and_of_g70():
-    assert read("0 BEGIN PGM A INCH\n1 L X+1 Y+0 Z+0 A+0 C+90 FMAX\n", "heidenhain").words[0].tolist() == [25.4, 0, 0, 90, 0]
-    assert read("G700 G90\nG0 X1 Y0 Z0 A0 C90\nG710 G1 X2 F10\n", "siemens840d").words[:, 0].tolist() == [25.4, 2]
+    assert read("0 BEGIN PGM A INCH\n1 L X+1 Y+0 Z+0 A+0 C+90 FMAX\n", "heidenhain").words[0].tolist() == [
+        25.4,
+        0,
+        0,
+        90,
+        0,
+    ]
+    assert read("G700 G90\nG0 X1 Y0 Z0 A0 C90\nG710 G1 X2 F10\n", "siemens840d").words[:, 0].tolist() == [
+        25.4,
+        2,
+    ]
 
 
 TIPS = np.array([[0, 0, 50], [1, 2, 3], [4, -5, 6], [7, 8, 9.5]], float)
@@ -99,7 +109,8 @@ def guided_texts():
 
     def rows(first, others, told):
         return "\n".join(
-            f"{first if k == 0 else others} {place} {way}" for k, (place, way) in enumerate(zip(xyz, told, strict=True))
+            f"{first if k == 0 else others} {place} {way}"
+            for k, (place, way) in enumerate(zip(xyz, told, strict=True))
         )
 
     ijk = ["I{} J{} K{}".format(*row) for row in vectors]
@@ -113,7 +124,10 @@ def guided_texts():
         ("siemens840d", f"G710 G90 F500\nTRAORI(1)\n{rows('G0', 'G1', ac)}\nTRAFOOF\nM30\n"),
         ("siemens840d", f"G710 G90 F500\nTRAORI\nORIWKS\n{rows('G0', 'G1', abc)}\nTRAFOOF\nM30\n"),
         ("heidenhain", f"BEGIN PGM A MM\nM128\nL F500\n{rows('L', 'L', ac)}\nM129\nEND PGM A MM\n"),
-        ("heidenhain", f"BEGIN PGM A MM\nFUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR\nL F500\n{rows('LN', 'LN', txyz)}\nM30\n"),
+        (
+            "heidenhain",
+            f"BEGIN PGM A MM\nFUNCTION TCPM F TCP AXIS POS PATHCTRL VECTOR\nL F500\n{rows('LN', 'LN', txyz)}\nM30\n",
+        ),
     ]
 
 
@@ -177,7 +191,11 @@ def test_words_beside_siemens_polar_coordinates_are_read():
 
 @pytest.mark.parametrize(
     ("line", "place"),
-    [("G91 X1 Y=AC(9)", (6, 9, 1)), ("G91 X=IC(1) Y=AC(-9) Z=AC(2.5)", (6, -9, 2.5)), ("G91 X1 Y9", (6, 14, 1))],
+    [
+        ("G91 X1 Y=AC(9)", (6, 9, 1)),
+        ("G91 X=IC(1) Y=AC(-9) Z=AC(2.5)", (6, -9, 2.5)),
+        ("G91 X1 Y9", (6, 14, 1)),
+    ],
 )
 def test_siemens_ac_is_absolute_among_steps_too(line, place):
     program = read(S_HEAD + "F100\nG1 X5 Y5 Z1\n" + line + "\n", "siemens840d")
@@ -233,9 +251,13 @@ def test_a_text_whose_controller_nobody_has_said_is_taken_as_its_own_signs_say(c
         job.run(build_settings("audit", str(tmp_path / "a.nc"), {"machine": "trunnion_ac"} | more))
         for more in ({}, {"controller": controller})
     )
-    assert by_text.draft.dialect.name == (name or "linuxcnc")  # a Fanuc program shows nothing that others have not
+    assert by_text.draft.dialect.name == (
+        name or "linuxcnc"
+    )  # a Fanuc program shows nothing that others have not
     assert ("read-as" in [finding.code for finding in by_text.findings]) == bool(name)
-    assert np.array_equal(by_text.draft.program.seconds, by_name.draft.program.seconds) == bool(name), "what F means"
+    assert np.array_equal(by_text.draft.program.seconds, by_name.draft.program.seconds) == bool(name), (
+        "what F means"
+    )
 
 
 EXAMPLES = {
@@ -256,7 +278,9 @@ def test_files_of_every_origin_read_the_same(controller, end, encoding, case):
 
 
 @pytest.mark.parametrize("controller", LANGUAGES)
-@pytest.mark.parametrize("data", [b"\x00\x01\x02", "G0 X1\n".encode("utf-16"), b"G1 X1\n\x7fELF\x00", bytes(range(256))])
+@pytest.mark.parametrize(
+    "data", [b"\x00\x01\x02", "G0 X1\n".encode("utf-16"), b"G1 X1\n\x7fELF\x00", bytes(range(256))]
+)
 def test_a_binary_file_is_refused_in_one_line_with_line_and_column(controller, data):
     with pytest.raises(ProgramError, match=r"^line \d+, column \d+: .*plain text file$") as caught:
         read(data, controller)
@@ -324,9 +348,14 @@ def test_one_wrong_byte_in_a_good_program_gives_no_traceback(controller, place, 
 
 @pytest.mark.parametrize("controller", LANGUAGES)
 def test_a_long_program_is_read_in_columns(controller):
-    """Ten thousand lines in which the guide is switched on and off, and a great many blocks without: no line is lost."""
-    block = {"linuxcnc": "G1 X{} F100\n", "siemens840d": "G1 X={} F100\n", "heidenhain": "L X+{} F100\n"}[controller]
-    head = {"linuxcnc": "G21 G90\nG0", "siemens840d": "G710 G90\nG0", "heidenhain": "BEGIN PGM A MM\nL"}[controller]
+    """Ten thousand lines in which the guide is switched on and off, and a great many blocks without: no line
+    is lost."""
+    block = {"linuxcnc": "G1 X{} F100\n", "siemens840d": "G1 X={} F100\n", "heidenhain": "L X+{} F100\n"}[
+        controller
+    ]
+    head = {"linuxcnc": "G21 G90\nG0", "siemens840d": "G710 G90\nG0", "heidenhain": "BEGIN PGM A MM\nL"}[
+        controller
+    ]
     text = f"{head} X0 Y0 Z0 A0 C0\n" + "".join(block.format(k % 7) for k in range(100_000))
     program = read(text, controller)
     assert len(program.words) == 100_001 and program.line[-1] == 100_002
@@ -337,7 +366,8 @@ KLARTEXT = "0 BEGIN PGM 1 MM\n1 L X+0 Y+0 Z+0 A+0 C+0 FMAX\n2 L X+5 F100\n"
 
 
 @pytest.mark.parametrize(
-    ("line", "places"), [("L M140 MB MAX", 2), ("M140 MB MAX", 2), ("L Z-1 R F MAX M91", 2), ("L X+6 R F MAX", 3)]
+    ("line", "places"),
+    [("L M140 MB MAX", 2), ("M140 MB MAX", 2), ("L Z-1 R F MAX M91", 2), ("L X+6 R F MAX", 3)],
 )
 def test_klartext_with_blanks_in_its_words_is_read(line: str, places: int) -> None:
     program = read(f"{KLARTEXT}3 {line}\n", "heidenhain")
@@ -351,11 +381,21 @@ def test_the_last_line_of_a_heidenhain_iso_program_is_its_name_once_more() -> No
 
 @pytest.mark.parametrize(
     ("first", "scale", "said"),
-    [("%123 G71 *", 1.0, True), ("% part1 G70*", 25.4, True), ("\n%G70 G70 *", 25.4, True), ("%G70 *", 1.0, False)],
+    [
+        ("%123 G71 *", 1.0, True),
+        ("% part1 G70*", 25.4, True),
+        ("\n%G70 G70 *", 25.4, True),
+        ("%G70 *", 1.0, False),
+    ],
 )
-def test_the_first_line_of_a_heidenhain_iso_program_says_its_unit(first: str, scale: float, said: bool) -> None:
+def test_the_first_line_of_a_heidenhain_iso_program_says_its_unit(
+    first: str, scale: float, said: bool
+) -> None:
     """A name may look like the unit's word where it begins right after the %."""
-    program = read(f"{first}\nN10 G00 G90 X+0 Y+0 Z+0 A+0 C+0*\nN20 G01 X+5 A+3 F100*\nN9999 {first.strip()}\n", "heidenhain")
+    program = read(
+        f"{first}\nN10 G00 G90 X+0 Y+0 Z+0 A+0 C+0*\nN20 G01 X+5 A+3 F100*\nN9999 {first.strip()}\n",
+        "heidenhain",
+    )
     np.testing.assert_allclose(program.words[1, [0, 3, 4]], [5 * scale, 0, 3])
     assert ("units-not-said" in codes_of(program)) is not said
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Functions that move nothing: the shipped table, a machine file's own, what beside them moves, and what may not be named."""
+"""Functions that move nothing: the shipped table, a machine file's own, what beside them moves, and what may
+not be named."""
 
 from __future__ import annotations
 
@@ -29,7 +30,13 @@ def poor(program) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    "line", [TUNING.format("392 ATC"), "CYCL DEF9.0 DWELL\nCYCL DEF9.1 DWELL2\n", "M202(0.0024)\n", "L M202(0.0024)\n"]
+    "line",
+    [
+        TUNING.format("392 ATC"),
+        "CYCL DEF9.0 DWELL\nCYCL DEF9.1 DWELL2\n",
+        "M202(0.0024)\n",
+        "L M202(0.0024)\n",
+    ],
 )
 def test_what_moves_nothing_is_no_finding(line: str) -> None:
     program = klartext(f"{line}L X+5 F100\nL X+7\n")
@@ -46,7 +53,9 @@ def test_high_precision_contour_control_is_no_spline(controller: str) -> None:
 
 
 def test_what_stands_beside_such_a_function_is_read() -> None:
-    program = klartext("L X+5 M202(0.0024) Y+2 F100\n" + TUNING.format("392 ATC") + "CYCL DEF 7.1 X+10\nL X+5\n")
+    program = klartext(
+        "L X+5 M202(0.0024) Y+2 F100\n" + TUNING.format("392 ATC") + "CYCL DEF 7.1 X+10\nL X+5\n"
+    )
     assert path(program) == ["f 5 2 20", "f 15 2 20"]
     for line in ("G5 P0 Q-3 X2 Y2 I0 J3", "X2 Y2 I0 J3 G5 P0 Q-3", "G05 P10000 X4"):
         assert "spline-not-interpreted" in errors(read(ISO + line + "\nX5\n", "linuxcnc"))
@@ -57,7 +66,10 @@ def test_other_cycles_and_functions_in_brackets_are_named_until_the_machine_file
     assert poor(program) == ["unknown-code", "cycle-not-interpreted"] and path(program) == ["f 5 0 20"]
     assert [found.line for found in program.findings if found.code == "unknown-code"] == [7]
     program = klartext("L F100\n" + TUNING.format("361 CHECK") + "M317(2)\nL X+5\n", "CYCL DEF 361", "M317")
-    assert not poor(program) and [(found.code, found.line) for found in program.findings] == [("no-motion", 4), ("no-motion", 7)]
+    assert not poor(program) and [(found.code, found.line) for found in program.findings] == [
+        ("no-motion", 4),
+        ("no-motion", 7),
+    ]
     other = klartext("L F100\n" + TUNING.format("361 CHECK") + "L X+5\n", "CYCL DEF 36" + "2")
     assert poor(other) == ["cycle-not-interpreted"]
 
@@ -114,7 +126,9 @@ def test_a_wrong_value_is_refused_in_one_line(value, tmp_path, capsys) -> None:
 
 def test_the_audit_of_a_machine_with_its_own_names(tmp_path, capsys) -> None:
     data = json.loads((machine_folder() / "trunnion_ac.fcm").read_text(encoding="utf-8"))
-    (tmp_path / "a.h").write_text(HEAD + TUNING.format("361 CHECK") + "L X+5 F100\nL X+6\nEND PGM T MM\n", encoding="utf-8")
+    (tmp_path / "a.h").write_text(
+        HEAD + TUNING.format("361 CHECK") + "L X+5 F100\nL X+6\nEND PGM T MM\n", encoding="utf-8"
+    )
     (tmp_path / "a.fcm").write_text(json.dumps(data), encoding="utf-8")
     assert main(["audit", str(tmp_path / "a.h"), "--machine", str(tmp_path / "a.fcm")]) == 1
     data["fiveaxis"]["no_motion"] = ["CYCL DEF 361"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands around a program and is none of it is a finding, not a refusal; what could move something is never taken for it."""
+"""What stands around a program and is none of it is a finding, not a refusal; what could move something is
+never taken for it."""
 
 from __future__ import annotations
 
@@ -26,20 +27,28 @@ LISTING = (
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("controller", ["fanuc", "linuxcnc"])
-def test_it_is_found_and_the_program_is_read(text: str, line: int, severity: Severity, controller: str) -> None:
+def test_it_is_found_and_the_program_is_read(
+    text: str, line: int, severity: Severity, controller: str
+) -> None:
     program = read(text, controller)
     assert path(program) == ["f 5 0 20"]
-    assert [(one.line, one.severity) for one in program.findings if one.code == "not-nc-text"] == [(line, severity)]
+    assert [(one.line, one.severity) for one in program.findings if one.code == "not-nc-text"] == [
+        (line, severity)
+    ]
 
 
 def test_siemens_has_words_that_begin_with_o() -> None:
     body = "G710 G90\nTRAORI\nORIWKS ORIAXES\nG0 X0 Y0 Z20 A0 C0\nG1 X5 F100\nM30\n"
     assert not [one for one in read(body, "siemens840d").findings if one.code == "not-nc-text"]
     program = read("O NONAME\n" + LISTING + body, "siemens840d")
-    assert [one.line for one in program.findings if one.code == "not-nc-text"] == [2, 1] and len(program.words) == 2
+    assert [one.line for one in program.findings if one.code == "not-nc-text"] == [2, 1] and len(
+        program.words
+    ) == 2
 
 
-@pytest.mark.parametrize("text", ["O NONAME X5\n", "OFINAL G1X5\n", "Date: today\n", "A comment\n", "G1 X1\x03\n" + BODY])
+@pytest.mark.parametrize(
+    "text", ["O NONAME X5\n", "OFINAL G1X5\n", "Date: today\n", "A comment\n", "G1 X1\x03\n" + BODY]
+)
 def test_what_could_move_something_or_is_anything_else_is_refused(text: str) -> None:
     with pytest.raises(ProgramError):
         read(text + BODY, "fanuc")
@@ -52,8 +61,12 @@ def test_the_rest_of_a_line_with_a_colon_is_read() -> None:
 
 
 def test_words_of_linuxcnc_with_o_are_no_names() -> None:
-    program = read("O<NAME> SUB\nG1 X5 F100\nO<NAME> ENDSUB\nG21 G90\nG0 X0 Y0 Z20 A0 C0\nO<NAME> CALL\nM2\n", "linuxcnc")
-    assert path(program) == ["f 5 0 20"] and not [one for one in program.findings if one.code == "not-nc-text"]
+    program = read(
+        "O<NAME> SUB\nG1 X5 F100\nO<NAME> ENDSUB\nG21 G90\nG0 X0 Y0 Z20 A0 C0\nO<NAME> CALL\nM2\n", "linuxcnc"
+    )
+    assert path(program) == ["f 5 0 20"] and not [
+        one for one in program.findings if one.code == "not-nc-text"
+    ]
 
 
 @pytest.mark.parametrize("controller", ["heidenhain", "fanuc", "linuxcnc"])
@@ -66,5 +79,8 @@ def test_din_iso_of_heidenhain_ends_with_its_name(controller: str) -> None:
 
 @pytest.mark.parametrize("number", ["", "0 ", "1 ", "10 "])
 def test_klartext_shows_its_language_whatever_number_its_first_block_has(number: str) -> None:
-    program = read(f"{number}BEGIN PGM T MM\n; a note\nL X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\nL X+5 F100\nEND PGM T MM\n", "linuxcnc")
+    program = read(
+        f"{number}BEGIN PGM T MM\n; a note\nL X+0 Y+0 Z+20 A+0 C+0 R0 FMAX\nL X+5 F100\nEND PGM T MM\n",
+        "linuxcnc",
+    )
     assert path(program) == ["f 5 0 20"] and [one.code for one in program.findings] == ["other-language"]

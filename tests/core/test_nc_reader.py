@@ -23,7 +23,10 @@ ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 
 def trunnion() -> Chain:
-    x, y, z = (Axis(name, False, "head", tuple(row), max_rate=6000.0) for name, row in zip("XYZ", np.eye(3), strict=True))
+    x, y, z = (
+        Axis(name, False, "head", tuple(row), max_rate=6000.0)
+        for name, row in zip("XYZ", np.eye(3), strict=True)
+    )
     c = Axis("C", True, "table", (0, 0, 1), max_rate=np.pi)
     a = Axis("A", True, "table", (1, 0, 0), max_rate=np.pi)
     return chain(Machine("trunnion", (c, a, x, y, z)), Setup())
@@ -164,7 +167,9 @@ def test_axes_that_the_first_block_does_not_name_are_said_to_be_taken_as_zero() 
         (b"G55", "work-offset-change", WARNING),
     ],
 )
-def test_what_is_not_interpreted_is_a_finding_with_its_line(line: bytes, code: str, severity: Severity) -> None:
+def test_what_is_not_interpreted_is_a_finding_with_its_line(
+    line: bytes, code: str, severity: Severity
+) -> None:
     program = read(b"G54\n" + HEAD + b"G1 X3\n" + line + b"\nG1 X7\n")
     found = [finding for finding in program.findings if finding.code == code]
     assert found and found[0].severity is severity
@@ -172,7 +177,9 @@ def test_what_is_not_interpreted_is_a_finding_with_its_line(line: bytes, code: s
     assert program.words[-1, 0] == 7 or b"G91" in line
 
 
-@pytest.mark.parametrize(("word", "named"), [(b"D0", False), (b"D00", False), (b"D1", True), (b"", True), (b"\nD0", True)])
+@pytest.mark.parametrize(
+    ("word", "named"), [(b"D0", False), (b"D00", False), (b"D1", True), (b"", True), (b"\nD0", True)]
+)
 def test_a_compensation_by_d0_is_none(word: bytes, named: bool) -> None:
     program = read(HEAD + b"G41 G1 X3 " + word + b"\nG1 X7\nG40\n")
     assert ("compensation-not-interpreted" in [found.code for found in program.findings]) is named
@@ -187,7 +194,9 @@ def test_a_full_circle_needs_no_word_of_an_axis() -> None:
 def test_an_arc_without_a_centre_is_taken_as_straight_and_a_cycle_left_out() -> None:
     program = read(HEAD + b"G2 X1 I1 J0\nX2 I1\nG87 X5 Z-1 R2\nX6\nG80\nG1 X7\n")
     assert program.words[:, 0].tolist() == [0, 1, 2, 7]
-    assert not [found for found in program.findings if found.code == "word-not-interpreted" and "I" in found.text]
+    assert not [
+        found for found in program.findings if found.code == "word-not-interpreted" and "I" in found.text
+    ]
 
 
 def test_moves_to_machine_positions_and_dwells_are_no_blocks() -> None:
@@ -220,14 +229,26 @@ def test_what_is_no_word_is_refused_with_line_and_column(line: bytes, where: str
 
 
 @pytest.mark.parametrize(
-    "text", [b"", b"\n\n", b"(only a comment)", b"M30\n", b"G0\nG1 F5\n", b"T1 M6\nS1000 M3\n", b"M2\nG0 X1\n", b"G1 B5 F1\n"]
+    "text",
+    [
+        b"",
+        b"\n\n",
+        b"(only a comment)",
+        b"M30\n",
+        b"G0\nG1 F5\n",
+        b"T1 M6\nS1000 M3\n",
+        b"M2\nG0 X1\n",
+        b"G1 B5 F1\n",
+    ],
 )
 def test_a_text_without_motion_is_refused(text: bytes) -> None:
     with pytest.raises(ProgramError, match="no motion blocks"):
         read(text)
 
 
-@pytest.mark.parametrize("data", [b"\x00\x01\x02", b"G0 X1\x00", bytes(range(256)), "G0 X1\n".encode("utf-16")])
+@pytest.mark.parametrize(
+    "data", [b"\x00\x01\x02", b"G0 X1\x00", bytes(range(256)), "G0 X1\n".encode("utf-16")]
+)
 def test_a_binary_file_is_refused(data: bytes) -> None:
     with pytest.raises(ProgramError, match="text file"):
         read(data)
@@ -323,13 +344,20 @@ def test_the_machine_file_rules_how_a_rotary_word_is_taken(controller: str) -> N
         assert by_file[wrap].words[:, 3].tolist() == [350, 359.857, 7.501]
         assert ("wrap-contradicted", WARNING) in kinds(by_file[wrap])
     said = [found for found in by_file["modulo"].findings if found.code == "wrap-contradicted"]
-    assert len(said) == (0 if controller == "fanuc" else 1) and all("only if it is set" in one.text for one in said)
+    assert len(said) == (0 if controller == "fanuc" else 1) and all(
+        "only if it is set" in one.text for one in said
+    )
 
 
 def test_words_that_count_on_contradict_a_machine_file_that_says_modulo() -> None:
     axes = tuple(replace(axis, wrap="modulo") if axis.rotary else axis for axis in LINKS.axes)
     program = read_nc(HEAD + b"G1 C200\nC400\nC700\n", replace(LINKS, axes=axes), DIALECTS["haas"])
-    assert ("wrap-contradicted", WARNING) in kinds(program) and program.words[:, 3].tolist() == [0, -160, -320, -380]
+    assert ("wrap-contradicted", WARNING) in kinds(program) and program.words[:, 3].tolist() == [
+        0,
+        -160,
+        -320,
+        -380,
+    ]
 
 
 UNSAID = b"G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X10 A90 F40\nG2 X12 Y0 I1 J0\n"
@@ -338,14 +366,18 @@ UNSAID = b"G90 G94\nG0 X0 Y0 Z0 A0 C0\nG1 X10 A90 F40\nG2 X12 Y0 I1 J0\n"
 def test_units_that_nobody_said_are_a_warning_that_weighs_size_and_feed() -> None:
     (doubted,) = [found for found in read(UNSAID).findings if found.code == "units-not-said"]
     assert doubted.severity is WARNING and "rather those of inches" in doubted.text and "12" in doubted.text
-    (taken,) = [found for found in read(UNSAID.replace(b"F40", b"F900")).findings if found.code == "units-not-said"]
+    (taken,) = [
+        found for found in read(UNSAID.replace(b"F40", b"F900")).findings if found.code == "units-not-said"
+    ]
     assert "taken as mm" in taken.text and "rather those" not in taken.text and "--units" in str(taken.text)
 
 
 @pytest.mark.parametrize(("units", "scale"), [("mm", 1.0), ("inch", 25.4)])
 def test_units_that_are_told_hold_where_the_program_says_none(units: str, scale: float) -> None:
     program = read_nc(UNSAID, LINKS, DIALECTS["linuxcnc"], assumed=Assumed(units))
-    assert program.words[1].tolist() == [10 * scale, 0, 0, 0, 90] and program.feed[1] == pytest.approx(40 * scale)
+    assert program.words[1].tolist() == [10 * scale, 0, 0, 0, 90] and program.feed[1] == pytest.approx(
+        40 * scale
+    )
     assert program.words[-1, 0] == pytest.approx(12 * scale)
     top = program.words[2:, 1].max()
     assert top == pytest.approx(scale, rel=1e-2)  # the arc is of radius 1 in the same units
@@ -358,16 +390,28 @@ BARE = b"O1\nG21 G90 G94\nG0 X0 Y0 Z10\nA0 C0\nG1 X100 Y50. Z0 F1000\nX150 A10 C
 
 
 @pytest.mark.parametrize("controller", DIALECTS)
-def test_words_without_a_point_are_counted_where_the_controller_may_take_them_for_increments(controller: str) -> None:
-    found = [one for one in read_nc(BARE, LINKS, DIALECTS[controller]).findings if one.code == "no-decimal-point"]
+def test_words_without_a_point_are_counted_where_the_controller_may_take_them_for_increments(
+    controller: str,
+) -> None:
+    found = [
+        one for one in read_nc(BARE, LINKS, DIALECTS[controller]).findings if one.code == "no-decimal-point"
+    ]
     assert len(found) == (controller in ("fanuc", "haas"))
     for one in found:
-        assert (one.severity, one.value, one.line) == (NOTE, 5.0, 3) and "Z10 is 10" in one.text and "0.01" in one.text
+        assert (
+            (one.severity, one.value, one.line) == (NOTE, 5.0, 3)
+            and "Z10 is 10" in one.text
+            and "0.01" in one.text
+        )
 
 
 @pytest.mark.parametrize(("head", "step"), [(b"G21", 1e-3), (b"G20", 25.4e-4)])
-def test_least_increments_are_thousandths_of_a_millimetre_and_a_degree_or_ten_thousandths_of_an_inch(head, step) -> None:
-    program = read_nc(BARE.replace(b"G21", head), LINKS, DIALECTS["haas"], assumed=Assumed(decimal="least-increment"))
+def test_least_increments_are_thousandths_of_a_millimetre_and_a_degree_or_ten_thousandths_of_an_inch(
+    head, step
+) -> None:
+    program = read_nc(
+        BARE.replace(b"G21", head), LINKS, DIALECTS["haas"], assumed=Assumed(decimal="least-increment")
+    )
     inch = 25.4 if head == b"G20" else 1.0
     assert program.words[-1] == pytest.approx([150 * step, 50 * inch, 0, 0.005, 0.01])
     assert program.feed[-1] == pytest.approx(1000 * inch)  # F is no word of a place

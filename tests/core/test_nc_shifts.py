@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shifts of the zero in all three languages: by hand, as LinuxCNC moves, and with tilted planes; what is not known is never silent."""
+"""Shifts of the zero in all three languages: by hand, as LinuxCNC moves, and with tilted planes; what is not
+known is never silent."""
 
 from __future__ import annotations
 
@@ -45,7 +46,12 @@ def test_g52_counts_for_the_axes_that_it_names_until_it_is_taken_back() -> None:
 def test_g52_moves_arcs_by_their_centres_cycles_with_their_r_and_inches() -> None:
     arc = read(HEAD["linuxcnc"] + "G52 X10 Y5\nG0 X1 Y0\nG90.1 G3 X-1 Y0 I0 J0 F50\n")
     np.testing.assert_allclose(np.hypot(*(arc.words[1:, :2] - [10, 5]).T), 1.0, atol=1e-9)
-    assert after("G52 Y5. Z-3.\nG98 G81 X1. Y1. R2. Z-5.\nG80\n", "fanuc") == ["r 1 6 20", "r 1 6 -1", "f 1 6 -8", "r 1 6 20"]
+    assert after("G52 Y5. Z-3.\nG98 G81 X1. Y1. R2. Z-5.\nG80\n", "fanuc") == [
+        "r 1 6 20",
+        "r 1 6 -1",
+        "f 1 6 -8",
+        "r 1 6 20",
+    ]
     stepped = after("G52 Y5. Z-3.\nG91 G98 G81 X1. Y1. R-18. Z-5.\nG80\n", "fanuc")
     assert stepped == ["r 1 1 20", "r 1 1 2", "f 1 1 -3", "r 1 1 20"]
     assert after("G52 X10.\nG20\nG1 X1.\n", "fanuc") == ["f 35.4 0 20"]
@@ -77,7 +83,12 @@ def test_g52_moves_as_linuxcnc_moves(seed: int, tmp_path: Path) -> None:
 
 def test_trans_is_of_all_axes_and_atrans_goes_on() -> None:
     text = "TRANS X10 Y=2*1\nG1 X1 Y1\nATRANS X=5 Z-1\nX1 Z0\nTRANS Z7\nX1 Y1 Z1\nG0 SUPA X99\nTRANS\nG1 X=IC(1) Z=3\n"
-    assert after("R1=2\n" + text.replace("2*1", "R1"), "siemens840d") == ["f 11 3 20", "f 16 3 -1", "f 1 1 8", "f 2 1 3"]
+    assert after("R1=2\n" + text.replace("2*1", "R1"), "siemens840d") == [
+        "f 11 3 20",
+        "f 16 3 -1",
+        "f 1 1 8",
+        "f 2 1 3",
+    ]
     assert after("TRANS X10\nG0 X0 Y0\nG2 X2 Y0 I=AC(1) J=AC(0)\n", "siemens840d")[-1] == "f 12 0 20"
 
 
@@ -88,7 +99,10 @@ def test_shifts_of_klartext_are_absolute_or_on_and_by_parameters() -> None:
     )
     expected = ["f 11 6 20", "f 12 6 4", "f 7 6 4", "f 1 1 1"]
     assert after("Q1=7\n" + text, "heidenhain") == expected == after(text.replace("Q1", "7"), "heidenhain")
-    centre = read(HEAD["heidenhain"] + "CYCL DEF 7.1 X+10\nL X+1 Y+0 FMAX\nCC X+0 Y+0\nC X-1 Y+0 DR+ F50\n", "heidenhain")
+    centre = read(
+        HEAD["heidenhain"] + "CYCL DEF 7.1 X+10\nL X+1 Y+0 FMAX\nCC X+0 Y+0\nC X-1 Y+0 DR+ F50\n",
+        "heidenhain",
+    )
     np.testing.assert_allclose(np.hypot(*(centre.words[1:, :2] - [10, 0]).T), 1.0, atol=1e-9)
 
 
@@ -113,7 +127,9 @@ def test_a_shift_before_a_plane_moves_its_zero_and_one_in_it_counts_there() -> N
     shift = np.array([4.0, -5.0, 6.0])
     lies(klartext(f"{SHIFT}\n{PLANE}"), TRUNNION, (4, -5, 6), TURN)
     lies(klartext(f"{PLANE}\nTRANS DATUM AXIS X+4 Y-5 Z+6"), TRUNNION, tuple(TURN @ shift), TURN)
-    lies(klartext(f"{SHIFT}\n{PLANE}\nTRANS DATUM AXIS IY+2"), TRUNNION, tuple(shift + TURN @ [0, 2, 0]), TURN)
+    lies(
+        klartext(f"{SHIFT}\n{PLANE}\nTRANS DATUM AXIS IY+2"), TRUNNION, tuple(shift + TURN @ [0, 2, 0]), TURN
+    )
     back = klartext(f"{SHIFT}\n{PLANE}\nL X+0 F100\nPLANE RESET STAY\nL X+1 Y+1 Z+50\nTRANS DATUM RESET")
     assert back.words[3, :3].tolist() == [5, -4, 56]
     swivelled = 'CYCLE800(0,"TC1",0,57,1,2,3,30,0,0,0,0,0,1)'
@@ -132,13 +148,16 @@ def test_g52_stands_before_the_plane_of_g68_2_and_not_in_it() -> None:
     moved(read_on(bare.format("G52 X4 Y-5 Z6\n", ""), "fanuc"), np.array([4, -5, 6]), about)
     within = read_on(text.format("", "G52 X4\n"), "fanuc")
     assert [
-        (found.line, "tilted plane" in found.text) for found in within.findings if found.code == "offset-not-interpreted"
+        (found.line, "tilted plane" in found.text)
+        for found in within.findings
+        if found.code == "offset-not-interpreted"
     ] == [(5, True)]
 
 
 @pytest.mark.parametrize("end", ["PLANE RESET STAY", PLANE])
 @pytest.mark.parametrize(
-    ("then", "known"), [("", False), ("CYCL DEF 7.1 X+0", True), ("CYCL DEF 7.2 Y+0", False), ("TRANS DATUM RESET", True)]
+    ("then", "known"),
+    [("", False), ("CYCL DEF 7.1 X+0", True), ("CYCL DEF 7.2 Y+0", False), ("TRANS DATUM RESET", True)],
 )
 def test_moves_after_a_plane_that_ends_with_a_shift_in_it_are_named(end: str, then: str, known: bool) -> None:
     program = klartext(f"{PLANE}\nTRANS DATUM AXIS X+4\nL X+1 F100\n{end}\n{then}\nL X+9")
@@ -170,7 +189,9 @@ def test_relative_planes_go_on_from_the_one_that_is_on() -> None:
         ("heidenhain", "N50 G53 P01 5", "G53"), ("heidenhain", "N50 G54 X+10 B+5", "G54"), ("siemens840d", "TRANS X10 C5", "TRANS"), ("siemens840d", "ASCALE X2", "ASCALE"), ("siemens840d", "ATRANS C5\nROT Z0", "ATRANS"), ("siemens840d", "TRANS X=R7", "R7"),
     ],
 )  # fmt: skip
-def test_what_is_not_known_of_shifts_planes_and_boring_is_an_error_by_name_with_a_remedy(controller, line, name) -> None:
+def test_what_is_not_known_of_shifts_planes_and_boring_is_an_error_by_name_with_a_remedy(
+    controller, line, name
+) -> None:
     end = {"fanuc": "G69\nG80\n", "haas": "G69\nG80\n", "linuxcnc": "G80\n"}.get(controller, "")
     program = read(HEAD.get(controller, HEAD["fanuc"]) + line + "\n" + end + "L X+3 F100\n" * (controller == "heidenhain") +
                    "G1 X3. F100\n" * (controller != "heidenhain"), controller)  # fmt: skip

@@ -41,7 +41,9 @@ def test_called_programs_are_found_and_run(text: str, ends: list[tuple[float, fl
     assert program.line[1] in (3, 4)  # that of the call
 
 
-@pytest.mark.parametrize("text", ["L100", "N20 L7 P2", "ROW(3)", "ROW", 'EXTCALL "ROW.SPF"', "CALL ROW", "MCALL L100"])
+@pytest.mark.parametrize(
+    "text", ["L100", "N20 L7 P2", "ROW(3)", "ROW", 'EXTCALL "ROW.SPF"', "CALL ROW", "MCALL L100"]
+)
 def test_a_call_that_is_not_found_is_an_error_with_its_line(text: str) -> None:
     program = read(HEAD + text + "\nX8\n", "siemens840d")
     found = [one for one in program.findings if one.code == "call-not-interpreted"]
@@ -51,10 +53,16 @@ def test_a_call_that_is_not_found_is_an_error_with_its_line(text: str) -> None:
 def test_values_beyond_the_head_are_named_and_the_place_of_a_call_alone_counts(folder: Path) -> None:
     program = read(HEAD + "ROW(1,2,3)\n", "siemens840d", Assumed(search=(str(folder),)))
     assert "more values" in program.findings[0].text and program.findings[0].line == 3
-    assert not errors(read(HEAD + "TRAORI\nTRAFOOF\nCYCLE832(0.1)\nSUPA\nX1\n", "siemens840d", Assumed(search=(str(folder),))))
+    assert not errors(
+        read(
+            HEAD + "TRAORI\nTRAFOOF\nCYCLE832(0.1)\nSUPA\nX1\n", "siemens840d", Assumed(search=(str(folder),))
+        )
+    )
 
 
-def test_the_program_lies_beside_or_in_a_folder_that_is_named(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_program_lies_beside_or_in_a_folder_that_is_named(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     apart = folder / "apart"
     apart.mkdir()
     text = HEAD + "L100\nX8\nM30\n"

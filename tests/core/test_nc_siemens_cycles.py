@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Siemens' drilling cycles: by hand, against the same holes written in straight moves, and named where they are not known."""
+"""Siemens' drilling cycles: by hand, against the same holes written in straight moves, and named where they
+are not known."""
 
 from __future__ import annotations
 
@@ -81,7 +82,9 @@ def test_a_modal_cycle_runs_after_each_block_that_moves_until_mcall() -> None:
         "MCALL CYCLE85(10,0,2,-9,,,30,60)\nX10 Y10\nM8\nG1 X20 F200\nS900\nG2 X30 I5 J0\nMCALL\nG0 X0\nCYCLE81(10,0,2,-5)\nX1\n"
     )
     hole = "G0 Z2\nG1 Z-9 F30\nZ2 F60\nG0 Z10\n"
-    plain = f"G0 X10 Y10\n{hole}G1 X20 F200\n{hole}G2 X30 I5 J0 F200\n{hole}G0 X0\nZ2\nG1 Z-5 F200\nG0 Z10\nX1\n"
+    plain = (
+        f"G0 X10 Y10\n{hole}G1 X20 F200\n{hole}G2 X30 I5 J0 F200\n{hole}G0 X0\nZ2\nG1 Z-5 F200\nG0 Z10\nX1\n"
+    )
     same(modal, read(plain))
     assert {4, 6, 8, 10, 11, 12} == set(modal.line[1:].tolist())
 
@@ -100,7 +103,16 @@ def test_steps_inches_planes_and_what_was_in_force_stay() -> None:
 def test_values_by_parameters_are_worked_out_where_the_cycle_is_called() -> None:
     text = "R1=4 R2=-2\nAGAIN: MCALL CYCLE82(R1+6,0,2,R2*(1+ABS(R2)),,R5)\nX=R1\nMCALL\nR1=R1+1\nIF R1<6 GOTOB AGAIN\n"
     program = read("R5=1\n" + text)
-    assert path(program) == ["r 4 6 50", "r 4 6 2", "f 4 6 -6", "r 4 6 10", "r 5 6 10", "r 5 6 2", "f 5 6 -6", "r 5 6 11"]
+    assert path(program) == [
+        "r 4 6 50",
+        "r 4 6 2",
+        "f 4 6 -6",
+        "r 4 6 10",
+        "r 5 6 10",
+        "r 5 6 2",
+        "f 5 6 -6",
+        "r 5 6 11",
+    ]
     assert set(program.line[1:].tolist()) == {6} and not errors(program)
     unset = read(text)
     assert any("R5" in found.text and found.severity is Severity.ERROR for found in unset.findings)
@@ -148,9 +160,11 @@ def test_digits_behind_a_call_are_not_read_as_a_part_of_it(text: str) -> None:
 
 def test_at_machine_positions_and_under_g93_a_cycle_is_named() -> None:
     program = read("MCALL CYCLE81(10,0,2,-5)\nG0 SUPA X1\nMCALL\nX2\n")
-    assert [(found.line, "machine position" in found.text) for found in program.findings if found.severity is Severity.ERROR] == [
-        (4, True)
-    ]
+    assert [
+        (found.line, "machine position" in found.text)
+        for found in program.findings
+        if found.severity is Severity.ERROR
+    ] == [(4, True)]
     fixed = read("MCALL CYCLE81(10,0,2,-5)\nG75 X1\nMCALL\nG111 X3 Y3\nX2\n")
     assert "cycle-not-interpreted" in errors(fixed) and fixed.line.tolist() == [2, 7]
     assert errors(read("G93 G1 X1 F10\nCYCLE81(10,0,2,-5)\nG94\n")) == ["cycle-not-interpreted"]
@@ -158,12 +172,16 @@ def test_at_machine_positions_and_under_g93_a_cycle_is_named() -> None:
 
 def test_a_modal_call_of_something_else_ends_the_cycle_and_is_named() -> None:
     program = read("MCALL CYCLE81(10,0,2,-5)\nX1\nMCALL L10\nX2\nMCALL\nX3\n")
-    assert path(program)[-3:] == ["r 1 6 10", "r 2 6 10", "r 3 6 10"] and errors(program) == ["call-not-interpreted"]
+    assert path(program)[-3:] == ["r 1 6 10", "r 2 6 10", "r 3 6 10"] and errors(program) == [
+        "call-not-interpreted"
+    ]
     pattern = read("MCALL CYCLE81(10,0,2,-5)\nHOLES1(0,0,0,5,10,3)\nMCALL\nX1\n")
     assert errors(pattern) == ["cycle-not-interpreted"] and path(pattern) == ["r 1 6 50"]
 
 
-def test_a_program_without_cycles_is_the_same_object_and_too_many_moves_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_program_without_cycles_is_the_same_object_and_too_many_moves_are_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     words = read_words(HEAD.encode() + b"X1\n", "siemens")
     assert siemens_holes.holes_written_out(words, Lines(words, Assumed()), codes.SIEMENS)[0] is words
     monkeypatch.setattr(siemens_holes, "MOST", 5)

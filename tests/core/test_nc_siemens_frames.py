@@ -42,6 +42,8 @@ def test_a_guided_tip_and_its_vectors_stand_in_a_frame() -> None:
     assert not errors(turned) and turned.guided is not None and plain.guided is not None
     np.testing.assert_allclose(turned.words[-1], plain.words[-1], atol=1e-9)
     vector = read_on(HEAD + moved.format("AROT X90\n", "A3=0 B3=0 C3=1"), "siemens840d")
-    straight = read_on(HEAD + moved.format("", "A3=0 B3=-1 C3=0").replace("X10 Y2 Z5", "X10 Y-5 Z2"), "siemens840d")
+    straight = read_on(
+        HEAD + moved.format("", "A3=0 B3=-1 C3=0").replace("X10 Y2 Z5", "X10 Y-5 Z2"), "siemens840d"
+    )
     np.testing.assert_allclose(vector.words[-1], straight.words[-1], atol=1e-9)
     assert abs(vector.words[-1, 4]) > 1.0  # it would be 0 were the vector not turned

@@ -30,7 +30,11 @@ def test_named_variables_are_read(text: str, ends: list[float]) -> None:
 
 @pytest.mark.parametrize(
     ("text", "said"),
-    [("DEF REAL A[3]\n", "A"), ("DEF AXIS _X\nX=_X\n", "interpreted"), ("IF _B>1\nX2\nENDIF\n_B=1\n", "_B was never set")],
+    [
+        ("DEF REAL A[3]\n", "A"),
+        ("DEF AXIS _X\nX=_X\n", "interpreted"),
+        ("IF _B>1\nX2\nENDIF\n_B=1\n", "_B was never set"),
+    ],
 )
 def test_variables_without_a_value_here_are_named(text: str, said: str) -> None:
     found = read(HEAD + text + "X8\n", "siemens840d").findings
@@ -38,7 +42,9 @@ def test_variables_without_a_value_here_are_named(text: str, said: str) -> None:
     assert said in found.text and found.code == "macro-not-interpreted"
 
 
-@pytest.mark.parametrize(("turn", "turns"), [("", 0.25), ("TURN=0", 0.25), ("TURN=2", 2.25), ("TURN=TIMES", 3.25)])
+@pytest.mark.parametrize(
+    ("turn", "turns"), [("", 0.25), ("TURN=0", 0.25), ("TURN=2", 2.25), ("TURN=TIMES", 3.25)]
+)
 def test_an_arc_with_turns_goes_round_and_ends_where_it_says(turn: str, turns: float) -> None:
     text = f"DEF INT TIMES=3\n{HEAD}X10\nG3 X0 Y10 Z0 I-10 J0 {turn}\n"
     program = read(text, "siemens840d")
@@ -62,4 +68,6 @@ def test_words_that_move_otherwise_are_errors(line: str, code: str) -> None:
 
 
 def test_a_program_that_fanuc_calls_from_outside_is_an_error() -> None:
-    assert errors(read("G21 G90 G0 X0. Y0. Z0. A0. C0.\nM198 P100\nG1 X5. F9.\n", "fanuc")) == ["call-not-interpreted"]
+    assert errors(read("G21 G90 G0 X0. Y0. Z0. A0. C0.\nM198 P100\nG1 X5. F9.\n", "fanuc")) == [
+        "call-not-interpreted"
+    ]

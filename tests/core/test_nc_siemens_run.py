@@ -39,7 +39,9 @@ def test_what_is_not_known_is_named_with_its_line(line: str, said: str) -> None:
     assert said in found[0].text and found[0].line == 3 + line.count("\n") and program.words[-1, 0] == 8
 
 
-def test_a_loop_that_does_not_end_is_refused_and_findings_keep_their_lines(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_loop_that_does_not_end_is_refused_and_findings_keep_their_lines(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(interpreter, "MOST", 20_000)
     with pytest.raises(ProgramError, match="does not end"):
         read(HEAD + "LOOP\nR1=1\nENDLOOP\n", "siemens840d")

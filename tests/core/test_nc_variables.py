@@ -33,14 +33,27 @@ def value(text: str, fanuc: bool = False) -> float | None:
         ("2+2EQ4AND3GT1", 1, None), ("[#100GT1]AND[#100LT5]", 1, 1), ("#7EQ#0", 1, 1), ("#7EQ0", 1, 0), (".5*-2", -1, -1),
     ],
 )  # fmt: skip
-def test_expressions_are_worked_out_as_each_control_means_them(text: str, linuxcnc: float, fanuc: float | None) -> None:
+def test_expressions_are_worked_out_as_each_control_means_them(
+    text: str, linuxcnc: float, fanuc: float | None
+) -> None:
     assert value(text) == pytest.approx(linuxcnc)
     if fanuc is not None:
         assert value(text, True) == pytest.approx(fanuc)
 
 
 @pytest.mark.parametrize(
-    "text", ["[" * 60 + "1" + "]" * 60, "#" * 60 + "1", "1+", "FOO[1]", "__IMPORT__", "#[0.5]", "#-1", "#5220", "#<a>"]
+    "text",
+    [
+        "[" * 60 + "1" + "]" * 60,
+        "#" * 60 + "1",
+        "1+",
+        "FOO[1]",
+        "__IMPORT__",
+        "#[0.5]",
+        "#-1",
+        "#5220",
+        "#<a>",
+    ],
 )
 def test_what_is_no_expression_is_refused(text: str) -> None:
     with pytest.raises(Unread):
@@ -61,13 +74,18 @@ def test_linuxcncs_words_and_settings(text: str, x: float) -> None:
 
 def test_a_word_with_a_vacant_variable_is_left_out_on_fanuc_and_zero_on_linuxcnc() -> None:
     text = HEAD + "G1 X5 Y5\nG1 X#1 Y3\n"
-    assert read(text, "fanuc").words[-1, :2].tolist() == [5, 3] and read(text).words[-1, :2].tolist() == [0, 3]
+    assert read(text, "fanuc").words[-1, :2].tolist() == [5, 3] and read(text).words[-1, :2].tolist() == [
+        0,
+        3,
+    ]
 
 
 def test_a_value_means_itself_where_words_count_the_least_increment() -> None:
     from freecad_fiveaxis.core.nc.reader import Assumed
 
-    program = read(HEAD.replace("Z20", "Z20.") + "#100=5\nG1 X#100 Y5000\n", "fanuc", Assumed(decimal="least-increment"))
+    program = read(
+        HEAD.replace("Z20", "Z20.") + "#100=5\nG1 X#100 Y5000\n", "fanuc", Assumed(decimal="least-increment")
+    )
     assert program.words[-1, :2].tolist() == [5, 5]
 
 
@@ -82,7 +100,11 @@ def test_a_value_means_itself_where_words_count_the_least_increment() -> None:
 def test_a_value_that_nobody_knows_is_named_with_its_line(line: str, said: str, controller: str) -> None:
     program = read(HEAD + "G1 X3\n" + line + "\nG1 X7\n", controller)
     found = [one for one in program.findings if one.severity is Severity.ERROR]
-    assert [one.code for one in found] == ["macro-not-interpreted"] and said in found[0].text and found[0].line == 4
+    assert (
+        [one.code for one in found] == ["macro-not-interpreted"]
+        and said in found[0].text
+        and found[0].line == 4
+    )
     assert program.words[:, 0].tolist()[-1] == 7 and len(program.words) == 3
 
 
@@ -103,7 +125,12 @@ def some_expression(dice: random.Random, depth: int = 3) -> str:
 @needs_rs274
 def test_any_expression_has_linuxcncs_value(tmp_path: Path) -> None:
     dice = random.Random(4)
-    text = HEAD + "#1=1.5\n#2=-2.25\n#<c>=3\n" + "".join(f"G1 X[{some_expression(dice)}] Y{k}\n" for k in range(300)) + "M2\n"
+    text = (
+        HEAD
+        + "#1=1.5\n#2=-2.25\n#<c>=3\n"
+        + "".join(f"G1 X[{some_expression(dice)}] Y{k}\n" for k in range(300))
+        + "M2\n"
+    )
     (tmp_path / "a.ngc").write_text(text)
     said = judged(tmp_path / "a.ngc")
     assert not said.refused, said.refused

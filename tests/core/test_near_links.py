@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Links that stay near the part: they spare air, and by another library's distances none of them leads the tool into it."""
+"""Links that stay near the part: they spare air, and by another library's distances none of them leads the
+tool into it."""
 
 from functools import cache
 
@@ -21,7 +22,13 @@ PARTS = {
     "knob": lambda: knob_in_corner(cells=16),
     "blade": lambda: blade_beside_hub(cells=16),
 }
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:8:40", "stepover": 2.0, "max_axis_angle": 60}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "cutter": "ball:8:40",
+    "stepover": 2.0,
+    "max_axis_angle": 60,
+}
 
 
 def milled_anew(part, **options):
@@ -44,7 +51,9 @@ def feed_blocks(program):
 def deepest(made):
     """How deep the cutter goes on any feed block, mm, by the judge."""
     blocks = feed_blocks(made.program)
-    return gouge_judge.judged(made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks).worst
+    return gouge_judge.judged(
+        made.mesh, made.settings.cutter.cutter, made.kinematics, made.program.words, blocks
+    ).worst
 
 
 @pytest.mark.thorough
@@ -63,7 +72,9 @@ def test_the_same_is_cut_with_less_air_and_the_judge_finds_nothing(part):
 def test_the_judge_would_see_a_near_link_that_is_not_free(monkeypatch):
     """All links on the surface, whatever is between their ends."""
     monkeypatch.setattr(near_links, "HEIGHTS", (0.0,))
-    monkeypatch.setattr(near_links, "_worthwhile", lambda path, gaps, lift, radius: np.ones(len(gaps.last), bool))
+    monkeypatch.setattr(
+        near_links, "_worthwhile", lambda path, gaps, lift, radius: np.ones(len(gaps.last), bool)
+    )
     monkeypatch.setattr(near_links, "_free", lambda path, last, *rest: np.ones(len(last), bool))
     assert deepest(milled_anew("knob", linearize="off")) > 0.1
 
@@ -78,11 +89,15 @@ def test_a_gap_lies_between_two_polylines_and_is_worth_what_it_takes():
     path = milled("step", links="over").path
     gaps = near_links.find_gaps(path)
     assert np.isin(path.motion[gaps.last], (Motion.CUT, Motion.FILL)).all()
-    assert (path.motion[gaps.first] == Motion.LINK).all() and (path.motion[gaps.first + 1] == Motion.CUT).all()
+    assert (path.motion[gaps.first] == Motion.LINK).all() and (
+        path.motion[gaps.first + 1] == Motion.CUT
+    ).all()
     for last, first, worth in zip(*gaps, strict=True):
         step_length = np.linalg.norm(np.diff(path.tip[last : first + 1], axis=0), axis=1)
         rapid = path.motion[last + 1 : first + 1] == Motion.RAPID
-        assert worth == pytest.approx(step_length[~rapid].sum() + near_links.RAPID_WORTH * step_length[rapid].sum())
+        assert worth == pytest.approx(
+            step_length[~rapid].sum() + near_links.RAPID_WORTH * step_length[rapid].sum()
+        )
 
 
 def test_rows_of_the_passes_stay_as_they_are():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Another spindle speed for a proven program is the whole job with that speed, to the last byte and finding."""
+"""Another spindle speed for a proven program is the whole job with that speed, to the last byte and
+finding."""
 
 import numpy as np
 import pytest
@@ -20,7 +21,14 @@ SPEEDS = ({}, {"spindle": "off"}, {"spindle": 9000, "coolant": "on"})
 
 
 def settings(controller: str, **options):
-    given = {"machine": "trunnion_ac", "controller": controller, "cutter": "ball:6", "stepover": 6, "tool": 3, **options}
+    given = {
+        "machine": "trunnion_ac",
+        "controller": controller,
+        "cutter": "ball:6",
+        "stepover": 6,
+        "tool": 3,
+        **options,
+    }
     return build_settings("mill", "gable.stl", given)
 
 

@@ -9,7 +9,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freecad_fiveaxis.core.base import number_text
-from freecad_fiveaxis.core.base.number_text import EXACT, Choice, Column, Units, nearest_whole, rounded, table, table_parts
+from freecad_fiveaxis.core.base.number_text import (
+    EXACT,
+    Choice,
+    Column,
+    Units,
+    nearest_whole,
+    rounded,
+    table,
+    table_parts,
+)
 
 
 def by_percent(columns: list[Column], end: bytes = b"\n") -> bytes:
@@ -29,37 +38,54 @@ def by_percent(columns: list[Column], end: bytes = b"\n") -> bytes:
     st.integers(0, 9),
     st.sampled_from([b"", b"X", b" Y", b"GOTO/"]),
 )
-def test_any_double_is_printed_as_percent_prints_it(values: list[float], decimals: int, prefix: bytes) -> None:
+def test_any_double_is_printed_as_percent_prints_it(
+    values: list[float], decimals: int, prefix: bytes
+) -> None:
     columns = [Column(prefix, np.array(values), decimals)]
     assert table(columns) == by_percent(columns)
 
 
 @pytest.mark.parametrize("decimals", range(10))
 @pytest.mark.parametrize("size", [1e-9, 1e-4, 1.0, 1e3, 9999.99999, 1e5, 1e9, 1e14, 1e18])
-def test_every_size_and_number_of_decimals_is_printed_as_percent_prints_it(decimals: int, size: float) -> None:
+def test_every_size_and_number_of_decimals_is_printed_as_percent_prints_it(
+    decimals: int, size: float
+) -> None:
     random = np.random.default_rng(int(size) % 1000 + decimals)
     values = random.uniform(-size, size, 200)
-    values[:40] = np.floor(values[:40]) + random.choice([0.5, 0.25, 0.125, 0.005, 0.05, 0.00005], 40)  # ties and near-ties
+    values[:40] = np.floor(values[:40]) + random.choice(
+        [0.5, 0.25, 0.125, 0.005, 0.05, 0.00005], 40
+    )  # ties and near-ties
     values[40:44] = 0.0, -0.0, 9999.99996, 99999999.5
     show = random.random(200) < 0.7
     whole = np.arange(200) * int(size + 1) - 5
     for prefix in (b"", b" X", b"LONG/"):
-        columns = [Column(prefix, values, decimals), Column(prefix, values[::-1], decimals, show), Column(b" N", whole)]
+        columns = [
+            Column(prefix, values, decimals),
+            Column(prefix, values[::-1], decimals, show),
+            Column(b" N", whole),
+        ]
         assert table(columns) == by_percent(columns)
 
 
 def test_a_tie_goes_to_the_even_digit_only_where_the_double_is_exactly_a_tie() -> None:
-    values = np.array([0.125, 0.375, 0.145, 2.675, 1.005, -0.125])  # 2.675 and 1.005 lie below the tie, 0.145 below too
+    values = np.array(
+        [0.125, 0.375, 0.145, 2.675, 1.005, -0.125]
+    )  # 2.675 and 1.005 lie below the tie, 0.145 below too
     assert table([Column(b"", values, 2)]) == b"0.12\n0.38\n0.14\n2.67\n1.00\n-0.12\n"
 
 
 def test_what_is_not_finite_or_huge_is_printed_as_percent_prints_it() -> None:
-    columns = [Column(b"X", np.array([np.nan, np.inf, -np.inf, 1e300, 5e-324, -0.0]), 4), Column(b" ", np.arange(6))]
+    columns = [
+        Column(b"X", np.array([np.nan, np.inf, -np.inf, 1e300, 5e-324, -0.0]), 4),
+        Column(b" ", np.arange(6)),
+    ]
     assert table(columns) == by_percent(columns)
 
 
 def test_integers_up_to_the_ends_of_int64_are_printed() -> None:
-    ends = np.array([np.iinfo(np.int64).min, np.iinfo(np.int64).max, 0, -1, 10**15, 10**15 - 1, 9999, 10000, -10000])
+    ends = np.array(
+        [np.iinfo(np.int64).min, np.iinfo(np.int64).max, 0, -1, 10**15, 10**15 - 1, 9999, 10000, -10000]
+    )
     assert table([Column(b"", ends)]) == b"".join(b"%d\n" % value for value in ends)
 
 
@@ -71,7 +97,11 @@ def test_columns_longer_than_a_chunk_are_whole() -> None:
 
 
 def test_choices_and_constants_stand_between_the_numbers() -> None:
-    parts = [Choice(np.array([1, 0, 2]), (b"", b"G0", b"G1")), Column(b" X", np.array([1.0, -2.0, 0.0]), 1), b";"]
+    parts = [
+        Choice(np.array([1, 0, 2]), (b"", b"G0", b"G1")),
+        Column(b" X", np.array([1.0, -2.0, 0.0]), 1),
+        b";",
+    ]
     assert table(parts, b"\r\n") == b"G0 X1.0;\r\n X-2.0;\r\nG1 X0.0;\r\n"
 
 
@@ -122,7 +152,11 @@ def test_units_are_printed_as_the_number_they_count(decimals: int, size: int) ->
     text = table([Units(b" X", units, decimals), Units(b"LONG", units, decimals, show)])
     assert text == "".join(rows).encode()
     beside_a_nan = table(
-        [Units(b" X", units, decimals), Units(b"LONG", units, decimals, show), Column(b"", np.full(300, np.nan))]
+        [
+            Units(b" X", units, decimals),
+            Units(b"LONG", units, decimals, show),
+            Column(b"", np.full(300, np.nan)),
+        ]
     )
     assert beside_a_nan == text.replace(b"\n", b"nan\n")
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The order of polylines whose tool axes are known: places side by side with other axes are far apart, and what is cut stays the same."""
+"""The order of polylines whose tool axes are known: places side by side with other axes are far apart, and
+what is cut stays the same."""
 
 from collections import Counter
 from dataclasses import replace
@@ -16,21 +17,32 @@ from freecad_fiveaxis.core.pipeline import assign_axes, job
 from freecad_fiveaxis.core.report.figures import summary
 from freecad_fiveaxis.core.toolpath.coedge import ROW_COLUMNS, OffsetPath
 
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "scallop": 0.2, "tool_axis": "auto"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "cutter": "ball:6",
+    "scallop": 0.2,
+    "tool_axis": "auto",
+}
 
 
 def short_polylines(start, rows=3):
     """An offset path of polylines of ``rows`` rows, 1 mm along X each, from these places (p, 3)."""
-    point = (start[:, None] + np.linspace(0.0, 1.0, rows)[None, :, None] * np.array([1.0, 0.0, 0.0])).reshape(-1, 3)
+    point = (start[:, None] + np.linspace(0.0, 1.0, rows)[None, :, None] * np.array([1.0, 0.0, 0.0])).reshape(
+        -1, 3
+    )
     number, row = np.repeat(np.arange(len(start)), rows), np.arange(len(point))
     columns = dict.fromkeys(("normal", "before", "after"), np.tile([0.0, 0.0, 1.0], (len(point), 1)))
     columns |= dict.fromkeys(("step_before", "step_after"), np.full(len(point), 0.5))
-    columns |= dict.fromkeys(("face", "coedge", "segment"), row) | dict.fromkeys(("polyline", "pass_"), number)
+    columns |= dict.fromkeys(("face", "coedge", "segment"), row) | dict.fromkeys(
+        ("polyline", "pass_"), number
+    )
     return OffsetPath(point=point, centre=point + [0.0, 0.0, 3.0], fill=np.zeros(len(point), bool), **columns)
 
 
 def moves(path, axis):
-    """How often each move of the path is made, whichever way round: both ends with their axes, whether it fills, its facets' normals."""
+    """How often each move of the path is made, whichever way round: both ends with their axes, whether it
+    fills, its facets' normals."""
     row = np.flatnonzero(np.diff(path.polyline) == 0)
     pose = np.round(np.hstack([path.point, path.centre, axis]), 9)
     ends = [tuple(sorted((tuple(pose[i]), tuple(pose[i + 1])))) for i in row]
@@ -70,9 +82,16 @@ def test_a_path_of_one_polyline_or_none_stays(count):
 
 
 def test_a_row_that_is_come_to_backwards_has_its_sides_and_its_fill_turned_round():
-    path = short_polylines(np.column_stack([np.zeros(5), 0.1 * np.arange(5.0), np.zeros(5)]), rows=4)  # all one way, side by side
+    path = short_polylines(
+        np.column_stack([np.zeros(5), 0.1 * np.arange(5.0), np.zeros(5)]), rows=4
+    )  # all one way, side by side
     row = np.arange(len(path.point))
-    sides = {"before": np.eye(3)[row % 3], "after": np.eye(3)[(row + 1) % 3], "step_before": row + 0.25, "step_after": row + 0.75}
+    sides = {
+        "before": np.eye(3)[row % 3],
+        "after": np.eye(3)[(row + 1) % 3],
+        "step_before": row + 0.25,
+        "step_after": row + 0.75,
+    }
     path = replace(path, fill=row % 4 == 1, **sides)  # the first move of each polyline fills
     axis = np.tile([0.0, 0.0, 1.0], (len(row), 1))
     ordered, _ = order_with_axes(path, axis)
@@ -89,7 +108,9 @@ def test_a_row_that_is_come_to_backwards_has_its_sides_and_its_fill_turned_round
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("part", [lambda: knob_in_corner(cells=12), lambda: bowl_block(11.0, cells=12)], ids=["knob", "bowl"])
+@pytest.mark.parametrize(
+    "part", [lambda: knob_in_corner(cells=12), lambda: bowl_block(11.0, cells=12)], ids=["knob", "bowl"]
+)
 def test_the_same_is_cut_with_less_between(part, monkeypatch):
     take_nodes(monkeypatch, NODES)
     keep_fields(monkeypatch)
@@ -115,7 +136,10 @@ def test_one_way_and_axes_that_lean_with_the_feed_keep_their_way_round(monkeypat
     monkeypatch.setattr(assign_axes, "order_with_axes", refuse)
 
     def milled(**option):
-        job.make(build_settings("mill", "part", {**OPTIONS, **option, "gouge": "off"}), mesh=bowl_block(11.0, cells=12))
+        job.make(
+            build_settings("mill", "part", {**OPTIONS, **option, "gouge": "off"}),
+            mesh=bowl_block(11.0, cells=12),
+        )
 
     take_nodes(monkeypatch, NODES)
     keep_fields(monkeypatch)

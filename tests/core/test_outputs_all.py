@@ -167,7 +167,9 @@ def test_a_pipe_that_takes_the_files_place_is_not_waited_for(tmp_path, monkeypat
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "file").write_bytes(b"")
     ordinary, told = os.stat(tmp_path / "file"), os.stat
-    monkeypatch.setattr(os, "stat", lambda path, **how: ordinary if str(path).endswith("pipe") else told(path, **how))
+    monkeypatch.setattr(
+        os, "stat", lambda path, **how: ordinary if str(path).endswith("pipe") else told(path, **how)
+    )
     with pytest.raises(FileError, match="no ordinary file"):
         read_bytes(tmp_path / "pipe", "STL file")
 
@@ -198,7 +200,7 @@ def test_a_signal_waits_until_all_is_written(tmp_path, monkeypatch, name):
         signal.signal(number, before)
 
 
-# ------------------------------------------------------------------------------------------------ what a job reads
+# ------------------------------------------------------------------------------------------- what a job reads
 
 
 def job(tmp_path, task="mill", source="part.stl", **options):
@@ -237,7 +239,9 @@ def test_machines_to_compare_and_shipped_ones_are_read_too(tmp_path):
         outputs.check_outputs(settings)
     job(tmp_path)
     report = tmp_path / "m.fcm"
-    settings = build_settings("compare", str(tmp_path / "part.stl"), {"machines": [f"{report}"], "report": [str(report)]})
+    settings = build_settings(
+        "compare", str(tmp_path / "part.stl"), {"machines": [f"{report}"], "report": [str(report)]}
+    )
     with pytest.raises(SettingsError, match=r"m\.fcm is the file that is read"):
         outputs.check_outputs(settings)
 

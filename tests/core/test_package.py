@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What strangers install: wheel and source archive, built from a copy of this folder and used where this folder is not at hand."""
+"""What strangers install: wheel and source archive, built from a copy of this folder and used where this
+folder is not at hand."""
 
 import importlib.util
 import os
@@ -55,13 +56,18 @@ def source(tmp_path_factory):
     """A copy of this folder, as a download holds it: builders leave their files in it."""
     folder = tmp_path_factory.mktemp("download") / "freecad-fiveaxis"
     shutil.copytree(
-        ROOT, folder, ignore=lambda _, names: LEFT_HERE & set(names) | {name for name in names if name.endswith(".egg-info")}
+        ROOT,
+        folder,
+        ignore=lambda _, names: (
+            LEFT_HERE & set(names) | {name for name in names if name.endswith(".egg-info")}
+        ),
     )
     return folder
 
 
 def build(kind, folder, into):
-    """The wheel or sdist of a source folder, made by the backend itself: no network, no environment of its own."""
+    """The wheel or sdist of a source folder, made by the backend itself: no network, no environment of its
+    own."""
     code = f"import sys; from setuptools.build_meta import build_{kind} as build; print(build(sys.argv[1]))"
     done = run(sys.executable, "-c", code, into, cwd=folder)
     assert "deprecated" not in (done.stdout + done.stderr).lower(), done.stderr
@@ -71,7 +77,9 @@ def build(kind, folder, into):
 def run(*words, cwd, code=0):
     """A process that knows nothing of this folder."""
     around = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
-    done = subprocess.run([str(word) for word in words], cwd=cwd, env=around, capture_output=True, text=True, timeout=300)
+    done = subprocess.run(
+        [str(word) for word in words], cwd=cwd, env=around, capture_output=True, text=True, timeout=300
+    )
     assert done.returncode == code, done.stdout + done.stderr
     return done
 
@@ -94,14 +102,19 @@ def wheel(archive, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def scripts(wheel, tmp_path_factory):
-    """The folder of programs of a fresh environment with the wheel in it; numpy and scipy are those that the tests run with."""
+    """The folder of programs of a fresh environment with the wheel in it; numpy and scipy are those that the
+    tests run with."""
     folder = tmp_path_factory.mktemp("fresh")
     run(sys.executable, "-m", "venv", "--without-pip", "venv", cwd=folder)
     scripts = folder / "venv" / ("Scripts" if os.name == "nt" else "bin")
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--python", scripts / "python"]
     run(*pip, "install", "--no-deps", "--no-index", wheel, cwd=folder)
-    site = run(scripts / "python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))", cwd=folder).stdout.strip()
-    (Path(site) / "borrowed.pth").write_text("\n".join({str(Path(module.__file__).parents[1]) for module in (numpy, scipy)}))
+    site = run(
+        scripts / "python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))", cwd=folder
+    ).stdout.strip()
+    (Path(site) / "borrowed.pth").write_text(
+        "\n".join({str(Path(module.__file__).parents[1]) for module in (numpy, scipy)})
+    )
     return scripts
 
 
@@ -110,17 +123,30 @@ def test_the_wheel_holds_every_module_and_every_file_that_the_code_opens(wheel):
     inside = {name for name in zipfile.ZipFile(wheel).namelist() if not name.startswith("freecad_fiveaxis-")}
     modules = {path.relative_to(ROOT).as_posix() for path in PACKAGE.rglob("*.py")}
     data = {
-        "freecad_fiveaxis/" + path.relative_to(ROOT).as_posix() for path in (ROOT / "resources").rglob("*") if path.suffix in DATA
+        "freecad_fiveaxis/" + path.relative_to(ROOT).as_posix()
+        for path in (ROOT / "resources").rglob("*")
+        if path.suffix in DATA
     }
     assert len(data) > 25
-    assert inside == modules | data | {"freecad_fiveaxis/py.typed", "freecad_fiveaxis/resources/examples/make_parts.py"}
+    assert inside == modules | data | {
+        "freecad_fiveaxis/py.typed",
+        "freecad_fiveaxis/resources/examples/make_parts.py",
+    }
 
 
 @builds
 def test_the_source_archive_is_an_add_on_and_can_be_tested(archive):
     with tarfile.open(archive) as tar:
         inside = {name.partition("/")[2] for name in tar.getnames()}
-    wanted = {"package.xml", "Init.py", "InitGui.py", "Makefile", "LICENSE", "README.md", "resources/icons/fiveaxis.svg"}
+    wanted = {
+        "package.xml",
+        "Init.py",
+        "InitGui.py",
+        "Makefile",
+        "LICENSE",
+        "README.md",
+        "resources/icons/fiveaxis.svg",
+    }
     wanted |= {path.relative_to(ROOT).as_posix() for path in (ROOT / "tests").rglob("*.py")}
     assert not wanted - inside
 
@@ -128,9 +154,16 @@ def test_the_source_archive_is_an_add_on_and_can_be_tested(archive):
 @pytest.mark.thorough
 @builds
 def test_every_module_of_the_core_is_imported_from_the_wheel(scripts, tmp_path):
-    names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in (PACKAGE / "core").rglob("*.py")]
+    names = [
+        ".".join(path.relative_to(ROOT).with_suffix("").parts) for path in (PACKAGE / "core").rglob("*.py")
+    ]
     modules = "".join(f"import {name.removesuffix('.__init__')}\n" for name in names)
-    done = run(scripts / "python", "-c", f"{modules}import freecad_fiveaxis\nprint(freecad_fiveaxis.__file__)", cwd=tmp_path)
+    done = run(
+        scripts / "python",
+        "-c",
+        f"{modules}import freecad_fiveaxis\nprint(freecad_fiveaxis.__file__)",
+        cwd=tmp_path,
+    )
     assert Path(done.stdout.strip()).resolve().is_relative_to(scripts.parent.resolve())
 
 
@@ -141,7 +174,18 @@ def test_the_installed_command_lists_and_mills_in_another_folder(scripts, tmp_pa
     assert run(fiveaxis, "--version", cwd=tmp_path).stdout.strip() == __version__
     assert "trunnion_ac" in run(fiveaxis, "machines", cwd=tmp_path).stdout
     run(scripts / "python", "-m", "freecad_fiveaxis.resources.examples.make_parts", "parts", cwd=tmp_path)
-    mill = ["mill", "parts/dome.stl", "--machine", "trunnion_ac", "--stepover", "8", "--max-axis-angle", "50", "-o", "dome.ngc"]
+    mill = [
+        "mill",
+        "parts/dome.stl",
+        "--machine",
+        "trunnion_ac",
+        "--stepover",
+        "8",
+        "--max-axis-angle",
+        "50",
+        "-o",
+        "dome.ngc",
+    ]
     run(
         fiveaxis,
         *mill,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Planes through a mesh: against closed forms, against facet-by-facet sections, and where vertices and edges lie on a plane."""
+"""Planes through a mesh: against closed forms, against facet-by-facet sections, and where vertices and edges
+lie on a plane."""
 
 import numpy as np
 import pytest
@@ -19,7 +20,8 @@ def vectors(angle):
 
 
 def facet_sections(mesh, offsets, angle):
-    """Facet by facet: {(plane, facet): length} of every cut longer than nothing, a vertex on the plane counting as above it."""
+    """Facet by facet: {(plane, facet): length} of every cut longer than nothing, a vertex on the plane
+    counting as above it."""
     _, across = vectors(angle)
     found = {}
     for k, offset in enumerate(offsets):
@@ -53,10 +55,16 @@ def check_path(mesh, path, offsets, angle):
     # on the plane, on the facet's plane, on the co-edge, which is one of the facet's
     np.testing.assert_allclose(path.point @ across, offsets[path.pass_], atol=1e-12 * scale, rtol=0)
     corner = mesh.vertex[mesh.face[path.face]]
-    np.testing.assert_allclose(np.einsum("ij,ij->i", path.point - corner[:, 0], path.normal), 0.0, atol=1e-9 * scale)
+    np.testing.assert_allclose(
+        np.einsum("ij,ij->i", path.point - corner[:, 0], path.normal), 0.0, atol=1e-9 * scale
+    )
     assert (mesh.face_coedge[path.face] == path.coedge[:, None]).any(axis=1).all()
     a, b = (mesh.vertex[mesh.coedge_vertex[path.coedge, side]] for side in (0, 1))
-    detour = np.linalg.norm(path.point - a, axis=1) + np.linalg.norm(path.point - b, axis=1) - np.linalg.norm(b - a, axis=1)
+    detour = (
+        np.linalg.norm(path.point - a, axis=1)
+        + np.linalg.norm(path.point - b, axis=1)
+        - np.linalg.norm(b - a, axis=1)
+    )
     np.testing.assert_allclose(detour, 0.0, atol=1e-9 * scale)
 
     # along across x normal, never of no length
@@ -118,7 +126,9 @@ def test_every_facet_is_cut_just_as_facet_by_facet(angle):
     mesh = from_triangles(sphere(rows=9, columns=11) + 0.2 * rng.normal(size=3))
     path = slice_mesh(mesh, offsets, angle)
     check_closed(path, check_path(mesh, path, offsets, angle))
-    found = dict(zip(zip(path.pass_[0::2].tolist(), path.face[0::2].tolist(), strict=True), lengths(path), strict=True))
+    found = dict(
+        zip(zip(path.pass_[0::2].tolist(), path.face[0::2].tolist(), strict=True), lengths(path), strict=True)
+    )
     expected = facet_sections(mesh, offsets, angle)
     assert found.keys() == expected.keys()
     for key, length in expected.items():
@@ -142,7 +152,8 @@ def test_planes_on_the_faces_edges_and_vertices_of_a_cube():
     ):
         path = slice_mesh(mesh, offsets, angle)
         check_closed(path, check_path(mesh, path, offsets, angle))
-        # the plane through the middle gives one loop; the outer ones touch from one side or the other, and lose nothing
+        # the plane through the middle gives one loop; the outer ones touch from one side or the other, and
+        # lose nothing
         assert (path.pass_ == 1).sum() >= 8
         for k in (0, 2):
             loop = lengths(path)[path.pass_[0::2] == k].sum()
@@ -173,7 +184,9 @@ def test_planes_on_the_lines_of_a_grid_give_one_unbroken_line_each(angle):
     assert lengths(path).sum() == pytest.approx(sum(expected.values()), abs=1e-9)
     if angle == 0.0:
         rows = path.pass_[0::2] == 3
-        np.testing.assert_array_equal(path.point[0::2][rows][:, 0], np.arange(n))  # on the grid line, from vertex to vertex
+        np.testing.assert_array_equal(
+            path.point[0::2][rows][:, 0], np.arange(n)
+        )  # on the grid line, from vertex to vertex
         assert rows.sum() == n
 
 
@@ -231,14 +244,18 @@ def test_facets_left_out_end_the_polylines_at_their_coedges():
     first = check_path(mesh, path, offsets, 0.4)
     assert len(first) == 9
     assert keep[path.face].all()
-    ends = np.concatenate([path.coedge[2 * first], path.coedge[2 * np.append(first[1:], len(path.face) // 2) - 1]])
+    ends = np.concatenate(
+        [path.coedge[2 * first], path.coedge[2 * np.append(first[1:], len(path.face) // 2) - 1]]
+    )
     assert (keep[mesh.coedge_face[ends]].sum(axis=1) == 1).all()
     whole = slice_mesh(mesh, offsets, 0.4)
     assert lengths(path).sum() == pytest.approx(lengths(whole)[keep[whole.face[0::2]]].sum())
 
 
 def test_a_pass_of_several_polylines_goes_along_the_travel():
-    mesh = from_triangles(np.concatenate([box(low=(x, 0.0, 0.0), high=(x + 1.0, 1.0, 1.0)) for x in (6.0, 0.0, 3.0)]))
+    mesh = from_triangles(
+        np.concatenate([box(low=(x, 0.0, 0.0), high=(x + 1.0, 1.0, 1.0)) for x in (6.0, 0.0, 3.0)])
+    )
     path = slice_mesh(mesh, [0.5], 0.0)
     first = check_path(mesh, path, [0.5], 0.0)
     check_closed(path, first)
@@ -249,13 +266,17 @@ def test_a_pass_of_several_polylines_goes_along_the_travel():
 def test_open_and_closed_polylines_in_one_pass_are_told_apart():
     sheet = field(8, lambda x, y: -1.0 + 0.0 * x) - [4.0, 0.0, 0.0]
     mesh = from_triangles(
-        np.concatenate([box(low=(-2.0, 0.0, 0.0), high=(2.0, 8.0, 1.0)), sheet, box(low=(5, 0, 0), high=(6, 8, 1))])
+        np.concatenate(
+            [box(low=(-2.0, 0.0, 0.0), high=(2.0, 8.0, 1.0)), sheet, box(low=(5, 0, 0), high=(6, 8, 1))]
+        )
     )
     path = slice_mesh(mesh, [3.3, 4.1], 0.0)
     first = check_path(mesh, path, [3.3, 4.1], 0.0)
     np.testing.assert_allclose(path.point[2 * first][:, 0], [-4.0, -2.0, 5.0] * 2)
     last = np.append(first[1:], len(path.face) // 2) - 1
-    np.testing.assert_array_equal((path.point[2 * first] == path.point[2 * last + 1]).all(axis=1), [False, True, True] * 2)
+    np.testing.assert_array_equal(
+        (path.point[2 * first] == path.point[2 * last + 1]).all(axis=1), [False, True, True] * 2
+    )
 
 
 def test_a_wall_without_top_is_cut_in_closed_loops_that_never_turn():
@@ -289,7 +310,14 @@ def test_no_planes_no_facets_and_planes_beside_the_part_give_an_empty_path():
         slice_mesh(mesh, [0.0], 0.0),
     ):
         assert path.point.shape == path.normal.shape == (0, 3)
-        assert len(path.face) == len(path.coedge) == len(path.segment) == len(path.polyline) == len(path.pass_) == 0
+        assert (
+            len(path.face)
+            == len(path.coedge)
+            == len(path.segment)
+            == len(path.polyline)
+            == len(path.pass_)
+            == 0
+        )
 
 
 def test_the_same_plane_twice_gives_the_same_pass_twice():
@@ -320,9 +348,20 @@ def test_quarter_turns_are_exact():
 
 def test_levels_count_the_planes_at_or_below():
     rng = np.random.default_rng(8)
-    for offsets in (np.arange(10.0), np.sort(rng.normal(size=40)), np.array([1.0, 1.0, 2.0]), np.array([3.0]), np.empty(0)):
+    for offsets in (
+        np.arange(10.0),
+        np.sort(rng.normal(size=40)),
+        np.array([1.0, 1.0, 2.0]),
+        np.array([3.0]),
+        np.empty(0),
+    ):
         distance = np.concatenate(
-            [rng.normal(size=500, scale=4.0), offsets, np.nextafter(offsets, -9e9), np.nextafter(offsets, 9e9)]
+            [
+                rng.normal(size=500, scale=4.0),
+                offsets,
+                np.nextafter(offsets, -9e9),
+                np.nextafter(offsets, 9e9),
+            ]
         )
         np.testing.assert_array_equal(levels(distance, offsets), [(offsets <= d).sum() for d in distance])
 
@@ -349,19 +388,24 @@ def test_progress_is_told_from_nothing_to_all():
     assert heard[0] == 0.0 and heard[-1] == 1.0 and heard == sorted(heard)
 
 
-# ---- the other way round, and what is passed over -------------------------------------------------------------------------
+# ---- the other way round, and what is passed over
+# -------------------------------------------------------------------------
 
 
 def reversed_rows(path, turned):
     """The rows of a path with the passes ``turned`` the other way round."""
-    return np.concatenate([np.flatnonzero(path.pass_ == k)[:: -1 if k in turned else 1] for k in np.unique(path.pass_)])
+    return np.concatenate(
+        [np.flatnonzero(path.pass_ == k)[:: -1 if k in turned else 1] for k in np.unique(path.pass_)]
+    )
 
 
 def block(height=3.0, count=24):
     """A block of 20 x 10 mm on a fan of facets about the middle of its underside; which facets lie there."""
     turn = np.arange(count) * 2 * np.pi / count
     rim = np.column_stack([10 * np.cos(turn), 5 * np.sin(turn)])
-    vertex = np.concatenate([[[0.7, 0.3, 0], [0, 0, height]], np.insert(rim, 2, 0, 1), np.insert(rim, 2, height, 1)])
+    vertex = np.concatenate(
+        [[[0.7, 0.3, 0], [0, 0, height]], np.insert(rim, 2, 0, 1), np.insert(rim, 2, height, 1)]
+    )
     one, two = np.arange(count), (np.arange(count) + 1) % count
     foot, top = 2 + one, 2 + count + one
     walls = [np.stack(side, 1) for side in ((foot, 2 + two, 2 + count + two), (foot, 2 + count + two, top))]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The order of polylines: never more air than in the order of the passes, near the best of all orders of a few pieces, and every
-polyline whole."""
+"""The order of polylines: never more air than in the order of the passes, near the best of all orders of a
+few pieces, and every polyline whole."""
 
 from itertools import permutations, product
 
@@ -27,7 +27,9 @@ def path_of(ends, rows=6):
     point = (ends[:, :1] + share[None, :, None] * (ends[:, 1:] - ends[:, :1])).reshape(-1, 3)
     number = np.repeat(np.arange(len(ends)), rows)
     row = np.arange(len(point))
-    return ContactPath(point, np.tile([0.0, 0.0, 1.0], (len(point), 1)), row >> 1, row, row >> 1, number, number)
+    return ContactPath(
+        point, np.tile([0.0, 0.0, 1.0], (len(point), 1)), row >> 1, row, row >> 1, number, number
+    )
 
 
 def as_they_are(ends):
@@ -62,7 +64,10 @@ def test_every_polyline_is_cut_once_and_whole(count):
     path = path_of(ends)
     ordered = order_pieces(path)
     assert sorted(ordered.face.tolist()) == sorted(path.face.tolist())
-    assert np.array_equal(np.unique(ordered.polyline), np.arange(count)) and (np.diff(ordered.polyline) >= 0).all()
+    assert (
+        np.array_equal(np.unique(ordered.polyline), np.arange(count))
+        and (np.diff(ordered.polyline) >= 0).all()
+    )
     assert np.array_equal(ordered.segment, np.arange(len(ordered.point)) >> 1)
     for number in range(count):
         rows = np.flatnonzero(ordered.polyline == number)
@@ -77,7 +82,10 @@ def test_an_order_that_is_good_already_stays_the_very_path():
     start = np.array([[0.0, 2.0 * i, 0.0] for i in range(8)])
     side = np.array([[30.0, 0.0, 0.0]])
     ends = np.stack(
-        [np.where(np.arange(8)[:, None] % 2, start + side, start), np.where(np.arange(8)[:, None] % 2, start, start + side)],
+        [
+            np.where(np.arange(8)[:, None] % 2, start + side, start),
+            np.where(np.arange(8)[:, None] % 2, start, start + side),
+        ],
         axis=1,
     )
     path = path_of(ends)
@@ -86,13 +94,24 @@ def test_an_order_that_is_good_already_stays_the_very_path():
 
 def test_passes_in_one_direction_keep_it_and_those_to_and_fro_spare_air():
     def milled(order):
-        options = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:8", "stepover": 2, "max_axis_angle": 60}
+        options = {
+            "machine": "trunnion_ac",
+            "tool_length": 120,
+            "cutter": "ball:8",
+            "stepover": 2,
+            "max_axis_angle": 60,
+        }
         made = job.make(
-            build_settings("mill", "part", {**options, "order": order, "passes": "scallop", "gouge": "off"}), mesh=mesh
+            build_settings("mill", "part", {**options, "order": order, "passes": "scallop", "gouge": "off"}),
+            mesh=mesh,
         )
         first = np.flatnonzero(np.diff(made.contact.polyline, prepend=-1))
         return np.stack(
-            [made.contact.point[first], made.contact.point[np.append(first[1:], len(made.contact.point)) - 1]], axis=1
+            [
+                made.contact.point[first],
+                made.contact.point[np.append(first[1:], len(made.contact.point)) - 1],
+            ],
+            axis=1,
         )
 
     mesh = blade_beside_hub(cells=24)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole pipeline on real parts: what is posted, read again and sent through forward kinematics is the CL path."""
+"""The whole pipeline on real parts: what is posted, read again and sent through forward kinematics is the CL
+path."""
 
 import shutil
 import subprocess
@@ -23,17 +24,24 @@ PARTS = ("dome", "blade", "saddle", "half_cylinder", "freeform_233")
 def largest_miss(result):
     """Distance mm of the re-read, forwarded words from the driven CL path, and angle rad of the axes."""
     read = read_nc(result.draft.nc, result.draft.kinematics, result.draft.dialect)
-    own = np.isin(read.line, result.draft.program.line)  # a plane above the part is one row before them, and one after
-    assert (~own).sum() == (2 if load_machine(result.draft.settings.machine.machine).safe_start.retract == "clearance" else 0)
+    own = np.isin(
+        read.line, result.draft.program.line
+    )  # a plane above the part is one row before them, and one after
+    assert (~own).sum() == (
+        2 if load_machine(result.draft.settings.machine.machine).safe_start.retract == "clearance" else 0
+    )
     np.testing.assert_allclose(read.words[own], result.draft.program.words, atol=1e-9)
     np.testing.assert_array_equal(read.line[own], result.draft.program.line)
     tip, axis = forward(result.draft.kinematics, words_to_q(read.words[own]))
     path, row = result.draft.joints.path, result.draft.program.row
-    return np.linalg.norm(tip - path.tip[row], axis=1).max(), np.linalg.norm(axis - path.axis[row], axis=1).max()
+    return np.linalg.norm(tip - path.tip[row], axis=1).max(), np.linalg.norm(
+        axis - path.axis[row], axis=1
+    ).max()
 
 
 def rounding(result):
-    """What half a step of every word can move the tip (mm) and the axis (rad): lever arms are below 500 mm here."""
+    """What half a step of every word can move the tip (mm) and the axis (rad): lever arms are below 500 mm
+    here."""
     linear, angle = 0.5e-4 * np.sqrt(3), 2 * np.radians(0.5e-4)
     return linear + 500 * angle, angle
 
@@ -63,7 +71,8 @@ def test_a_wrong_sign_would_be_noticed(milled):
 
 @pytest.mark.parametrize("machine", shipped_machines())
 def test_the_deviation_of_the_program_is_that_of_a_dense_walk(machine, milled):
-    """A random share of the blocks, 2001 points each, distance to the segment by hand; never above the bound."""
+    """A random share of the blocks, 2001 points each, distance to the segment by hand; never above the
+    bound."""
     result = milled("dome", machine)
     words, rng = result.draft.program.words, np.random.default_rng(5)
     block = rng.choice(np.arange(1, len(words)), min(400, len(words) - 1), replace=False)
@@ -106,7 +115,9 @@ def test_the_ball_keeps_its_clearance_on_rapids(machine, milled):
 def test_a_narrow_first_axis_never_swings_the_ball_beside_the_part(parts, tmp_path):
     """C of 180 deg in all forces flips of A by 180 deg between passes: they belong above the part."""
     machine = load_machine("trunnion_ac")
-    narrow = [replace(axis, low=-np.pi / 2, high=np.pi / 2) if axis.letter == "C" else axis for axis in machine.axes]
+    narrow = [
+        replace(axis, low=-np.pi / 2, high=np.pi / 2) if axis.letter == "C" else axis for axis in machine.axes
+    ]
     save_machine(replace(machine, axes=tuple(narrow)), tmp_path / "narrow.fcm")
     options = {"machine": str(tmp_path / "narrow.fcm"), "cutter": "ball:30", "stepover": 6, "direction": 30}
     for part in ("half_cylinder", "dome"):
@@ -122,7 +133,12 @@ def test_a_narrow_first_axis_never_swings_the_ball_beside_the_part(parts, tmp_pa
 def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
     (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).draft.nc)
     done = subprocess.run(
-        ["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=120
+        ["rs274", "-g", "dome.ngc"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        timeout=120,
     )
     assert done.returncode == 0, done.stderr[-400:]
 
@@ -132,5 +148,7 @@ def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
 def test_linuxcnc_would_refuse_a_broken_program(milled, tmp_path):
     text = milled("dome", "trunnion_ac").draft.nc.replace(b"G1 X", b"G1 X1 X", 1)
     (tmp_path / "dome.ngc").write_bytes(text)
-    done = subprocess.run(["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
+    done = subprocess.run(
+        ["rs274", "-g", "dome.ngc"], cwd=tmp_path, capture_output=True, stdin=subprocess.DEVNULL, timeout=120
+    )
     assert done.returncode != 0

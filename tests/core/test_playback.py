@@ -15,7 +15,15 @@ from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.machine import load_machine, shipped_machines
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.deviation import measure
-from freecad_fiveaxis.core.report.playback import UNTIMED, NCLines, Playback, following, rigid_inverse, rotary_lines, segment_foot
+from freecad_fiveaxis.core.report.playback import (
+    UNTIMED,
+    NCLines,
+    Playback,
+    following,
+    rigid_inverse,
+    rotary_lines,
+    segment_foot,
+)
 
 CLOSE = 1e-9  # mm: levers of some 500 mm, a few dozen roundings
 WORST_U, WORST = 0.54543, 2.12642  # Table 2's largest distance from the segment
@@ -109,7 +117,9 @@ def test_rotary_lines_stand_still_while_their_own_axis_turns_and_carry_it(kinema
         placed = pose.machine_from_work if table else pose.machine_from_tool
         before, after = placed[::3], placed[1::3]
         stays = rigid_inverse(before) @ np.concatenate([point[::3], np.ones((8, 1))], axis=1)[..., None]
-        assert np.abs((after @ stays)[:, :3, 0] - point[::3]).max() < 1e-8  # a point of the line is not moved by the turn
+        assert (
+            np.abs((after @ stays)[:, :3, 0] - point[::3]).max() < 1e-8
+        )  # a point of the line is not moved by the turn
 
 
 def rx(a):
@@ -126,11 +136,14 @@ def rz(c):
 
 @pytest.mark.parametrize(("name", "tilt"), [("linuxcnc_xyzac_trt", rx), ("linuxcnc_xyzbc_trt", ry)])
 def test_linuxcnc_trunnions_turn_the_work_by_plus_c_then_tilt_it(name, tilt):
-    """xyzac-trt and xyzbc-trt: P = Rz(-C)(d + R(-A)(J - d)), so the work stands at R(A)(Rz(C) P - d) + d; tables turn by + words."""
+    """xyzac-trt and xyzbc-trt: P = Rz(-C)(d + R(-A)(J - d)), so the work stands at R(A)(Rz(C) P - d) + d;
+    tables turn by + words."""
     kinematics = shipped(name)
     pose = played(kinematics, random_words(kinematics)).at_block(np.arange(60), 1.0)
     d = {"linuxcnc_xyzac_trt": (0, 20.0, 10.0), "linuxcnc_xyzbc_trt": (-20.0, 0, -15.0)}[name]
-    for words, placement, tool in zip(pose.words, pose.machine_from_work, pose.machine_from_tool, strict=True):
+    for words, placement, tool in zip(
+        pose.words, pose.machine_from_work, pose.machine_from_tool, strict=True
+    ):
         c, a = np.radians(words[3:])
         turn = tilt(a) @ rz(c)
         assert np.abs(placement[:3, :3] - turn).max() < 1e-13
@@ -139,7 +152,8 @@ def test_linuxcnc_trunnions_turn_the_work_by_plus_c_then_tilt_it(name, tilt):
 
 
 def test_a_fork_head_carries_the_tool_as_5axiskins_says():
-    """5axiskins: k = Rz(C) Ry(-B) ez and tip = J + (0, 0, L) - (L + W) k, with B ISO in our file; the work never turns."""
+    """5axiskins: k = Rz(C) Ry(-B) ez and tip = J + (0, 0, L) - (L + W) k, with B ISO in our file; the work
+    never turns."""
     kinematics = shipped("fork_head_bc", 137.0)
     pose = played(kinematics, random_words(kinematics)).at_block(np.arange(60), 1.0)
     assert np.array_equal(pose.machine_from_work[:, :3, :3], np.tile(np.eye(3), (60, 1, 1)))
@@ -152,7 +166,8 @@ def test_a_fork_head_carries_the_tool_as_5axiskins_says():
 
 
 def test_a_turning_table_and_a_leaning_head_as_maxkins_says():
-    """maxkins: J = Rz(-C) P + L Ry(-B) ez - (0, 0, L), ISO words here: the table turns by -C, the head leans by B."""
+    """maxkins: J = Rz(-C) P + L Ry(-B) ez - (0, 0, L), ISO words here: the table turns by -C, the head leans
+    by B."""
     kinematics = shipped("head_b_table_c", 137.0)
     pose = played(kinematics, random_words(kinematics)).at_block(np.arange(60), 1.0)
     lever, at = 120.0 + 137.0, [kinematics.letters.index(letter) for letter in "BC"]
@@ -163,7 +178,7 @@ def test_a_turning_table_and_a_leaning_head_as_maxkins_says():
         assert np.abs(joint - words[:3]).max() < CLOSE
 
 
-# ------------------------------------------------------------------------------------------------ within a block
+# --------------------------------------------------------------------------------------------- within a block
 
 
 def test_the_tip_leaves_the_chord_of_table_2_by_2_126_mm():
@@ -242,7 +257,11 @@ def test_many_times_give_what_each_gives_alone():
     play = Playback(figures.kinematics, figures.program, figures.deviation)
     times = np.linspace(0, play.seconds, 12).reshape(3, 4)
     many = play.at(times)
-    assert many.tip.shape == (3, 4, 3) and many.machine_from_work.shape == (3, 4, 4, 4) and many.line_point.shape == (3, 4, 2, 3)
+    assert (
+        many.tip.shape == (3, 4, 3)
+        and many.machine_from_work.shape == (3, 4, 4, 4)
+        and many.line_point.shape == (3, 4, 2, 3)
+    )
     for i, j in np.ndindex(3, 4):
         alone = play.at(times[i, j])
         assert alone.tip.shape == (3,) and alone.block == many.block[i, j]
@@ -259,7 +278,9 @@ def test_a_block_of_unknown_time_is_shown_for_a_moment_and_one_that_does_not_mov
     figures = by_hand()
     words = figures.program.words.copy()
     words[3] = words[2]
-    untimed = replace(figures.program, words=words, seconds=np.array([0.0, 0.0, 1.0, 0.0, np.nan, np.inf, 2.0]))
+    untimed = replace(
+        figures.program, words=words, seconds=np.array([0.0, 0.0, 1.0, 0.0, np.nan, np.inf, 2.0])
+    )
     play = Playback(figures.kinematics, untimed, figures.deviation)
     assert np.diff(play.clock, prepend=0.0) == pytest.approx([0.0, UNTIMED, 1.0, 0.0, UNTIMED, UNTIMED, 2.0])
     assert int(play.spot(UNTIMED + 1.0)[0]) == 2

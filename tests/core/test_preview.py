@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes laid before anything is computed: they are those of the computed path, their length and time follow from closed forms."""
+"""Passes laid before anything is computed: they are those of the computed path, their length and time follow
+from closed forms."""
 
 import math
 
@@ -25,12 +26,19 @@ WAYS = [
     {"passes": "morph", "scallop": 0.05},
     {"passes": "scallop", "scallop": 0.05, "steep_shallow": 20},
     {"passes": "frames", "scallop": 0.05, "tool_axis": "auto"},
-    {"passes": "rotary", "scallop": 0.05, "tool_axis": "from_axis", "pass_axis": (1, 0, 0), "pass_centre": "10,10,-5"},
+    {
+        "passes": "rotary",
+        "scallop": 0.05,
+        "tool_axis": "from_axis",
+        "pass_axis": (1, 0, 0),
+        "pass_centre": "10,10,-5",
+    },
 ]
 
 
 def dome():
-    """An open, convex dome over a square of 20 mm: no place is too tight for a ball, all normals lean less than 40 deg."""
+    """An open, convex dome over a square of 20 mm: no place is too tight for a ball, all normals lean less
+    than 40 deg."""
     return from_triangles(field(14, lambda x, y: 8.0 - 0.04 * ((x - 10) ** 2 + (y - 10) ** 2), 20 / 14))
 
 
@@ -61,17 +69,23 @@ def test_every_cut_contact_of_the_path_lies_on_a_line(way):
     assert found.passes == len(np.unique(made.offset.pass_)) and len(found.sizes) == found.polyline[-1] + 1
     line = made.offset
     on = np.flatnonzero((np.diff(line.polyline) == 0) & ~line.fill[1:])
-    assert found.length == pytest.approx(np.linalg.norm(line.point[on + 1] - line.point[on], axis=1).sum(), rel=1e-9)
+    assert found.length == pytest.approx(
+        np.linalg.norm(line.point[on + 1] - line.point[on], axis=1).sum(), rel=1e-9
+    )
     moved = cut + (0.0, 0.0, 1e-5)
     assert off_lines(moved, found).max() > 2e-6, "the comparison can fail"
 
 
 def test_on_a_plate_number_length_and_time_are_closed_forms():
     mesh = from_triangles(box((0, 0, 0), (40, 30, 10)))
-    found = preview_passes(settings(passes="planes", stepover=2, direction=0, max_axis_angle=20, feed=600), mesh=mesh)
+    found = preview_passes(
+        settings(passes="planes", stepover=2, direction=0, max_axis_angle=20, feed=600), mesh=mesh
+    )
     assert found.passes == len(found.sizes) and math.isclose(found.length, 40.0 * found.passes)
     assert found.passes in (15, 16) and found.time == pytest.approx(found.length / 10.0)
-    assert (np.abs(found.point[:, 2] - 10.0) < 1e-12).all() and (found.sizes == np.bincount(found.polyline)).all()
+    assert (np.abs(found.point[:, 2] - 10.0) < 1e-12).all() and (
+        found.sizes == np.bincount(found.polyline)
+    ).all()
 
 
 @pytest.mark.parametrize("passes", ["scallop", "planes"])
@@ -82,9 +96,13 @@ def test_of_very_many_passes_some_are_laid_and_length_and_time_are_those_of_all(
     monkeypatch.setattr(preview, "SQUARES", 400.0)
     some = preview_passes(asked, mesh=mesh)
     assert whole.one_in == 1 and some.one_in == 3 and len(some.point) < 0.5 * len(whole.point)
-    assert some.length == pytest.approx(whole.length, rel=0.08) and some.time == pytest.approx(60.0 * some.length / some.feed)
+    assert some.length == pytest.approx(whole.length, rel=0.08) and some.time == pytest.approx(
+        60.0 * some.length / some.feed
+    )
     assert some.passes < 0.6 * whole.passes and len(some.sizes) < 0.6 * len(whole.sizes)
-    asked = settings(passes=passes, scallop=1.5)  # no passes are laid that leave a multiple of the cutter's radius
+    asked = settings(
+        passes=passes, scallop=1.5
+    )  # no passes are laid that leave a multiple of the cutter's radius
     assert preview_passes(asked, mesh=mesh).one_in == 1
 
 
@@ -106,7 +124,12 @@ def test_a_bull_nose_held_by_its_centre_ends_near_the_boundary(tmp_path):
     curve = tmp_path / "square.csv"
     curve.write_text("4,4,0\n16,4,0\n16,16,0\n4,16,0\n4,4,0\n")
     asked = settings(
-        passes="planes", stepover=1, cutter="bull:6:1", boundary=str(curve), boundary_by="centre", tool_axis="facet_mean"
+        passes="planes",
+        stepover=1,
+        cutter="bull:6:1",
+        boundary=str(curve),
+        boundary_by="centre",
+        tool_axis="facet_mean",
     )
     found = preview_passes(asked, mesh=dome())
     assert found.point[:, :2].min() > 1.0 and found.point[:, :2].max() < 19.0 and found.passes > 9
@@ -116,7 +139,9 @@ def test_where_axes_are_free_no_axis_is_sought():
     said = []
     mesh = dome()
     asked = build_settings(
-        "mill", "dome.stl", {"machine": "trunnion_ac", "cutter": "ball:6", "passes": "scallop", "tool_axis": "auto"}
+        "mill",
+        "dome.stl",
+        {"machine": "trunnion_ac", "cutter": "ball:6", "passes": "scallop", "tool_axis": "auto"},
     )
     found = preview_passes(asked, lambda stage, _: said.append(stage), mesh=mesh)
     assert found.passes > 5 and "axis field" not in said and "joint path" not in said and said

@@ -21,24 +21,34 @@ from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 LINEAR_RATE, ROTARY_RATE = 10_000.0, np.radians(7200.0)  # mm/min, rad/min
-UCP710_ROWS = np.array([[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]])
+UCP710_ROWS = np.array(
+    [[-90.9595, 7.3103, 227.6341, 148.9685, 1.0664], [-82.0656, -34.8175, 228.3975, 121.5477, 1.1793]]
+)
 """So et al. 2008, Table 2: mm and degrees (the angles belong to the order C, A)."""
 
 
-def trunnion(limited: bool = True, rotary_point: tuple[float, float, float] = (0.0, -49.934, 119.999)) -> Chain:
+def trunnion(
+    limited: bool = True, rotary_point: tuple[float, float, float] = (0.0, -49.934, 119.999)
+) -> Chain:
     rates = {"max_rate": LINEAR_RATE} if limited else {}
     turns = {"max_rate": float(ROTARY_RATE)} if limited else {}
-    x, y, z = (Axis(name, False, "head", tuple(row), **rates) for name, row in zip("XYZ", np.eye(3), strict=True))
+    x, y, z = (
+        Axis(name, False, "head", tuple(row), **rates) for name, row in zip("XYZ", np.eye(3), strict=True)
+    )
     c = Axis("C", True, "table", (0, 0, 1), **turns)
     a = Axis("A", True, "table", (1, 0, 0), rotary_point, **turns)
     return chain(Machine("trunnion", (c, a, x, y, z)), Setup())
 
 
-def joints_of(q: Floats, kinematics: Chain, motion: list[int] | None = None, feed: float = 1000.0) -> JointPath:
+def joints_of(
+    q: Floats, kinematics: Chain, motion: list[int] | None = None, feed: float = 1000.0
+) -> JointPath:
     """A joint path through words ``q`` (n, 5) mm and rad."""
     tip, axis = forward(kinematics, q)
     rows = len(q)
-    kind = np.array(motion if motion is not None else [Motion.RAPID] + [Motion.CUT] * (rows - 1), np.int8)[:rows]
+    kind = np.array(motion if motion is not None else [Motion.RAPID] + [Motion.CUT] * (rows - 1), np.int8)[
+        :rows
+    ]
     none = np.full(rows, -1)
     path = CLPath(tip, axis, kind, np.where(kind == Motion.RAPID, 0.0, feed), tip, axis, none, none, none)
     return JointPath(path, np.arange(rows), q, np.zeros(rows, np.int8), np.ones(rows))
@@ -60,7 +70,12 @@ def in_radians(words: Floats) -> Floats:
     return np.concatenate([words[:, :3], np.radians(words[:, 3:])], axis=1)
 
 
-MODES = [(dialect, inverse) for dialect in DIALECTS.values() for inverse in (True, False) if dialect.inverse_time or not inverse]
+MODES = [
+    (dialect, inverse)
+    for dialect in DIALECTS.values()
+    for inverse in (True, False)
+    if dialect.inverse_time or not inverse
+]
 TOLD = [f"{dialect.name}-{'g93' if inverse else 'g94'}" for dialect, inverse in MODES]
 
 
@@ -81,7 +96,10 @@ class TestEveryDialectAndMode:
         minutes = program.seconds[1:] / 60
         change = np.abs(np.diff(in_radians(program.words), axis=0))
         assert (change / kinematics.rate <= minutes[:, None] * (1 + 1e-8)).all()
-        travel = [dense_travel(kinematics, *in_radians(program.words[i : i + 2]), samples=2001) for i in range(0, 399, 7)]
+        travel = [
+            dense_travel(kinematics, *in_radians(program.words[i : i + 2]), samples=2001)
+            for i in range(0, 399, 7)
+        ]
         speed = np.array(travel) / minutes[::7]
         assert (speed <= 1000 * (1 + 2e-3)).all()
         free = (change / kinematics.rate).max(axis=1)[::7] < 0.9 * minutes[::7]
@@ -115,8 +133,12 @@ class TestEveryDialectAndMode:
         kinematics = trunnion(limited=False)
         slow = joints_of(np.array([[0.0, 0, 0, 0, 0], [1, 0, 0, 0, 0]]), kinematics, feed=1e-6)
         program = build_program(slow, kinematics, dialect, inverse_time)
-        assert program.feed[1] == 10.0 ** -(dialect.inverse_decimals if inverse_time else dialect.feed_decimals)
-        assert [(found.code, found.severity) for found in program.findings] == [("feed-below-step", Severity.WARNING)]
+        assert program.feed[1] == 10.0 ** -(
+            dialect.inverse_decimals if inverse_time else dialect.feed_decimals
+        )
+        assert [(found.code, found.severity) for found in program.findings] == [
+            ("feed-below-step", Severity.WARNING)
+        ]
 
     def test_an_empty_path_gives_an_empty_program_that_can_be_written(self, dialect, inverse_time) -> None:
         kinematics = trunnion()
@@ -131,7 +153,9 @@ def g93(q: Floats, kinematics: Chain, **more) -> Program:
 
 def test_blocks_without_any_move_after_rounding_are_left_out_and_their_rows_are_kept() -> None:
     kinematics = trunnion()
-    q = np.array([[0.0, 0, 0, 0, 0], [1e-5, 0, 0, 0, 0], [1, 0, 0, 0, 0], [1, 0, 0, 1e-8, 0], [1, 0, 0, 0, 1]])
+    q = np.array(
+        [[0.0, 0, 0, 0, 0], [1e-5, 0, 0, 0, 0], [1, 0, 0, 0, 0], [1, 0, 0, 1e-8, 0], [1, 0, 0, 0, 1]]
+    )
     program = g93(q, kinematics)
     assert program.row.tolist() == [0, 2, 4]
     assert program.words[:, 0].tolist() == [0, 1, 1]
@@ -155,7 +179,9 @@ def test_a_block_turning_about_a_far_axis_is_timed_by_the_arc() -> None:
     kinematics = trunnion(limited=False)
     q = np.array([[100.0, 0, 0, 0, 0], [100, 0, 0, np.pi, 0]])
     program = g93(q, kinematics, feed=1000.0)
-    assert program.seconds[1] == pytest.approx(60 * 100 * np.pi / 1000, rel=1e-4)  # half a circle of radius 100, not its chord
+    assert program.seconds[1] == pytest.approx(
+        60 * 100 * np.pi / 1000, rel=1e-4
+    )  # half a circle of radius 100, not its chord
 
 
 def test_the_real_path_of_so_et_al_table_2_is_5_46_mm_long() -> None:
@@ -175,7 +201,8 @@ def test_travel_agrees_with_dense_sampling_whatever_the_turn(turn: float) -> Non
 
 @pytest.mark.parametrize("name", shipped_machines())
 def test_travel_agrees_with_dense_sampling_on_every_kind_of_chain(name: str) -> None:
-    """Linear axes on one side of the rotary ones or on several: short blocks, of which many are taken for their chords."""
+    """Linear axes on one side of the rotary ones or on several: short blocks, of which many are taken for
+    their chords."""
     kinematics = chain(load_machine(name), Setup(tool_length=120.0))
     rng = np.random.default_rng(5)
     lean = (0.3, 0.2) + rng.normal(0, 1, (1500, 2)) * 10.0 ** rng.uniform(-4.0, -1.5, (1500, 1))
@@ -190,7 +217,9 @@ def test_travel_agrees_with_dense_sampling_on_every_kind_of_chain(name: str) -> 
     path, _ = forward(kinematics, (q[:-1] * (1 - u) + q[1:] * u).reshape(-1, 5))
     dense = np.linalg.norm(np.diff(path.reshape(401, -1, 3), axis=0), axis=2).sum(axis=0)
     chord = np.linalg.norm(np.diff(forward(kinematics, q)[0], axis=0), axis=1)
-    assert 50 < np.count_nonzero(np.isclose(travel, chord, rtol=1e-15, atol=0)) < len(chord) - 50  # some so, some sampled
+    assert (
+        50 < np.count_nonzero(np.isclose(travel, chord, rtol=1e-15, atol=0)) < len(chord) - 50
+    )  # some so, some sampled
     np.testing.assert_allclose(travel, dense, rtol=feeds.TRAVEL_ERROR)
 
 
@@ -246,7 +275,9 @@ def test_both_feed_modes_give_the_same_times() -> None:
     kinematics, q = trunnion(), wander(200)
     for dialect in DIALECTS.values():
         free = replace(dialect, largest_inverse=1e9)
-        first, second = (build_program(joints_of(q, kinematics), kinematics, free, mode).seconds for mode in (True, False))
+        first, second = (
+            build_program(joints_of(q, kinematics), kinematics, free, mode).seconds for mode in (True, False)
+        )
         assert np.allclose(first, second, rtol=1e-4)
 
 
@@ -276,7 +307,9 @@ def test_a_feed_move_without_a_feed_is_refused_with_its_row() -> None:
         joints = joints_of(wander(5), kinematics)
         feed = np.array(joints.path.feed)
         feed[3] = 0.0
-        build_program(replace(joints, path=replace(joints.path, feed=feed)), kinematics, DIALECTS["linuxcnc"], True)
+        build_program(
+            replace(joints, path=replace(joints.path, feed=feed)), kinematics, DIALECTS["linuxcnc"], True
+        )
 
 
 def test_a_path_that_starts_with_a_feed_move_starts_in_rapid_and_says_so() -> None:
@@ -315,7 +348,8 @@ def test_a_blocks_travel_does_not_depend_on_the_blocks_around_it() -> None:
 
 
 def test_a_path_whose_chord_is_taken_for_it_is_hardly_longer():
-    """A parabola beside its chord by all that is let pass, and one that is uneven along it too, against dense sampling."""
+    """A parabola beside its chord by all that is let pass, and one that is uneven along it too, against dense
+    sampling."""
     u, off = np.linspace(0, 1, 20001), feeds.EVEN
     for aslant in (0.0, 0.5):
         sag = 4 * off * u * (1 - u)
@@ -325,11 +359,15 @@ def test_a_path_whose_chord_is_taken_for_it_is_hardly_longer():
 
 
 def test_a_short_path_that_turns_back_on_itself_is_measured_closely():
-    """Chords of a fifth of a millimetre with three degrees of turn at a long lever: the tip may run back and forth."""
+    """Chords of a fifth of a millimetre with three degrees of turn at a long lever: the tip may run back and
+    forth."""
     kinematics = chain(load_machine("fork_head_bc"), Setup(tool_length=120.0))
     rng = np.random.default_rng(11)
     axis = rng.normal(0, 0.01, (400, 2)) + (0.3, 0.2)
-    axis = np.column_stack([axis, np.ones(400)]) / np.linalg.norm(np.column_stack([axis, np.ones(400)]), axis=1)[:, None]
+    axis = (
+        np.column_stack([axis, np.ones(400)])
+        / np.linalg.norm(np.column_stack([axis, np.ones(400)]), axis=1)[:, None]
+    )
     tip = np.cumsum(rng.normal(0, 0.1, (400, 3)), axis=0)
     q = inverse(kinematics, tip, axis)[0][0]
     travel = feeds.tip_travel(kinematics, q, np.ones(399, bool))
@@ -351,7 +389,9 @@ def test_words_of_0_to_360_are_taken_the_shorter_way_all_along():
 
 def test_an_axis_vector_is_taken_up_on_the_winding_nearest_to_the_words_before():
     kinematics, rng = trunnion(), np.random.default_rng(5)
-    wanted = np.column_stack([rng.uniform(-1500.0, 1500.0, 300), rng.uniform(5.0, 85.0, 300) * rng.choice((-1.0, 1.0), 300)])
+    wanted = np.column_stack(
+        [rng.uniform(-1500.0, 1500.0, 300), rng.uniform(5.0, 85.0, 300) * rng.choice((-1.0, 1.0), 300)]
+    )
     vector = forward(kinematics, in_radians(np.column_stack([np.zeros((300, 3)), wanted])))[1]
     near = wanted + rng.uniform(-4.0, 4.0, wanted.shape)
     assert turned_to(kinematics, vector, near) == pytest.approx(wanted, abs=1e-9)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Each term of the deviation's proof is needed: blocks on which the bound without it is exceeded, by dense sampling."""
+"""Each term of the deviation's proof is needed: blocks on which the bound without it is exceeded, by dense
+sampling."""
 
 from __future__ import annotations
 
@@ -10,13 +11,22 @@ import pytest
 from five_kinds import interleaved, kinematics_of
 
 from freecad_fiveaxis.core.motion.deviation import measure
-from freecad_fiveaxis.core.motion.deviation.bound import ROUNDINGS, Levers, allowance, bending, close_levers, end_levers
+from freecad_fiveaxis.core.motion.deviation.bound import (
+    ROUNDINGS,
+    Levers,
+    allowance,
+    bending,
+    close_levers,
+    end_levers,
+)
 from freecad_fiveaxis.core.motion.deviation.quartic import bow, chord
 from freecad_fiveaxis.core.motion.deviation.search import Chords, _local, _Pieces
 from freecad_fiveaxis.core.motion.linearize.proof import judge_pieces
 from freecad_fiveaxis.core.motion.trajectory import Motion, at, axis_at, frames, inner, motion, tip
 
-LONGER = pytest.mark.skipif(np.finfo(np.longdouble).eps >= np.finfo(float).eps, reason="no longer floats on this platform")
+LONGER = pytest.mark.skipif(
+    np.finfo(np.longdouble).eps >= np.finfo(float).eps, reason="no longer floats on this platform"
+)
 U = np.linspace(0.0, 1.0, 1001)
 FRAME = frames(kinematics_of("table_table"))  # the second axis, A, is the first frame's x
 
@@ -25,18 +35,19 @@ def columns(*values):
     return tuple(np.array([value]) for value in values)
 
 
-# ------------------------------------------------------------------------------------------------ levers (bound.py)
+# ------------------------------------------------------------------------------------------ levers (bound.py)
 
 
 def swung(middle, half, aside):
-    """A point 100 mm from the second axis, swung by it through ``half`` rad on both sides of ``middle``, and ``aside`` mm from the
-    plane of both axes when that angle is 0; the first axis turns, too."""
+    """A point 100 mm from the second axis, swung by it through ``half`` rad on both sides of ``middle``, and
+    ``aside`` mm from the plane of both axes when that angle is 0; the first axis turns, too."""
     arm, still = columns(0, 0, 0, 0, aside, 0, 100.0, 0, 0), columns(*np.zeros(9))
     return Motion(arm, still, *columns(0.0, 0.3, middle - half, 2.0 * half))
 
 
 def across_first(move):
-    """Of the point before the first axis turns: its distances from that axis (k,) mm, and its speeds across it."""
+    """Of the point before the first axis turns: its distances from that axis (k,) mm, and its speeds across
+    it."""
     x, y, _ = inner(FRAME, at(move, U))
     x, y = np.broadcast_to(x, U.shape), np.broadcast_to(y, U.shape)
     return np.hypot(x, y), np.hypot(np.diff(x), np.diff(y)) * (len(U) - 1)
@@ -58,7 +69,7 @@ def test_a_speed_that_is_largest_within_the_block_is_bounded():
     assert close_levers(FRAME, move).speed1[0] >= speed.max()
 
 
-# ------------------------------------------------------------------------------------------------ roundings (bound.py)
+# --------------------------------------------------------------------------------------- roundings (bound.py)
 
 
 class Counted:
@@ -105,9 +116,13 @@ class Counted:
 
 @pytest.mark.parametrize("kind", ["table_table", "nutating", "head_head", "linear_axes_everywhere"])
 def test_every_distance_comes_through_fewer_roundings_than_are_allowed_for(kind):
-    """The distance of a node's tip from the chord, on numbers that count: the constants are exact, the words too."""
+    """The distance of a node's tip from the chord, on numbers that count: the constants are exact, the words
+    too."""
     frame = frames(kinematics_of(kind))
-    rows = [[Counted(x) for x in row] for row in ((110.0, -70.0, 55.0, 20.0, 35.0), (113.0, -64.0, 54.0, 29.0, 31.0))]
+    rows = [
+        [Counted(x) for x in row]
+        for row in ((110.0, -70.0, 55.0, 20.0, 35.0), (113.0, -64.0, 54.0, 29.0, 31.0))
+    ]
     words = np.array(rows, object)
     move = motion(frame, words[:1], words[1:])
     start, there, end = (tip(frame, at(move, np.array([Counted(u)], object))) for u in (0.0, 0.25, 1.0))
@@ -122,12 +137,14 @@ def test_every_distance_comes_through_fewer_roundings_than_are_allowed_for(kind)
 
 @LONGER
 def test_at_many_turns_a_tip_is_off_by_more_than_its_coordinates_roundings_and_within_the_allowance():
-    """A rounded angle moves the tip by its own rounding times the lever: against the same words in longer arithmetic."""
+    """A rounded angle moves the tip by its own rounding times the lever: against the same words in longer
+    arithmetic."""
     rng = np.random.default_rng(33)
     words = rng.uniform(0.5, 1.0, (400, 5)) * (100.0, 100.0, 100.0, 1e6, 1e6)
     move = motion(FRAME, words, words)
     near, exact = (
-        np.array([np.broadcast_to(x, 400) for x in tip(FRAME, at(move_, move_.a * 0))]) for move_ in (move, longer(words))
+        np.array([np.broadcast_to(x, 400) for x in tip(FRAME, at(move_, move_.a * 0))])
+        for move_ in (move, longer(words))
     )
     off = np.linalg.norm((near - exact).astype(float), axis=0)
     size = np.finfo(float).eps * sum(np.abs(p) for p in move.arm)
@@ -137,17 +154,24 @@ def test_at_many_turns_a_tip_is_off_by_more_than_its_coordinates_roundings_and_w
 def longer(words):
     """The motion that stands at words, its angles in radians not rounded to a float's digits."""
     move, turn = motion(FRAME, words, words), np.longdouble(4.0) * np.arctan(np.longdouble(1.0)) / 180
-    return replace(move, a=words[:, 3].astype(np.longdouble) * turn, b=words[:, 4].astype(np.longdouble) * turn)
+    return replace(
+        move, a=words[:, 3].astype(np.longdouble) * turn, b=words[:, 4].astype(np.longdouble) * turn
+    )
 
 
 # ------------------------------------------------------------------------------------------------ quartic.py
 
 
 def test_no_quartic_that_counts_as_proven_exceeds_its_bound():
-    """Bows g = A + B s + C s^2 of every shape, many with two peaks or with a foot beyond the chord, as quartics: no remainder."""
+    """Bows g = A + B s + C s^2 of every shape, many with two peaks or with a foot beyond the chord, as
+    quartics: no remainder."""
     rng = np.random.default_rng(31)
     a, b, c = 10.0 ** rng.uniform(-2.0, 0.5, (3, 1, 4000)) * rng.normal(size=(3, 3, 4000))
-    a[0, ::2], b[:, ::2], c[:, ::2] = 0.0, 0.0, -a[:, ::2] * rng.uniform(0.0, 60.0, 2000)  # even ones across the chord: two peaks
+    a[0, ::2], b[:, ::2], c[:, ::2] = (
+        0.0,
+        0.0,
+        -a[:, ::2] * rng.uniform(0.0, 60.0, 2000),
+    )  # even ones across the chord: two peaks
     a[1:, 1::4], b[1:, 1::4], c[1:, 1::4] = 0.1, 0.0, 0.0  # a low peak across it, and anything along it
     end = np.zeros((3, 4000))
     end[0] = 10.0 ** rng.uniform(-1.0, 1.0, 4000)
@@ -173,7 +197,8 @@ def test_no_quartic_that_counts_as_proven_exceeds_its_bound():
 
 
 def exceeded(move, origin, along, low, high, half, second=None, third=None):
-    """The largest squared distance of a piece about u = 1/2 over the bound that the search has for it, less 1."""
+    """The largest squared distance of a piece about u = 1/2 over the bound that the search has for it, less
+    1."""
     levers = close_levers(FRAME, move)
     ends = (np.array([low]), np.array([high]), bending(levers, 2), bending(levers, 3), levers.turn)
     if second is not None:  # one's own bounds of the derivatives instead of those of the levers
@@ -187,7 +212,8 @@ def exceeded(move, origin, along, low, high, half, second=None, third=None):
 
 
 def test_a_piece_whose_foot_leaves_the_chord_ever_faster_keeps_its_bound():
-    """A point that runs out along a spiral; the chord lies along its path and ends where the piece has its middle."""
+    """A point that runs out along a spiral; the chord lies along its path and ends where the piece has its
+    middle."""
     speed, turn, radius = 20.0, 0.2, 100.0
     move = turning_point(radius - 0.5 * speed, 0.0, speed, turn)
     way = np.array([speed, turn * radius, 0.0])
@@ -197,7 +223,8 @@ def test_a_piece_whose_foot_leaves_the_chord_ever_faster_keeps_its_bound():
 
 
 def test_a_piece_far_from_its_chord_whose_path_has_a_cusp_keeps_its_bound():
-    """Where the speed vanishes and the path bends along the chord only the third derivative leads away from it."""
+    """Where the speed vanishes and the path bends along the chord only the third derivative leads away from
+    it."""
     speed, turn, away = 20.0, 1.0, 1e4
     move = turning_point(-0.5 * speed, speed / turn, speed, turn)
     worst = exceeded(move, (-away, 0.0, 0.0), (0.0, 1.0, 0.0), -1e3, 1e3, 0.125)
@@ -205,7 +232,8 @@ def test_a_piece_far_from_its_chord_whose_path_has_a_cusp_keeps_its_bound():
 
 
 def test_the_third_order_rest_is_used_up_where_the_derivatives_are_as_large_as_they_may_be():
-    """The same cusp; at z = x + i y the second derivative is turn |2 speed + i turn z|, the third turn^2 |3 speed + i turn z|."""
+    """The same cusp; at z = x + i y the second derivative is turn |2 speed + i turn z|, the third turn^2 |3
+    speed + i turn z|."""
     speed, away, half = 20.0, 1e4, 0.125
     move = turning_point(-0.5 * speed, speed, speed, 1.0)
     second, third = np.hypot(speed, speed * half), np.hypot(2.0 * speed, speed * half)
@@ -214,8 +242,8 @@ def test_the_third_order_rest_is_used_up_where_the_derivatives_are_as_large_as_t
 
 
 def test_a_piece_whose_foot_stays_beyond_the_chord_is_bounded_by_the_distance_from_its_end():
-    """The distance from the line and the way beyond the end, each at its largest, would be far too much: one falls as the other
-    rises about the chord's end."""
+    """The distance from the line and the way beyond the end, each at its largest, would be far too much: one
+    falls as the other rises about the chord's end."""
     turn, radius = 1.0, 100.0
     move = turning_point(radius, 0.0, 0.0, turn)
     worst = exceeded(move, (0.0, 0.0, 0.0), (0.6, 0.8, 0.0), -50.0, 0.0, 0.125)
@@ -223,16 +251,19 @@ def test_a_piece_whose_foot_stays_beyond_the_chord_is_bounded_by_the_distance_fr
 
 
 def turning_point(x, y, speed, turn):
-    """One block: a point at (x + speed u, y) mm about the first axis, which turns by ``turn`` rad and is at 0 in mid block."""
+    """One block: a point at (x + speed u, y) mm about the first axis, which turns by ``turn`` rad and is at 0
+    in mid block."""
     arm, step = columns(0, 0, 0, x, y, 0, 0, 0, 0), columns(0, 0, 0, speed, 0, 0, 0, 0, 0)
     return Motion(arm, step, *columns(-0.5 * turn, turn, 0.0, 0.0))
 
 
-# ------------------------------------------------------------------------------------------------ linearize/proof.py
+# ----------------------------------------------------------------------------------------- linearize/proof.py
 
 
 def judged(words, off):
-    return judge_pieces(FRAME, words, np.ones(len(words) - 1, bool), np.array(off), np.full(len(words) - 1, np.inf))
+    return judge_pieces(
+        FRAME, words, np.ones(len(words) - 1, bool), np.array(off), np.full(len(words) - 1, np.inf)
+    )
 
 
 def test_a_piece_counts_the_worse_of_its_ends_whichever_it_is():
@@ -242,7 +273,8 @@ def test_a_piece_counts_the_worse_of_its_ends_whichever_it_is():
 
 @LONGER
 def test_the_bound_of_a_piece_holds_in_longer_arithmetic_too():
-    """Tiny turns at long levers: the bow is found to a few roundings of the coordinates, and half of the bows are longer."""
+    """Tiny turns at long levers: the bow is found to a few roundings of the coordinates, and half of the bows
+    are longer."""
     rng = np.random.default_rng(34)
     start = rng.uniform(-1.0, 1.0, (200, 5)) * (1e5, 1e5, 1e5, 180.0, 60.0)
     end = start + rng.uniform(0.5, 1.0, (200, 5)) * (0.0, 0.0, 0.0, 1e-3, 1e-3)
@@ -251,7 +283,8 @@ def test_the_bound_of_a_piece_holds_in_longer_arithmetic_too():
     step = tuple(q.astype(np.longdouble) - p for p, q in zip(move.arm, turn.arm, strict=True))
     move = replace(move, arm_step=step, a_step=turn.a - move.a, b_step=turn.b - move.b)
     path = [
-        np.array([np.broadcast_to(x, 200) for x in tip(FRAME, at(move, np.longdouble(u)))]) for u in np.linspace(0.0, 1.0, 41)
+        np.array([np.broadcast_to(x, 200) for x in tip(FRAME, at(move, np.longdouble(u)))])
+        for u in np.linspace(0.0, 1.0, 41)
     ]
     way = path[-1] - path[0]
     way /= np.sqrt((way * way).sum(axis=0))
@@ -260,7 +293,7 @@ def test_the_bound_of_a_piece_holds_in_longer_arithmetic_too():
     assert (bow <= most).all()
 
 
-# ------------------------------------------------------------------------------------------------ axis_swing.py
+# ---------------------------------------------------------------------------------------------- axis_swing.py
 
 
 def test_the_widest_of_many_swings_of_the_axis_is_found():

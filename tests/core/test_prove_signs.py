@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program that proves signs: where it leads every machine, right or wrong, and whether the sheet says so."""
+"""The program that proves signs: where it leads every machine, right or wrong, and whether the sheet says
+so."""
 
 import re
 import shutil
@@ -55,7 +56,10 @@ def along(words):
 def mirrored(name, letters):
     """The same machine with some rotary axes turning the other way."""
     machine = load_machine(name)
-    axes = (replace(a, direction=tuple(-v for v in a.direction)) if a.letter in letters else a for a in machine.axes)
+    axes = (
+        replace(a, direction=tuple(-v for v in a.direction)) if a.letter in letters else a
+        for a in machine.axes
+    )
     return chain(replace(machine, axes=tuple(axes)), SETUP)
 
 
@@ -107,7 +111,8 @@ def test_what_does_not_fit_the_limits_is_refused_with_a_remedy(options, problem)
 
 def test_a_linear_axis_goes_to_the_side_that_its_limits_allow():
     assert any(
-        stop.title == "X alone, -20 mm" for stop in plan("trunnion_ac", mark=(490.0, 0.0, 0.0), angle=np.radians(2.0)).stops
+        stop.title == "X alone, -20 mm"
+        for stop in plan("trunnion_ac", mark=(490.0, 0.0, 0.0), angle=np.radians(2.0)).stops
     )
 
 
@@ -116,7 +121,9 @@ def test_an_axis_turns_to_the_side_that_its_limits_allow():
     axes = [replace(a, high=np.radians(5.0)) if a.letter == "A" else a for a in machine.axes]
     made = make_plan(replace(machine, axes=tuple(axes)), SETUP, WISHES)
     assert any(stop.title == "A alone, -10 deg" for stop in made.stops)
-    axes = [replace(a, low=-np.radians(5.0), high=np.radians(5.0)) if a.letter == "A" else a for a in machine.axes]
+    axes = [
+        replace(a, low=-np.radians(5.0), high=np.radians(5.0)) if a.letter == "A" else a for a in machine.axes
+    ]
     with pytest.raises(SettingsError, match="A cannot turn by 10 deg within its limits -5 to 5"):
         make_plan(replace(machine, axes=tuple(axes)), SETUP, WISHES)
 
@@ -131,7 +138,10 @@ def test_without_a_mark_the_first_line_says_that_nothing_may_stand_there():
     assert f'<p class="verdict bad">{NOTICE} At every stop' in sheet_html(made, program)
     assert (made.findings[0].code, made.findings[0].text) == ("mark-not-given", NOTICE)
     nc = proof_nc(made, program, find_dialect("linuxcnc"), PostOptions()).decode()
-    assert nc[: nc.index("M0")].rstrip().endswith("rotary axes at 0 - then go on)") and "nothing above Z 0 - stop 0" in nc
+    assert (
+        nc[: nc.index("M0")].rstrip().endswith("rotary axes at 0 - then go on)")
+        and "nothing above Z 0 - stop 0" in nc
+    )
     given, program, nc = posted("trunnion_ac")
     assert NOTICE not in " ".join(sheet_text(given, program).split()) and b"nothing above" not in nc
     assert not [one for one in given.findings if one.code == "mark-not-given"]
@@ -170,7 +180,9 @@ def test_by_linuxcnc_s_own_formulas_too():
     np.testing.assert_allclose(tip(a, c) - made.distance * k, WISHES.place, rtol=0, atol=1e-3)
     foretold = dict(made.predicted_errors)
     for text, signs in (("C turns the wrong way", (1, -1)), ("A turns the wrong way", (-1, 1))):
-        np.testing.assert_allclose(tip(signs[0] * a, signs[1] * c) - tip(a, c), foretold[text], rtol=0, atol=1e-3)
+        np.testing.assert_allclose(
+            tip(signs[0] * a, signs[1] * c) - tip(a, c), foretold[text], rtol=0, atol=1e-3
+        )
     np.testing.assert_allclose(tip(c, a) - tip(a, c), foretold["C and A are exchanged"], rtol=0, atol=1e-3)
 
 
@@ -190,12 +202,21 @@ def test_a_mark_on_the_axis_of_the_table_hides_its_sign_and_that_is_said():
 
 
 def test_the_words_are_those_of_the_conventions():
-    """docs/conventions.md: a table does A10 by turning the part's front edge up; LinuxCNC's trt machines do the opposite."""
+    """docs/conventions.md: a table does A10 by turning the part's front edge up; LinuxCNC's trt machines do
+    the opposite."""
     iso, other = ({s.title: s for s in plan(name).stops} for name in ("trunnion_ac", "linuxcnc_xyzac_trt"))
-    assert "clockwise by 10 deg, seen from the right; its front edge goes up, 17.4 mm" in iso["A alone, +10 deg"].see
+    assert (
+        "clockwise by 10 deg, seen from the right; its front edge goes up, 17.4 mm"
+        in iso["A alone, +10 deg"].see
+    )
     assert "front edge going down: A has the wrong sign" in iso["A alone, +10 deg"].bad
-    assert "counter-clockwise by 10 deg, seen from the right; its front edge goes down" in other["A alone, +10 deg"].see
-    assert "clockwise by 10 deg, seen from above; its front edge goes to the left" in iso["C alone, +10 deg"].see
+    assert (
+        "counter-clockwise by 10 deg, seen from the right; its front edge goes down"
+        in other["A alone, +10 deg"].see
+    )
+    assert (
+        "clockwise by 10 deg, seen from above; its front edge goes to the left" in iso["C alone, +10 deg"].see
+    )
 
 
 PLACES = {
@@ -226,9 +247,13 @@ def test_what_goes_where_agrees_with_the_forward_kinematics(name, turn):
             r"(?:its (\w+) edge goes|tip swings) (?:to the )?(\w+)(?: and [a-z ]+)?, ([\d.]+) mm",
             see + ("" if " mm" in see else "tip swings up, 0 mm"),
         ).groups()
-        if axis.side == "table":  # linear steps, seen from the part, turn as the tool relative to it: the part turns back
+        if (
+            axis.side == "table"
+        ):  # linear steps, seen from the part, turn as the tool relative to it: the part turns back
             part_from_machine = (tip[1:] - tip[0]).T
-            moved = part_from_machine.T @ np.array(PLACES[edge]) - PLACES[edge]  # that place of the part, in the machine
+            moved = (
+                part_from_machine.T @ np.array(PLACES[edge]) - PLACES[edge]
+            )  # that place of the part, in the machine
             along = float(moved @ np.array(PLACES[goes]))
             assert along * 100.0 == pytest.approx(float(size), abs=0.06)
             view = VIEWS[re.search(r"seen from (?:the )?(\w+)", see).group(1)]
@@ -241,7 +266,10 @@ def test_what_goes_where_agrees_with_the_forward_kinematics(name, turn):
 def test_a_table_goes_the_other_way_than_the_tool_seen_from_the_part():
     x = next(axis for axis in load_machine("fork_head_bc").axes if axis.letter == "X")
     see, bad = linear_seen(x, 20.0)
-    assert x.side == "table" and "the table goes to the left by 20 mm; the tool, seen from the part, goes to the right" in see
+    assert (
+        x.side == "table"
+        and "the table goes to the left by 20 mm; the tool, seen from the part, goes to the right" in see
+    )
     assert "table goes to the right" in bad
 
 
@@ -259,7 +287,10 @@ def test_the_program_is_read_back_word_by_word_and_waits_at_every_stop(name, con
     stops = rows(made, program)
     assert sum(line.split()[-1:] == ["M0"] for line in lines) == len(stops) + 1
     for stop in stops:
-        assert lines[stop["line"] + 1].split()[-1] == "M0" and f"stop {stop['number']} " in lines[stop["line"]].lower()
+        assert (
+            lines[stop["line"] + 1].split()[-1] == "M0"
+            and f"stop {stop['number']} " in lines[stop["line"]].lower()
+        )
 
 
 @pytest.mark.parametrize("controller", [name for name, dialect in DIALECTS.items() if dialect.number_all])
@@ -280,13 +311,20 @@ def test_the_sheet_names_every_stop_with_its_line_and_its_wrong_look():
     assert max(map(len, text.splitlines())) <= 100
 
 
-rs274 = pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
+rs274 = pytest.mark.skipif(
+    shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed"
+)
 
 
 def interpreted(text, folder):
     (folder / "p.ngc").write_bytes(text)
     return subprocess.run(
-        ["rs274", "-g", "p.ngc"], cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=60
+        ["rs274", "-g", "p.ngc"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        timeout=60,
     )
 
 

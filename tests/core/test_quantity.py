@@ -17,13 +17,24 @@ from freecad_fiveaxis.core.base.quantity import (
 
 @pytest.mark.parametrize(
     ("text", "mm"),
-    [("12", 12), ("12mm", 12), ("0.5in", 12.7), ('0.5"', 12.7), ("1.2 cm", 12), ("1e-2", 0.01), (3, 3), ("-.5", -0.5)],
+    [
+        ("12", 12),
+        ("12mm", 12),
+        ("0.5in", 12.7),
+        ('0.5"', 12.7),
+        ("1.2 cm", 12),
+        ("1e-2", 0.01),
+        (3, 3),
+        ("-.5", -0.5),
+    ],
 )
 def test_lengths_come_out_in_mm(text, mm):
     assert parse_length(text) == pytest.approx(mm, rel=1e-15)
 
 
-@pytest.mark.parametrize(("text", "rad"), [("180", math.pi), ("2deg", math.pi / 90), ("0.25rad", 0.25), ("90°", math.pi / 2)])
+@pytest.mark.parametrize(
+    ("text", "rad"), [("180", math.pi), ("2deg", math.pi / 90), ("0.25rad", 0.25), ("90°", math.pi / 2)]
+)
 def test_angles_come_out_in_radians(text, rad):
     assert parse_angle(text) == pytest.approx(rad, rel=1e-15)
 
@@ -33,7 +44,9 @@ def test_feeds_come_out_in_mm_per_minute():
     assert parse_feed("2m/min") == 2000.0
 
 
-@pytest.mark.parametrize("text", ["", "mm", "1,5", "12 parsec", "1e999", "nan", "0x10", "1 2", "--3", None, [1]])
+@pytest.mark.parametrize(
+    "text", ["", "mm", "1,5", "12 parsec", "1e999", "nan", "0x10", "1 2", "--3", None, [1]]
+)
 def test_what_is_no_length_is_named_in_the_error(text):
     with pytest.raises(SettingsError, match="is not a number") as error:
         parse_length(text, "scallop")

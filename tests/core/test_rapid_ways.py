@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rapids whose axes run independently: closed forms, dense simulation over random rates, and a bound that is too small on purpose."""
+"""Rapids whose axes run independently: closed forms, dense simulation over random rates, and a bound that is
+too small on purpose."""
 
 import dataclasses
 
@@ -32,7 +33,8 @@ LIMIT = 0.01
 BLOCK = from_triangles(box((-20.0, -20.0, 0.0), (20.0, 20.0, 20.0)))
 """40 x 40 x 20 mm on Z 0 to 20."""
 OVER = ("G90 G21", "G0 Z60 A0 C0", "G0 X-60 Y0", "G0 X-60 Y0 Z60 A0 C0", "G0 X60 Z10", "G93 G1 Z9 F10", "M30")
-"""Straight from one side of the block to the other it is clear by far; with equal rates Z is at 10 when X is at -10."""
+"""Straight from one side of the block to the other it is clear by far; with equal rates Z is at 10 when X is
+at -10."""
 MACHINES = ("trunnion_ac", "fork_head_bc", "head_b_table_c", "nutating_table_b45")
 
 
@@ -43,7 +45,12 @@ def audited(tmp_path):
     (tmp_path / "over.ngc").write_text("\n".join(OVER) + "\n", encoding="utf-8")
 
     def run(**options):
-        given = {"machine": "trunnion_ac", "against": str(tmp_path / "block.stl"), "cutter": "ball:10", **options}
+        given = {
+            "machine": "trunnion_ac",
+            "against": str(tmp_path / "block.stl"),
+            "cutter": "ball:10",
+            **options,
+        }
         return job.run(build_settings("audit", str(tmp_path / "over.ngc"), given))
 
     return run
@@ -54,7 +61,9 @@ def codes(result):
 
 
 @pytest.mark.parametrize("controller", ["fanuc", "haas"])
-def test_a_rapid_that_is_clear_only_if_interpolated_is_an_error_that_names_block_and_depth(audited, controller):
+def test_a_rapid_that_is_clear_only_if_interpolated_is_an_error_that_names_block_and_depth(
+    audited, controller
+):
     told = [one for one in audited(controller=controller).findings if one.code == "independent-rapid"]
     assert len(told) == 1 and told[0].severity.name == "ERROR" and told[0].line == 5
     assert 0.9 * 5.0 < told[0].value <= 5.0, "a point of the block is no deeper in the ball than its radius"
@@ -71,7 +80,9 @@ def test_the_same_rapid_is_clear_where_rapids_are_interpolated(audited):
 def test_what_the_ball_just_passes_over_is_told_from_what_it_touches(low, enters):
     """The box of X and Z reaches down to the last Z: its entry is how far that lies below the block's top."""
     words = np.array([[-60.0, 0.0, 60.0, 0.0, 0.0], [60.0, 0.0, low, 0.0, 0.0]])
-    found = find_way_entries(body_of(Cutter(10.0)), facet_tree(BLOCK), space("trunnion_ac"), words, np.array([0]), LIMIT, 0.001)
+    found = find_way_entries(
+        body_of(Cutter(10.0)), facet_tree(BLOCK), space("trunnion_ac"), words, np.array([0]), LIMIT, 0.001
+    )
     assert (found.depth[0] > 0.0) == enters and (found.bound[0] <= LIMIT) == (not enters)
     if enters:
         assert found.depth[0] == pytest.approx(3 * LIMIT, rel=RELATIVE)
@@ -106,7 +117,10 @@ def test_dense_simulation_over_random_rates_finds_nothing_that_the_bound_does_no
     assert hit.any() and not hit.all() and (deepest > LIMIT).any()
     assert (found.bound[hit] <= found.depth[hit] + np.maximum(0.1, RELATIVE * found.depth[hit]) + 1e-9).all()
     at = there.poses(found.words[hit])
-    depth = [depth_of(body, tip, k, p[None])[0] for tip, k, p in zip(at.tip.T, at.axis.T, found.place[hit], strict=True)]
+    depth = [
+        depth_of(body, tip, k, p[None])[0]
+        for tip, k, p in zip(at.tip.T, at.axis.T, found.place[hit], strict=True)
+    ]
     assert depth == pytest.approx(found.depth[hit], abs=1e-6), "each depth is that of a place on a way"
 
 
@@ -139,17 +153,23 @@ def piece_support(piece, at, g):
 def test_boxes_of_linear_joints_are_exact():
     """Far corners of the box: the support is the largest over its eight corners."""
     there, piece = space("trunnion_ac"), body_of(Cutter(10.0)).pieces[0]
-    box_ = JointBoxes(np.zeros(1, np.int64), np.array([[1.0, 2.0, 30.0, 40.0, 50.0]]), np.array([[5.0, 7.0, 9.0, 0.0, 0.0]]))
+    box_ = JointBoxes(
+        np.zeros(1, np.int64), np.array([[1.0, 2.0, 30.0, 40.0, 50.0]]), np.array([[5.0, 7.0, 9.0, 0.0, 0.0]])
+    )
     hulls = there.hulls(box_, 30.0)
     g = np.array([[0.6], [0.0], [0.8]])
     signs = np.array([[a, b, c, 0.0, 0.0] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)])
     at = there.poses(box_.middle + signs * box_.half)
     each = piece_support(piece, at, np.tile(g, 8))
-    assert hulls.reached(piece, g)[0] + (g[:, 0] * hulls.pose.tip[:, 0]).sum() == pytest.approx(each.max(), abs=1e-9)
+    assert hulls.reached(piece, g)[0] + (g[:, 0] * hulls.pose.tip[:, 0]).sum() == pytest.approx(
+        each.max(), abs=1e-9
+    )
 
 
 def test_only_rapids_of_several_axes_have_more_than_one_way():
-    text = "\n".join(("G90 G21", "G0 X0 Y0 Z60 A0 C0", "G0 Z50", "G0 X5 Y5", "G93 G1 X6 Y6 F10", "G0 Z60 A10", "M30")).encode()
+    text = "\n".join(
+        ("G90 G21", "G0 X0 Y0 Z60 A0 C0", "G0 Z50", "G0 X5 Y5", "G93 G1 X6 Y6 F10", "G0 Z60 A10", "M30")
+    ).encode()
     made = load_machine("trunnion_ac")
     program = read_nc(text, chain(made, Setup(made.origin)), find_dialect("linuxcnc"))
     assert program.line[independent_rapids(program) + 1].tolist() == [4, 6]
@@ -184,7 +204,11 @@ def test_a_report_does_not_call_a_program_gouge_free_that_is_so_only_if_interpol
 def test_each_controller_says_how_it_drives_rapids():
     said = {name: dialect.rapids for name, dialect in DIALECTS.items()}
     assert set(said.values()) <= set(RAPIDS)
-    assert said["haas"] == INDEPENDENT and said["fanuc"] == said["mach3"] == UNKNOWN and said["linuxcnc"] == INTERPOLATED
+    assert (
+        said["haas"] == INDEPENDENT
+        and said["fanuc"] == said["mach3"] == UNKNOWN
+        and said["linuxcnc"] == INTERPOLATED
+    )
 
 
 def test_the_option_is_stronger_than_the_machine_file_and_that_than_the_controller():
@@ -192,7 +216,9 @@ def test_the_option_is_stronger_than_the_machine_file_and_that_than_the_controll
     asked = {"machine": "trunnion_ac"}
     plain, told = (build_settings("mill", "p.stl", {**asked, **more}) for more in ({}, {"rapids": "unknown"}))
     own = dataclasses.replace(machine, rapids=INTERPOLATED)
-    assert rapids_of(plain, machine, dialect) == INDEPENDENT and rapids_of(plain, own, dialect) == INTERPOLATED
+    assert (
+        rapids_of(plain, machine, dialect) == INDEPENDENT and rapids_of(plain, own, dialect) == INTERPOLATED
+    )
     assert rapids_of(told, own, dialect) == UNKNOWN
 
 
@@ -205,7 +231,11 @@ def test_the_machine_file_keeps_it(tmp_path):
 @pytest.mark.parametrize("value", ['"straight"', "true", "3", '""'])
 def test_a_value_that_is_none_of_them_is_refused_with_those_on_offer(tmp_path, value, capsys):
     save_machine(dataclasses.replace(load_machine("trunnion_ac"), rapids=UNKNOWN), tmp_path / "own.fcm")
-    text = (tmp_path / "own.fcm").read_text(encoding="utf-8").replace('"rapids": "unknown"', f'"rapids": {value}')
+    text = (
+        (tmp_path / "own.fcm")
+        .read_text(encoding="utf-8")
+        .replace('"rapids": "unknown"', f'"rapids": {value}')
+    )
     (tmp_path / "bad.fcm").write_text(text, encoding="utf-8")
     with pytest.raises(MachineError, match=r"fiveaxis\.rapids"):
         load_machine(tmp_path / "bad.fcm")

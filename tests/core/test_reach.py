@@ -18,8 +18,11 @@ INF = math.inf
 
 
 def kinematics(tilt=(-INF, INF), turn=(-INF, INF), first=(0, 0, 1), second=(1, 0, 0)):
-    """Table-table: the first axis, nearer to the work, with limits ``turn`` deg, the second with ``tilt`` deg."""
-    move = [Axis(letter, False, "head", tuple(row)) for letter, row in zip("XYZ", np.eye(3).tolist(), strict=True)]
+    """Table-table: the first axis, nearer to the work, with limits ``turn`` deg, the second with ``tilt``
+    deg."""
+    move = [
+        Axis(letter, False, "head", tuple(row)) for letter, row in zip("XYZ", np.eye(3).tolist(), strict=True)
+    ]
     c = Axis("C", True, "table", first, low=math.radians(turn[0]), high=math.radians(turn[1]))
     a = Axis("A", True, "table", second, low=math.radians(tilt[0]), high=math.radians(tilt[1]))
     return chain(Machine("trial", (c, a, *move)), Setup())
@@ -57,10 +60,15 @@ def test_facets_steeper_than_the_largest_axis_angle_are_out_with_their_area(most
     np.testing.assert_array_equal(keep[np.abs(lean - most) > 0.01], (lean < most)[np.abs(lean - most) > 0.01])
     steep = codes(found)["facets-beyond-axis-angle"]
     assert steep.severity == Severity.WARNING
-    zone = 2 * math.pi * 10 * 10 * math.cos(math.radians(most))  # of the sphere between that angle and its equator
+    zone = (
+        2 * math.pi * 10 * 10 * math.cos(math.radians(most))
+    )  # of the sphere between that angle and its equator
     assert steep.value == pytest.approx(zone, rel=0.1)
     corners = mesh.vertex[mesh.face[~keep & (mesh.normal[:, 2] >= 0)]]
-    area = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+    area = (
+        0.5
+        * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+    )
     assert steep.value == pytest.approx(area)
 
 
@@ -132,15 +140,28 @@ def test_a_largest_axis_angle_out_of_range_is_refused(angle):
         facets_within_limits(ball(4, 6), kinematics(), angle)
 
 
-@pytest.mark.parametrize("second", [(1, 0, 0), (0, math.sqrt(0.5), math.sqrt(0.5)), (0.6, 0.0, 0.8), (0.0, 0.8, -0.6)])
+@pytest.mark.parametrize(
+    "second", [(1, 0, 0), (0, math.sqrt(0.5), math.sqrt(0.5)), (0.6, 0.0, 0.8), (0.0, 0.8, -0.6)]
+)
 def test_a_free_first_axis_changes_no_answer(second):
-    """Without limits of the first axis the answer comes from one component; two halves of its turn go the long way."""
+    """Without limits of the first axis the answer comes from one component; two halves of its turn go the
+    long way."""
     random = np.random.default_rng(3)
     axis = random.normal(size=(3000, 3))
     axis[:200, :2] *= 1e-7
     axis[200:300, 2] = 0.0
     axis /= np.linalg.norm(axis, axis=1)[:, None]
-    spans = [(-120, 30), (0, 90), (-90, 0), (-1e-5, 2e-5), (100, 260), (-400, -100), (-360, 360), (170, 190), (179, 180)]
+    spans = [
+        (-120, 30),
+        (0, 90),
+        (-90, 0),
+        (-1e-5, 2e-5),
+        (100, 260),
+        (-400, -100),
+        (-360, 360),
+        (170, 190),
+        (179, 180),
+    ]
     for tilt in spans:
         free, one, other = (
             axes_within_limits(kinematics(turn=turn, tilt=tilt, second=second), axis)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the tool gets: areas in closed form, every reachable place looked at by dense samples, and each reason on a part made for it."""
+"""Where the tool gets: areas in closed form, every reachable place looked at by dense samples, and each
+reason on a part made for it."""
 
 import json
 import math
@@ -50,7 +51,19 @@ def slot(width, depth, length=30.0):
     """A block 60 mm wide and ``depth`` + 10 high with a slot down its middle, open at both ends."""
     low, high, half = 0.0, depth + 10.0, 0.5 * width
     return profile(
-        np.array([(-30, low), (30, low), (30, high), (half, high), (half, 10), (-half, 10), (-half, high), (-30, high)]), length
+        np.array(
+            [
+                (-30, low),
+                (30, low),
+                (30, high),
+                (half, high),
+                (half, 10),
+                (-half, 10),
+                (-half, high),
+                (-30, high),
+            ]
+        ),
+        length,
     )
 
 
@@ -67,8 +80,8 @@ def test_a_block_on_the_table_is_reached_but_for_its_underside_and_a_strip_as_hi
 
 
 def test_a_slot_narrower_than_the_ball_is_tighter_than_the_cutter():
-    """Its floor and all of its walls but what the ball's lower half leaves free at the mouth: a ball on the wall stands 3 mm
-    from it, and the other wall is 5 mm off, so only above the mouth's edge less nothing."""
+    """Its floor and all of its walls but what the ball's lower half leaves free at the mouth: a ball on the
+    wall stands 3 mm from it, and the other wall is 5 mm off, so only above the mouth's edge less nothing."""
     found = reach_map(slot(5.0, 20.0), Reacher(BALL))
     assert found.area_of(Obstacle.CUTTER) == pytest.approx(30.0 * (5.0 + 2 * 20.0), rel=0.12)
     assert found.area_of(Obstacle.SHANK) == found.area_of(Obstacle.HOLDER) == 0.0
@@ -111,7 +124,8 @@ def test_a_thick_shank_is_named_as_such(coarsest):
 
 
 def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
-    """No tilt up to 80 deg brings the tool to the underside of a part on a machine that stays within 30 deg."""
+    """No tilt up to 80 deg brings the tool to the underside of a part on a machine that stays within 30
+    deg."""
     machine = load_machine("trunnion_ac")
     kinematics = chain(machine, Setup(machine.origin))
     low, high = kinematics.low.copy(), kinematics.high.copy()
@@ -121,11 +135,14 @@ def test_what_the_machine_cannot_turn_to_is_beyond_its_limits(coarse):
     assert (found.obstacle[under] == Obstacle.LIMITS).all()
     assert np.degrees(np.arccos(found.axis[~under, 2])).max() <= 30.0 + 1e-9
     side = ~under & (found.point[:, 2] < 19.0)
-    assert (found.tilt[side] >= math.radians(60.0) - 1e-9).all() and (found.obstacle[side] == Obstacle.NONE).all()
+    assert (found.tilt[side] >= math.radians(60.0) - 1e-9).all() and (
+        found.obstacle[side] == Obstacle.NONE
+    ).all()
 
 
 def test_what_stopped_the_luckiest_axis_is_named_though_later_ones_are_beyond_the_limits(coarsest):
-    """On a slot's floor all axes up to 30 deg meet the holder, all farther ones are none of this machine's."""
+    """On a slot's floor all axes up to 30 deg meet the holder, all farther ones are none of this
+    machine's."""
     machine, mesh = load_machine("trunnion_ac"), slot(14.0, 30.0, 160.0)
     kinematics = chain(machine, Setup(machine.origin))
     low, high = kinematics.low.copy(), kinematics.high.copy()
@@ -208,8 +225,11 @@ def test_the_command_line_writes_every_report(part, tmp_path, capsys, coarse):
     assert "holder in the way" in (tmp_path / "reach.html").read_text()
 
 
-def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_said(tmp_path, capsys, coarse):
-    """The block stands on Z 0 of the work: 30 mm below the table where the work zero is, on it where it is 30 mm higher."""
+def test_a_part_that_would_lie_in_the_table_is_looked_at_without_one_and_that_is_said(
+    tmp_path, capsys, coarse
+):
+    """The block stands on Z 0 of the work: 30 mm below the table where the work zero is, on it where it is 30
+    mm higher."""
     path, report = tmp_path / "block.stl", tmp_path / "a.json"
     write_stl(block(), path)
     words = ["reach", str(path), "--machine", "trunnion_ac", "--cutter", "ball:6:30"]
@@ -243,8 +263,9 @@ def test_a_cl_file_is_no_part(tmp_path, capsys):
 
 
 def test_the_ball_that_would_fit_is_that_of_the_closed_form():
-    """In a slot 5 mm wide and 20 deep a ball of radius r up to 2.5 is free but for a strip of r beside both edges of the floor, on
-    floor and walls: 4 r of 45 mm. A share of s leaves r up to 11.25 (1 - s), of which the tenths of 3 mm below are tried."""
+    """In a slot 5 mm wide and 20 deep a ball of radius r up to 2.5 is free but for a strip of r beside both
+    edges of the floor, on floor and walls: 4 r of 45 mm. A share of s leaves r up to 11.25 (1 - s), of which
+    the tenths of 3 mm below are tried."""
     mesh, reacher = slot(5.0, 20.0, 20.0), Reacher(BALL)
     middle = mesh.vertex[mesh.face].mean(axis=1)
     found = reach_map(mesh, reacher, (np.abs(middle[:, 0]) < 3.0) & (middle[:, 2] > 5.0))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machines recovered from rows: against the machines that made them, LinuxCNC's formulas and So et al.'s Table 2."""
+"""Machines recovered from rows: against the machines that made them, LinuxCNC's formulas and So et al.'s
+Table 2."""
 
 import re
 from dataclasses import replace
@@ -11,7 +12,13 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.calibration.recover import parameters, printed_axis_step, recover, recovery_findings, rotary_letters
+from freecad_fiveaxis.core.calibration.recover import (
+    parameters,
+    printed_axis_step,
+    recover,
+    recovery_findings,
+    rotary_letters,
+)
 from freecad_fiveaxis.core.calibration.recover.fit import refined, screened
 from freecad_fiveaxis.core.calibration.recover.layouts import Guess, start_layout
 from freecad_fiveaxis.core.calibration.recover.matching import _table, _traced, aligned, in_order, sequences
@@ -42,12 +49,19 @@ def test_table_2_gives_the_offsets_of_the_ucp_710_within_their_certainty(start):
     start = start and load_machine(start)
     found = recover(cl_path(tip, axis), program("XYZCA", words), start, axis_step=1e-7)
     values = {one.name: one for one in parameters(found)}
-    for name, true in (("C line, X", 0.0), ("C line, Y", 0.0), ("A line, Y", -49.934), ("A line, Z", 119.999)):
+    for name, true in (
+        ("C line, X", 0.0),
+        ("C line, Y", 0.0),
+        ("A line, Y", -49.934),
+        ("A line, Z", 119.999),
+    ):
         assert abs(values[name].value - true) <= values[name].certainty < 0.03
     assert values["A line, Z"].certainty > values["A line, Y"].certainty > 0.001  # A turns by 0.1 deg only
     assert found.fit.layout.kind == "table-table" and not found.others
     assert [axis.direction for axis in found.machine.rotary] == [(0, 0, 1), (1, 0, 0)]
-    assert found.fit.miss.max() < 1e-4 and not values["A line, Z"].certainty_free < 1.0  # with zeros unknown nothing is left
+    assert (
+        found.fit.miss.max() < 1e-4 and not values["A line, Z"].certainty_free < 1.0
+    )  # with zeros unknown nothing is left
 
 
 @pytest.mark.parametrize("wrong", [0.0, 0.05])
@@ -65,7 +79,9 @@ def test_plain_least_squares_would_be_misled_by_5_per_cent_of_wrong_rows():
     path, made, bad = posted("trunnion_ac", wrong=0.05)
     pairs = in_order(sequences(path, made, 1e-4))
     rows = rows_of(start_layout(load_machine("trunnion_ac")), pairs, np.zeros((2, 3)), np.zeros(UNKNOWNS))
-    misled = np.linalg.lstsq(rows.jacobian[:, :3, :4].reshape(-1, 4), rows.residual[:, :3].reshape(-1), rcond=None)[0]
+    misled = np.linalg.lstsq(
+        rows.jacobian[:, :3, :4].reshape(-1, 4), rows.residual[:, :3].reshape(-1), rcond=None
+    )[0]
     assert len(bad) == 3 and np.abs(misled - (-10.0, 5.0, 5.0, -70.0)).max() > 1.0
 
 
@@ -80,19 +96,37 @@ def test_words_by_linuxcnc_s_own_formulas_give_its_offsets_and_its_signs():
     y, z = 23.0, -41.5
     tip, _ = poses(40, 5)
     rng = np.random.default_rng(6)
-    a, c = np.radians(np.round(np.degrees(rng.uniform(-0.8, 0.8, 40)), 4)), np.radians(np.round(rng.uniform(-180, 180, 40), 4))
+    a, c = (
+        np.radians(np.round(np.degrees(rng.uniform(-0.8, 0.8, 40)), 4)),
+        np.radians(np.round(rng.uniform(-180, 180, 40), 4)),
+    )
     d = np.array([0.0, y, z])
     u = (
-        np.column_stack([np.cos(c) * tip[:, 0] - np.sin(c) * tip[:, 1], np.sin(c) * tip[:, 0] + np.cos(c) * tip[:, 1], tip[:, 2]])
+        np.column_stack(
+            [
+                np.cos(c) * tip[:, 0] - np.sin(c) * tip[:, 1],
+                np.sin(c) * tip[:, 0] + np.cos(c) * tip[:, 1],
+                tip[:, 2],
+            ]
+        )
         - d
     )
-    joints = np.column_stack([u[:, 0], np.cos(a) * u[:, 1] - np.sin(a) * u[:, 2], np.sin(a) * u[:, 1] + np.cos(a) * u[:, 2]]) + d
-    k = np.column_stack([np.sin(a) * np.sin(c), np.sin(a) * np.cos(c), np.cos(a)])  # J = d + Rx(A)(Rz(C) P - d)
+    joints = (
+        np.column_stack(
+            [u[:, 0], np.cos(a) * u[:, 1] - np.sin(a) * u[:, 2], np.sin(a) * u[:, 1] + np.cos(a) * u[:, 2]]
+        )
+        + d
+    )
+    k = np.column_stack(
+        [np.sin(a) * np.sin(c), np.sin(a) * np.cos(c), np.cos(a)]
+    )  # J = d + Rx(A)(Rz(C) P - d)
     words = np.round(np.column_stack([joints, np.degrees(a), np.degrees(c)]), 4)
     found = recover(cl_path(tip, np.round(k, 6)), program("XYZAC", words), axis_step=1e-6)
     assert [axis.direction for axis in found.machine.rotary] == [(0, 0, -1), (-1, 0, 0)]
     values = {one.name: one.value for one in parameters(found)}
-    assert values["A line, Y"] == pytest.approx(y, abs=2e-3) and values["A line, Z"] == pytest.approx(z, abs=2e-3)
+    assert values["A line, Y"] == pytest.approx(y, abs=2e-3) and values["A line, Z"] == pytest.approx(
+        z, abs=2e-3
+    )
     assert codes(found).count("turns-against-iso") == 2
 
 
@@ -100,12 +134,17 @@ def test_words_by_5axiskins_give_its_pivot_length_and_a_fork():
     length = 173.25
     tip, _ = poses(40, 5)
     rng = np.random.default_rng(6)
-    b, c = np.radians(np.round(rng.uniform(-60, 60, 40), 4)), np.radians(np.round(rng.uniform(-180, 180, 40), 4))
+    b, c = (
+        np.radians(np.round(rng.uniform(-60, 60, 40), 4)),
+        np.radians(np.round(rng.uniform(-180, 180, 40), 4)),
+    )
     k = np.column_stack([-np.cos(c) * np.sin(b), -np.sin(c) * np.sin(b), np.cos(b)])  # Rz(C) Ry(-B) ez
     joints = tip - (0, 0, length) + length * k  # P = J + (0, 0, L) - L k
     words = np.round(np.column_stack([joints, np.degrees(b), np.degrees(c)]), 4)
     found = recover(cl_path(tip, np.round(k, 6)), program("XYZBC", words), axis_step=1e-6)
-    assert found.fit.layout.kind == "head-head" and "".join(axis.letter for axis in found.machine.rotary) == "CB"
+    assert (
+        found.fit.layout.kind == "head-head" and "".join(axis.letter for axis in found.machine.rotary) == "CB"
+    )
     assert [axis.direction for axis in found.machine.rotary] == [(0, 0, 1), (0, -1, 0)]
     assert found.machine.rotary[1].point == pytest.approx((0, 0, length), abs=1e-3)
     assert "tool-length-included" in codes(found)
@@ -149,18 +188,29 @@ def test_certainties_are_what_many_roundings_show():
 
 @pytest.mark.parametrize("coarse", ["tip", "axis", "linear", "rotary"])
 def test_whitened_residuals_of_rounded_numbers_have_unit_covariance(coarse):
-    """2000 roundings of one column each, of random poses: each of the six whitened residuals, and any two of them."""
+    """2000 roundings of one column each, of random poses: each of the six whitened residuals, and any two of
+    them."""
     machine = load_machine("trunnion_ac")
     kinematics, layout = chain(machine, SETUP), start_layout(machine)
-    fine = {"tip": 1e-4, "axis": 1e-7, "linear": 1e-4, "rotary": 1e-7}  # the least that keeps the covariance regular
+    fine = {
+        "tip": 1e-4,
+        "axis": 1e-7,
+        "linear": 1e-4,
+        "rotary": 1e-7,
+    }  # the least that keeps the covariance regular
     steps = Steps(**{**fine, coarse: {"tip": 0.1, "axis": 1e-3, "linear": 0.1, "rotary": 1e-4}[coarse]})
     rng = np.random.default_rng(8)
     q = np.column_stack([rng.uniform(-100, 100, (2000, 3)), rng.uniform(-1, 1, (2000, 2))])
     tip, axis = forward(kinematics, q)
     tip, axis = (np.round(column / step) * step for column, step in ((tip, steps.tip), (axis, steps.axis)))
-    linear, rotary = (np.round(column / step) * step for column, step in ((q[:, :3], steps.linear), (q[:, 3:], steps.rotary)))
+    linear, rotary = (
+        np.round(column / step) * step
+        for column, step in ((q[:, :3], steps.linear), (q[:, 3:], steps.rotary))
+    )
     order = [kinematics.letters[3:].index(letter) for letter in sorted(kinematics.letters[3:])]
-    pairs = Pairs("AC", tip, axis, linear, rotary[:, order], np.arange(2000), np.arange(2000), steps, np.arange(2000))
+    pairs = Pairs(
+        "AC", tip, axis, linear, rotary[:, order], np.arange(2000), np.arange(2000), steps, np.arange(2000)
+    )
     rows = rows_of(layout, pairs, np.array([kinematics.point1, kinematics.point2]), np.zeros(UNKNOWNS))
     white = np.einsum("nij,nj->ni", rows.whitener, rows.residual)
     assert white.T @ white / 2000 == pytest.approx(np.eye(6), abs=0.15)
@@ -220,7 +270,11 @@ def test_a_machine_file_with_a_wrong_pivot_is_named_with_the_amount():
     ]
     found = recover(path, made, replace(load_machine("mikron_ucp710"), axes=tuple(axes)), SETUP)
     named = [one for one in recovery_findings(found, 0.01) if one.code == "post-and-machine-differ"]
-    assert len(named) == 1 and named[0].severity is Severity.ERROR and named[0].value == pytest.approx(0.065, abs=1e-3)
+    assert (
+        len(named) == 1
+        and named[0].severity is Severity.ERROR
+        and named[0].value == pytest.approx(0.065, abs=1e-3)
+    )
     assert named[0].text.startswith("A line, Z: the post has 119.99") and "0.0650 mm apart" in named[0].text
     same = recover(path, made, load_machine("mikron_ucp710"), SETUP)
     assert "post-and-machine-differ" not in codes(same) and same.start_miss < 1e-3
@@ -233,18 +287,27 @@ def test_a_wrong_sign_and_a_wrong_kind_and_wrong_letters_are_named():
         recover(path, made, load_machine("trunnion_ac"), SETUP)
     )
     path, made, _ = posted("fork_head_bc")
-    assert "head-head, trunnion_bc is table-table" in told(recover(path, made, load_machine("trunnion_bc"), SETUP))
-    assert "rotary words C and B, trunnion_ac has C and A" in told(recover(path, made, load_machine("trunnion_ac"), SETUP))
+    assert "head-head, trunnion_bc is table-table" in told(
+        recover(path, made, load_machine("trunnion_bc"), SETUP)
+    )
+    assert "rotary words C and B, trunnion_ac has C and A" in told(
+        recover(path, made, load_machine("trunnion_ac"), SETUP)
+    )
 
 
 @pytest.mark.thorough
 def test_a_lean_that_is_not_among_the_layouts_comes_from_the_machine_given():
     lean = (0.0, np.sin(np.radians(40)), np.cos(np.radians(40)))
     base = load_machine("nutating_table_b45")
-    axes = [replace(axis, direction=lean, point=(0.0, 3.0, -50.0)) if axis.letter == "B" else axis for axis in base.axes]
+    axes = [
+        replace(axis, direction=lean, point=(0.0, 3.0, -50.0)) if axis.letter == "B" else axis
+        for axis in base.axes
+    ]
     truth = replace(base, axes=tuple(axes))
     path, made, _ = posted(truth, lean=0.6)
-    given = replace(truth, axes=tuple(replace(axis, point=(0.0, 0.0, 0.0)) if axis.rotary else axis for axis in axes))
+    given = replace(
+        truth, axes=tuple(replace(axis, point=(0.0, 0.0, 0.0)) if axis.rotary else axis for axis in axes)
+    )
     assert line_errors(recover(path, made, given, SETUP).machine, truth).max() < NEAR
     assert "poor-fit" in codes(recover(path, made, None, SETUP))
 
@@ -258,12 +321,17 @@ def test_what_the_rows_do_not_determine_is_said_and_kept_as_given():
     q = np.column_stack([words[:, :3], np.radians(words[:, 3:])])
     tip, axis = forward(kinematics, q)
     found = recover(
-        replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), load_machine("trunnion_ac"), SETUP
+        replace(path, tip=np.round(tip, 4), axis=axis),
+        program(made.letters, words),
+        load_machine("trunnion_ac"),
+        SETUP,
     )
     lost = [one for one in parameters(found) if one.name.startswith("A line")]
     assert not any(one.determined for one in lost) and all(one.apart < 1e-6 for one in lost)
     assert codes(found).count("not-determined") == 2
-    without = recover(replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), None, SETUP)
+    without = recover(
+        replace(path, tip=np.round(tip, 4), axis=axis), program(made.letters, words), None, SETUP
+    )
     assert "layout-not-determined" in codes(without)  # how A turns is not known either
 
 
@@ -314,7 +382,9 @@ def test_an_inch_program_is_as_good_as_its_rounding():
 @pytest.mark.slow
 def test_axes_that_do_not_fit_and_numbers_beyond_any_machine_are_noticed():
     path, made, _ = posted("trunnion_ac", 20, 2)
-    assert "poor-fit" in codes(recover(cl_path(path.tip, np.tile((1.0, 0.0, 0.0), (20, 1))), made))  # the tips alone would fit
+    assert "poor-fit" in codes(
+        recover(cl_path(path.tip, np.tile((1.0, 0.0, 0.0), (20, 1))), made)
+    )  # the tips alone would fit
     huge = made.words.copy()
     huge[3, 0] = 1e200
     with pytest.raises(ProgramError, match="beyond any machine"):
@@ -329,7 +399,10 @@ def test_axes_that_do_not_fit_and_numbers_beyond_any_machine_are_noticed():
 def test_blocks_of_the_post_s_own_and_rows_left_out_do_not_disturb_the_pairing():
     path, made, _ = posted("trunnion_bc", 120, 4)
     rng = np.random.default_rng(9)
-    keep, extra = np.setdiff1d(np.arange(120), rng.choice(120, 6, replace=False)), np.sort(rng.choice(110, 12))
+    keep, extra = (
+        np.setdiff1d(np.arange(120), rng.choice(120, 6, replace=False)),
+        np.sort(rng.choice(110, 12)),
+    )
     words = np.insert(made.words[keep], extra, np.round(rng.uniform(-90, 90, (12, 5)), 4), axis=0)
     truth = np.insert(keep, extra, -1)
     found = recover(path, program(made.letters, words), setup=SETUP)
@@ -343,7 +416,9 @@ def test_blocks_of_the_post_s_own_and_rows_left_out_do_not_disturb_the_pairing()
 def test_a_program_that_comes_back_to_its_lines_counts_the_blocks_without_a_row():
     path, made, _ = posted("trunnion_bc", 120, 4)
     extra = np.arange(5, 100, 10)
-    words = np.insert(made.words, extra, np.round(np.random.default_rng(9).uniform(-90, 90, (10, 5)), 4), axis=0)
+    words = np.insert(
+        made.words, extra, np.round(np.random.default_rng(9).uniform(-90, 90, (10, 5)), 4), axis=0
+    )
     straight = program(made.letters, words)
     looped = replace(straight, line=10 + np.arange(130) % 13)
     skipped = [recover(path, one, setup=SETUP).skipped for one in (straight, looped)]
@@ -384,8 +459,12 @@ HAAS = Machine(
 def test_unusual_letters_with_rows_dropped_on_either_side():
     path, made, _ = posted(HAAS, 90, 6)
     rows, blocks = np.setdiff1d(np.arange(90), (7, 31, 32, 60)), np.setdiff1d(np.arange(90), (12, 45, 80))
-    found = recover(cl_path(path.tip[rows], path.axis[rows]), program(made.letters, made.words[blocks]), setup=SETUP)
-    np.testing.assert_array_equal(rows[found.pairs.row[found.fit.good]], blocks[found.pairs.line[found.fit.good] - 10])
+    found = recover(
+        cl_path(path.tip[rows], path.axis[rows]), program(made.letters, made.words[blocks]), setup=SETUP
+    )
+    np.testing.assert_array_equal(
+        rows[found.pairs.row[found.fit.good]], blocks[found.pairs.line[found.fit.good] - 10]
+    )
     assert found.fit.good.sum() > 70
     assert line_errors(found.machine, HAAS).max() < NEAR
 
@@ -395,7 +474,9 @@ def test_one_operation_is_found_in_the_whole_program():
     path, made, _ = posted("trunnion_ac", 1407, 8)
     one = slice(700, 985)
     found = recover(cl_path(path.tip[one], path.axis[one]), made, setup=SETUP)
-    np.testing.assert_array_equal(found.pairs.row[found.fit.good] + 700, found.pairs.line[found.fit.good] - 10)
+    np.testing.assert_array_equal(
+        found.pairs.row[found.fit.good] + 700, found.pairs.line[found.fit.good] - 10
+    )
     assert found.fit.good.sum() > 250
     assert line_errors(found.machine, load_machine("trunnion_ac")).max() < NEAR
 
@@ -406,14 +487,18 @@ def test_one_operation_is_found_in_the_whole_program():
 )
 def test_a_guided_program_is_refused_by_name(tmp_path, controller, on):
     apt, nc = tmp_path / "path.apt", tmp_path / "path.nc"
-    apt.write_text("UNITS/MM\nMULTAX/ON\nFEDRAT/800\nGOTO/0,0,60,0,0,1\nGOTO/10,0,40,0.1,0.2,0.974679434\nFINI\n")
+    apt.write_text(
+        "UNITS/MM\nMULTAX/ON\nFEDRAT/800\nGOTO/0,0,60,0,0,1\nGOTO/10,0,40,0.1,0.2,0.974679434\nFINI\n"
+    )
     lines = (
         ["L X0 Y0 Z60 A0 C0 FMAX", "L X10 Y0 Z40 A10 C20 F800"]
         if controller == "heidenhain"
         else ["G0 X0 Y0 Z60 A0 C0", "G1 X10 Z40 A10 C20 F800"]
     )
     head = ["BEGIN PGM T MM"] if controller == "heidenhain" else ["G21 G90"]
-    nc.write_text("\n".join([*head, on, *lines, "END PGM T MM" if controller == "heidenhain" else "M30"]) + "\n")
+    nc.write_text(
+        "\n".join([*head, on, *lines, "END PGM T MM" if controller == "heidenhain" else "M30"]) + "\n"
+    )
     given = {"program": str(nc), "machine_file": str(tmp_path / "out.fcm"), "controller": controller}
     with pytest.raises(ProgramError, match=r"controller guides the tip .*post it again without"):
         recover_machine(build_settings("recover", str(apt), given))
@@ -444,7 +529,9 @@ def test_a_recovered_machine_needs_no_start_to_be_saved(tmp_path):
     assert "limits-unknown" in codes(found)
 
 
-@pytest.mark.parametrize(("start", "of"), [("fork_head_bc", None), ("trunnion_ac", "Limits of B are left open")])
+@pytest.mark.parametrize(
+    ("start", "of"), [("fork_head_bc", None), ("trunnion_ac", "Limits of B are left open")]
+)
 def test_of_a_machine_that_has_other_letters_no_limits_are_known(start, of):
     found = recover(*posted("head_b_table_c")[:2], start=load_machine(start), setup=Setup())
     said = [finding.text for finding in recovery_findings(found, 0.01) if finding.code == "limits-unknown"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What docstrings and pages refer to is there: modules, classes, functions and data by their names, files by their paths."""
+"""What docstrings and pages refer to is there: modules, classes, functions and data by their names, files by
+their paths."""
 
 import re
 from pathlib import Path
@@ -76,7 +77,11 @@ def test_a_parameter_is_no_module(tmp_path):
 
 def missing_files(text, files):
     """The Python files that a page names and that are not there, wherever they may be."""
-    return [name for name in FILE.findall(text) if not any(file == name or file.endswith("/" + name) for file in files)]
+    return [
+        name
+        for name in FILE.findall(text)
+        if not any(file == name or file.endswith("/" + name) for file in files)
+    ]
 
 
 def test_the_files_that_pages_name_are_there():
@@ -85,7 +90,11 @@ def test_the_files_that_pages_name_are_there():
         for folder in ("freecad_fiveaxis", "tests", "benchmarks", "docs", "examples", "resources")
         for path in (ROOT / folder).rglob("*.py")
     ]
-    missing = {page.name: missing_files(page.read_text(encoding="utf-8"), files) for page in PAGES if page.name not in HISTORY}
+    missing = {
+        page.name: missing_files(page.read_text(encoding="utf-8"), files)
+        for page in PAGES
+        if page.name not in HISTORY
+    }
     assert len(PAGES) > 40
     assert {page: names for page, names in missing.items() if names} == {}
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``scripts/release`` in a small repository: the branch for FreeCAD's Addon Manager, and nothing else changed."""
+"""``scripts/release`` in a small repository: the branch for FreeCAD's Addon Manager, and nothing else
+changed."""
 
 import os
 import shutil
@@ -29,7 +30,9 @@ pytestmark = [
 
 def git(folder, *words):
     who = ["-c", "user.name=a", "-c", "user.email=a@b"]
-    done = subprocess.run(["git", *who, *words], cwd=folder, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(
+        ["git", *who, *words], cwd=folder, capture_output=True, text=True, timeout=60, check=True
+    )
     return done.stdout.strip()
 
 
@@ -39,7 +42,9 @@ def project(tmp_path):
     for name in FILES:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(f"of {name}\n")
-    (tmp_path / "package.xml").write_text('<version>1.2.3</version>\n<url type="repository" branch="main">here</url>\n')
+    (tmp_path / "package.xml").write_text(
+        '<version>1.2.3</version>\n<url type="repository" branch="main">here</url>\n'
+    )
     shutil.copy(SCRIPT, tmp_path / "scripts" / "release")
     git(tmp_path, "init", "-q", "-b", "main")
     for key, value in (("user.name", "a"), ("user.email", "a@b")):
@@ -54,7 +59,11 @@ def project(tmp_path):
 
 def release(folder, *branch):
     return subprocess.run(
-        ["bash", folder / "scripts" / "release", *branch], cwd=folder.parent, capture_output=True, text=True, timeout=60
+        ["bash", folder / "scripts" / "release", *branch],
+        cwd=folder.parent,
+        capture_output=True,
+        text=True,
+        timeout=60,
     )
 
 
@@ -70,11 +79,17 @@ def test_the_branch_has_what_freecad_needs_and_names_itself(project):
 
 
 def test_neither_the_work_tree_nor_the_index_nor_head_is_touched(project):
-    before = [git(project, *words) for words in (("status", "--porcelain"), ("rev-parse", "HEAD"), ("write-tree",))]
+    before = [
+        git(project, *words) for words in (("status", "--porcelain"), ("rev-parse", "HEAD"), ("write-tree",))
+    ]
     assert release(project, "addon").returncode == 0
-    assert [git(project, *words) for words in (("status", "--porcelain"), ("rev-parse", "HEAD"), ("write-tree",))] == before
+    assert [
+        git(project, *words) for words in (("status", "--porcelain"), ("rev-parse", "HEAD"), ("write-tree",))
+    ] == before
     assert git(project, "branch", "--format=%(refname:short)").split() == ["addon", "main"]
-    assert (project / "tests" / "core" / "c.py").is_file() and (project / "Init.py").read_text() == "changed\n"
+    assert (project / "tests" / "core" / "c.py").is_file() and (
+        project / "Init.py"
+    ).read_text() == "changed\n"
 
 
 def test_a_later_release_follows_the_one_before_and_the_same_makes_none(project):
@@ -83,20 +98,29 @@ def test_a_later_release_follows_the_one_before_and_the_same_makes_none(project)
     assert "already" in release(project).stdout and git(project, "rev-parse", "release") == first
     git(project, "commit", "-qam", "two")
     assert release(project).returncode == 0
-    assert git(project, "rev-parse", "release^") == first and git(project, "show", "release:Init.py") == "changed"
+    assert (
+        git(project, "rev-parse", "release^") == first
+        and git(project, "show", "release:Init.py") == "changed"
+    )
 
 
 def test_no_branch_of_others_is_written(project):
     git(project, "branch", "theirs")
     theirs = git(project, "rev-parse", "theirs")
-    for branch, why in (("main", "checked out"), ("theirs", "not made by this script"), ("no..name", "no name")):
+    for branch, why in (
+        ("main", "checked out"),
+        ("theirs", "not made by this script"),
+        ("no..name", "no name"),
+    ):
         done = release(project, branch)
         assert done.returncode == 2 and why in done.stderr and len(done.stderr.splitlines()) == 1
     assert git(project, "rev-parse", "theirs") == theirs
 
 
 def test_what_is_left_out_is_there_and_what_the_package_names_is_not_left_out():
-    line = next(line for line in SCRIPT.read_text(encoding="utf-8").splitlines() if line.startswith("LEFT_OUT=("))
+    line = next(
+        line for line in SCRIPT.read_text(encoding="utf-8").splitlines() if line.startswith("LEFT_OUT=(")
+    )
     left_out = set(line.removeprefix("LEFT_OUT=(").removesuffix(")").split())
     assert {"tests", "benchmarks", "out"} <= left_out and not left_out & {
         "freecad_fiveaxis",

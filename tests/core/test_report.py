@@ -26,7 +26,11 @@ def test_the_counts_are_those_counted_by_hand():
     numbers = summary(by_hand())
     assert (numbers["blocks"], numbers["feed_blocks"]) == (7, 5)
     assert (numbers["over_tolerance"], numbers["unproven"], numbers["singular_blocks"]) == (2, 1, 1)
-    assert (numbers["max_segment_deviation"], numbers["max_bound"], numbers["max_line_deviation"]) == (0.03, 0.031, 0.015)
+    assert (numbers["max_segment_deviation"], numbers["max_bound"], numbers["max_line_deviation"]) == (
+        0.03,
+        0.031,
+        0.015,
+    )
     assert (numbers["worst_block"], numbers["worst_line"]) == (4, 7)
     assert numbers["passes"] == 2
     assert numbers["max_axis_deviation_deg"] == pytest.approx(math.degrees(0.001))
@@ -41,7 +45,8 @@ def test_a_rapid_is_not_judged_but_told():
 
 
 @pytest.mark.parametrize(
-    ("tolerance", "over", "unproven"), [(0.0301, 0, 1), (0.031, 0, 0), (0.02, 1, 1), (0.0199, 2, 0), (0.001, 5, 0)]
+    ("tolerance", "over", "unproven"),
+    [(0.0301, 0, 1), (0.031, 0, 0), (0.02, 1, 1), (0.0199, 2, 0), (0.001, 5, 0)],
 )
 def test_a_block_is_over_only_beyond_the_tolerance(tolerance, over, unproven):
     numbers = summary(by_hand(tolerance))
@@ -69,10 +74,13 @@ def test_lengths_and_times_are_those_of_the_path():
 
 
 def test_cuts_links_and_rapids_make_up_the_whole_way_and_the_whole_time():
-    """By hand: the motions are rapid, link, cut, rapid, cut, fill, cut; each block is 1 mm long, but the one that turns the table."""
+    """By hand: the motions are rapid, link, cut, rapid, cut, fill, cut; each block is 1 mm long, but the one
+    that turns the table."""
     figures = by_hand()
     seconds = np.array([9.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0])
-    numbers = summary(dataclasses.replace(figures, program=dataclasses.replace(figures.program, seconds=seconds)))
+    numbers = summary(
+        dataclasses.replace(figures, program=dataclasses.replace(figures.program, seconds=seconds))
+    )
     turned = np.hypot(3.0, 4.0)  # C turns by 90 deg on the way from (3, 0, 0) to (0, 4, 0) or (0, -4, 0)
     assert numbers["cut_length"] == pytest.approx(3.0 + turned)
     assert numbers["link_length"] == numbers["rapid_length"] == pytest.approx(1.0)
@@ -89,7 +97,7 @@ def test_a_rate_is_travel_by_time_and_none_without_time():
     np.testing.assert_allclose(rates[3, 4], 1.0)
 
 
-# ---------------------------------------------------------------------------------------------------------- findings
+# --------------------------------------------------------------------------------------------------- findings
 
 
 def test_table_2_is_an_error_and_a_warning_with_their_numbers():
@@ -110,7 +118,8 @@ def test_table_2_is_an_error_and_a_warning_with_their_numbers():
 
 
 def near_pole(turn: float, feed: float, **more):
-    """What is said of one block of 2 mm of tip travel near the pole in which C turns by ``turn`` deg, tolerance 1 mm."""
+    """What is said of one block of 2 mm of tip travel near the pole in which C turns by ``turn`` deg,
+    tolerance 1 mm."""
     kinematics = chain(TRUNNION, Setup())
     words = np.array([[0.0, 0.0, 0.0, 0.0, 0.0], [2.0, 0.0, 0.0, turn, 0.0]])
     program = dataclasses.replace(program_of(kinematics, words, feed=feed), **more)
@@ -128,7 +137,10 @@ def test_blocks_near_the_pole_that_hold_the_tolerance_at_their_feed_are_a_note()
 def test_blocks_near_the_pole_are_a_warning_where_an_axis_is_held_back_or_nobody_knows():
     over = near_pole(120.0, 500.0)
     held, rate = near_pole(2.0, 50_000.0), np.rad2deg(chain(TRUNNION, Setup()).rate[3])
-    unknown, guided = near_pole(2.0, 500.0, seconds=np.zeros(2)), Guided(np.array([False, True]), np.zeros((2, 3)))
+    unknown, guided = (
+        near_pole(2.0, 500.0, seconds=np.zeros(2)),
+        Guided(np.array([False, True]), np.zeros((2, 3))),
+    )
     hidden = near_pole(2.0, 500.0, guided=guided)
     assert 2.0 / rate > 2.0 / 50_000.0, "the axis is slower than the feed here"
     for found in (over, held, unknown, hidden):
@@ -160,18 +172,36 @@ def test_a_calm_program_has_no_findings():
     assert figures_of(TRUNNION, CALM).findings == ()
 
 
-# --------------------------------------------------------------------------------------------------------------- JSON
+# ------------------------------------------------------------------------------------------------------- JSON
 
 
 def test_json_has_the_keys_that_scripts_rely_on():
-    report = json.loads(as_json(table2(inputs={"machine": "mikron_ucp710", "origin": None, "report": ("a.json",)})))
-    assert report["version"] == 1
-    wanted = {"blocks", "time_s", "max_line_deviation", "max_segment_deviation", "max_bound", "worst_line", "singular_blocks"}
-    assert wanted | {"over_tolerance", "max_axis_deviation_deg", "tolerance", "passes", "cut_length", "proven"} <= set(
-        report["summary"]
+    report = json.loads(
+        as_json(table2(inputs={"machine": "mikron_ucp710", "origin": None, "report": ("a.json",)}))
     )
+    assert report["version"] == 1
+    wanted = {
+        "blocks",
+        "time_s",
+        "max_line_deviation",
+        "max_segment_deviation",
+        "max_bound",
+        "worst_line",
+        "singular_blocks",
+    }
+    assert wanted | {
+        "over_tolerance",
+        "max_axis_deviation_deg",
+        "tolerance",
+        "passes",
+        "cut_length",
+        "proven",
+    } <= set(report["summary"])
     assert report["summary"]["worst_line"] == 4 and report["summary"]["proven"] is False
-    assert report["findings"][0]["severity"] == "error" and report["findings"][0]["code"] == "deviation-over-tolerance"
+    assert (
+        report["findings"][0]["severity"] == "error"
+        and report["findings"][0]["code"] == "deviation-over-tolerance"
+    )
     assert len(report["findings"][0]["place"]) == 3
     assert report["inputs"] == {"machine": "mikron_ucp710", "origin": None, "report": ["a.json"]}
     assert report["worst_blocks"][0]["line"] == 4
@@ -202,7 +232,7 @@ def test_plain_turns_everything_into_jsons_own_kinds():
         json.dumps({"a": math.nan}, allow_nan=False)
 
 
-# --------------------------------------------------------------------------------------------------------------- text
+# ------------------------------------------------------------------------------------------------------- text
 
 
 @pytest.mark.parametrize("make", [table2, by_hand, dome, empty, lambda: figures_of(TRUNNION, CALM)])
@@ -233,7 +263,10 @@ def test_text_columns_are_those_of_this_machine():
     [
         (lambda: figures_of(TRUNNION, CALM), "None of the 3 feed blocks leaves"),
         (table2, "1 block leaves the commanded path by more than 0.01 mm; the worst, line 4, by 2.126 mm."),
-        (by_hand, "2 of 5 feed blocks leave the commanded path by more than 0.01 mm; the worst, line 7, by 0.03 mm."),
+        (
+            by_hand,
+            "2 of 5 feed blocks leave the commanded path by more than 0.01 mm; the worst, line 7, by 0.03 mm.",
+        ),
         (lambda: by_hand(0.0301), "Not proven: "),
         (empty, "Nothing to prove"),
     ],
@@ -246,17 +279,29 @@ def test_what_is_said_of_the_path_is_one_plain_sentence(make, said):
 
 @pytest.mark.parametrize(
     ("seconds", "said"),
-    [(0.04, "0.0 s"), (59.94, "59.9 s"), (61.0, "1 min 01 s"), (3599.6, "1 h 00 min 00 s"), (7384, "2 h 03 min 04 s")],
+    [
+        (0.04, "0.0 s"),
+        (59.94, "59.9 s"),
+        (61.0, "1 min 01 s"),
+        (3599.6, "1 h 00 min 00 s"),
+        (7384, "2 h 03 min 04 s"),
+    ],
 )
 def test_durations_read_well(seconds, said):
     assert duration(seconds) == said
 
 
 def test_numbers_without_a_value_are_dashes_and_none_is_minus_zero():
-    assert [number(value, 2) for value in (None, math.inf, math.nan, -0.001, 1.005)] == ["-", "-", "-", "0.00", "1.00"]
+    assert [number(value, 2) for value in (None, math.inf, math.nan, -0.001, 1.005)] == [
+        "-",
+        "-",
+        "-",
+        "0.00",
+        "1.00",
+    ]
 
 
-# ------------------------------------------------------------------------------------------------------------ markers
+# ---------------------------------------------------------------------------------------------------- markers
 
 
 def test_markers_stand_at_the_worst_block_of_each_run():
@@ -292,7 +337,9 @@ def test_other_findings_with_a_place_are_markers_too():
         Finding(Severity.NOTE, "x", "No place."),
     )
     made = markers(dataclasses.replace(figures_of(TRUNNION, CALM), findings=found))
-    assert [(one.kind, one.label, one.place) for one in made[1:]] == [("open-edge", "open edge", (1.0, 2.0, 3.0))]
+    assert [(one.kind, one.label, one.place) for one in made[1:]] == [
+        ("open-edge", "open edge", (1.0, 2.0, 3.0))
+    ]
 
 
 def test_a_program_without_blocks_has_no_markers():

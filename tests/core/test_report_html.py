@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The HTML page: complete, well formed, self-contained, escaped, the same every time; and the thinning of its plots."""
+"""The HTML page: complete, well formed, self-contained, escaped, the same every time; and the thinning of its
+plots."""
 
 import base64
 import dataclasses
@@ -72,7 +73,12 @@ def test_an_unclosed_tag_would_be_noticed(dome_page):
 
 def test_the_page_fetches_nothing(dome_page):
     page = Page(dome_page)
-    assert "http:" not in dome_page and "https:" not in dome_page and "@import" not in dome_page and "url(" not in dome_page
+    assert (
+        "http:" not in dome_page
+        and "https:" not in dome_page
+        and "@import" not in dome_page
+        and "url(" not in dome_page
+    )
     sources = [value for _, name, value in page.attributes if name in ("src", "href")]
     assert sources and all(value.startswith("data:image/svg+xml;base64,") for value in sources)
 
@@ -105,7 +111,10 @@ def test_with_matplotlib_it_says_nothing_of_the_kind(dome_page):
 
 
 def test_foreign_text_is_escaped(without_matplotlib):
-    found = (Finding(Severity.ERROR, "limit", f"Bad {NASTY}."), Finding(Severity.ERROR, "limit", f"Single {NASTY}."))
+    found = (
+        Finding(Severity.ERROR, "limit", f"Bad {NASTY}."),
+        Finding(Severity.ERROR, "limit", f"Single {NASTY}."),
+    )
     machine = dataclasses.replace(TRUNNION, name=NASTY)
     figures = table2(title=NASTY, kind=NASTY, findings=found, inputs={NASTY: NASTY, "list": [NASTY]})
     text = as_html(dataclasses.replace(figures, machine=machine))
@@ -152,7 +161,7 @@ def test_pages_of_odd_programs_are_made_too():
         assert Page(as_html(figures)).tags.count("img") == count
 
 
-# ------------------------------------------------------------------------------------------------------ what is drawn
+# ---------------------------------------------------------------------------------------------- what is drawn
 
 
 @given(st.lists(st.floats(-1e3, 1e3), min_size=1, max_size=300), st.integers(1, 40))
@@ -160,7 +169,9 @@ def test_pages_of_odd_programs_are_made_too():
 def test_thinning_keeps_the_extremes_the_ends_and_the_order(values, bins):
     values = np.array(values)
     rows = thin(values, bins)
-    assert (np.diff(rows) > 0).all() and len(rows) <= max(2 * bins + 2, len(values) if len(values) <= 2 * bins else 0)
+    assert (np.diff(rows) > 0).all() and len(rows) <= max(
+        2 * bins + 2, len(values) if len(values) <= 2 * bins else 0
+    )
     assert rows[0] == 0 and rows[-1] == len(values) - 1
     assert values[rows].max() == values.max() and values[rows].min() == values.min()
 

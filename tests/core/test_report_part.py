@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What reports say about the part: where the tool enters it and what is left, in numbers, words, tables, markers and a picture."""
+"""What reports say about the part: where the tool enters it and what is left, in numbers, words, tables,
+markers and a picture."""
 
 import csv
 import io
@@ -13,11 +14,27 @@ from plain import build_settings
 
 from freecad_fiveaxis.core.gouge import program_motion
 from freecad_fiveaxis.core.pipeline import job
-from freecad_fiveaxis.core.report import as_html, as_json, as_text, blocks_csv, html_page, listed, markers, summary
+from freecad_fiveaxis.core.report import (
+    as_html,
+    as_json,
+    as_text,
+    blocks_csv,
+    html_page,
+    listed,
+    markers,
+    summary,
+)
 from freecad_fiveaxis.core.report.rest_material_picture import rest_svg
 from freecad_fiveaxis.core.tool.body import body_of, depth_of
 
-OPTIONS = {"machine": "trunnion_ac", "cutter": "ball:8", "stepover": 2, "tool_axis": "fixed", "linearize": "on", "rest": "on"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:8",
+    "stepover": 2,
+    "tool_axis": "fixed",
+    "linearize": "on",
+    "rest": "on",
+}
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +47,9 @@ def entered():
 @pytest.fixture(scope="module")
 def clear():
     """The same, but rows that enter are left out."""
-    return job.prove(job.make(build_settings("mill", "step.stl", {**OPTIONS, "gouge": "leave-out"}), mesh=step()))
+    return job.prove(
+        job.make(build_settings("mill", "step.stl", {**OPTIONS, "gouge": "leave-out"}), mesh=step())
+    )
 
 
 def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
@@ -40,25 +59,33 @@ def test_asked_not_to_nothing_is_looked_for_and_reports_stay_as_they_were():
     told = json.loads(as_json(job.figures(result)))
     assert not {"gouge", "left"} & set(told) and "max_left" not in told["summary"]
     assert "enters the part" not in as_text(job.figures(result))
-    assert b"depth" not in blocks_csv(result.draft.program, result.deviation, result.singularity, gouge=result.gouge)
+    assert b"depth" not in blocks_csv(
+        result.draft.program, result.deviation, result.singularity, gouge=result.gouge
+    )
 
 
 def test_the_summary_has_the_deepest_entries_and_the_judge_finds_them_too(entered):
     told = summary(job.figures(entered))
-    assert told["max_overcut"] == pytest.approx(entered.gouge.cutter.depth.max()) and told["overcut_blocks"] > 0
+    assert (
+        told["max_overcut"] == pytest.approx(entered.gouge.cutter.depth.max()) and told["overcut_blocks"] > 0
+    )
     assert told["max_overcut"] <= told["cutter_bound"] and told["max_holder_collision"] > 1.0
     row = entered.draft.program.line.tolist().index(told["overcut_line"])
     course = program_motion(entered.draft.kinematics, entered.draft.program)
     pose = course.pose(np.full(200, row - 1), np.linspace(0, 1, 200))
     place = np.tile(entered.gouge.cutter.place[row - 1], (200, 1))
     body = body_of(entered.draft.settings.cutter.cutter)
-    assert depth_of(body, pose.tip.T, pose.axis.T, place).max() == pytest.approx(told["max_overcut"], rel=0.02)
+    assert depth_of(body, pose.tip.T, pose.axis.T, place).max() == pytest.approx(
+        told["max_overcut"], rel=0.02
+    )
 
 
 def test_json_has_the_deepest_places_and_the_histogram_holds_all_the_area(entered):
     told = json.loads(as_json(job.figures(entered)))
     rows = told["gouge"]["deepest"]
-    assert 0 < len(rows) <= 10 and [row["depth"] for row in rows] == sorted((row["depth"] for row in rows), reverse=True)
+    assert 0 < len(rows) <= 10 and [row["depth"] for row in rows] == sorted(
+        (row["depth"] for row in rows), reverse=True
+    )
     assert {row["kind"] for row in rows} <= {"overcut", "rapid-collision", "holder-collision"}
     left = told["left"]
     assert sum(bar["area"] for bar in left["histogram"]) == pytest.approx(left["machined_area"])
@@ -78,7 +105,9 @@ def test_words_tell_good_from_bad(entered, clear):
 
 def test_markers_stand_where_the_part_is_entered_and_say_how_deep(entered):
     figures = job.figures(entered)
-    marks = [mark for mark in markers(figures) if mark.kind in ("overcut", "holder-collision", "rapid-collision")]
+    marks = [
+        mark for mark in markers(figures) if mark.kind in ("overcut", "holder-collision", "rapid-collision")
+    ]
     assert {"overcut", "holder-collision"} <= {mark.kind for mark in marks}
     for mark in marks:
         entries = entered.gouge.above if mark.kind == "holder-collision" else entered.gouge.cutter
@@ -92,17 +121,25 @@ def test_markers_stand_where_the_part_is_entered_and_say_how_deep(entered):
 
 
 def test_the_table_of_blocks_has_the_depth_of_each(entered):
-    text = blocks_csv(entered.draft.program, entered.deviation, entered.singularity, gouge=entered.gouge).decode()
+    text = blocks_csv(
+        entered.draft.program, entered.deviation, entered.singularity, gouge=entered.gouge
+    ).decode()
     rows = list(csv.DictReader(io.StringIO(text)))
     depth = np.array([float(row["depth"]) for row in rows])
     assert len(rows) == len(entered.draft.program.words) and depth[0] == 0.0
-    assert depth[1:] == pytest.approx(np.maximum(entered.gouge.cutter.depth, entered.gouge.above.depth), abs=1e-6)
+    assert depth[1:] == pytest.approx(
+        np.maximum(entered.gouge.cutter.depth, entered.gouge.above.depth), abs=1e-6
+    )
 
 
 def test_the_page_shows_the_places_and_the_map(entered, clear, monkeypatch):
     monkeypatch.setattr(html_page, "plots", lambda *_: ())  # the others take their time
     page = as_html(job.figures(entered))
-    assert "Where the tool enters the part" in page and "holder-collision" in page and "What is left on the part" in page
+    assert (
+        "Where the tool enters the part" in page
+        and "holder-collision" in page
+        and "What is left on the part" in page
+    )
     assert 'class="verdict bad">NOT SAFE: ' in page and '<li class="bad">The tool enters the part' in page
     assert "<p>Nowhere.</p>" in as_html(job.figures(clear))
 
@@ -111,10 +148,17 @@ def test_the_page_shows_the_places_and_the_map(entered, clear, monkeypatch):
 def test_the_picture_is_sound_small_and_the_same_every_time(clear):
     figures = job.figures(clear)
     made = rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
-    assert made == rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed) and len(made) < 400_000
+    assert (
+        made == rest_svg(figures.mesh, figures.rest, figures.tolerance, figures.allowed)
+        and len(made) < 400_000
+    )
     root = ET.fromstring(made)
     words = " ".join(text for text in root.itertext())
-    assert "From above" in words and "Area by height" in words and f"{figures.rest.height.max():+.3g} mm" in words
+    assert (
+        "From above" in words
+        and "Area by height" in words
+        and f"{figures.rest.height.max():+.3g} mm" in words
+    )
     assert len(list(root.iter("{http://www.w3.org/2000/svg}image"))) == 3
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Heights of facets, the scale of colours, and the picture of pixels, each against what can be reckoned by hand."""
+"""Heights of facets, the scale of colours, and the picture of pixels, each against what can be reckoned by
+hand."""
 
 import struct
 import zlib
@@ -30,14 +31,18 @@ BALL = Body((round_piece(0.0, 3.0, 3.0),))
 def rest():
     """One cut 0.2 mm too deep along the floor of a step."""
     mesh = step()
-    course = straight_motion(np.array([(-20.0, -12.0, -0.2), (20.0, -12.0, -0.2)]), np.tile([0.0, 0.0, 1.0], (2, 1)))
+    course = straight_motion(
+        np.array([(-20.0, -12.0, -0.2), (20.0, -12.0, -0.2)]), np.tile([0.0, 0.0, 1.0], (2, 1))
+    )
     floor = (mesh.vertex[mesh.face][..., 2] == 0.0).all(axis=1)
     return mesh, floor, find_rest_material(mesh, BALL, course, np.array([0]), 0.5, floor)
 
 
 def test_the_height_of_a_facet_is_that_of_its_worst_sample_and_others_have_none(rest):
     mesh, floor, remainder = rest
-    height = facet_heights(remainder, len(mesh.face), 0.01, 1e6)  # what is left never matters, however much it is
+    height = facet_heights(
+        remainder, len(mesh.face), 0.01, 1e6
+    )  # what is left never matters, however much it is
     assert np.isnan(height[~floor]).all() and floor.sum() == 2
     for facet in np.flatnonzero(floor):
         assert height[facet] == remainder.height[remainder.facet == facet].min()
@@ -58,7 +63,9 @@ def test_levels_go_by_powers_of_ten_from_the_borders_of_the_neutral(rest):
     assert scale.tolerance == 0.01 and scale.allowed == 0.03 and scale.deepest == pytest.approx(0.2)
     assert scale.highest >= rest[2].height.max() > 0.4 * scale.highest
     middle = np.sqrt(scale.tolerance * scale.deepest)
-    levels = height_levels(np.array([-9.0, -scale.deepest, -middle, -0.01, 0.0, 0.03, scale.highest, 1e3, np.nan]), scale)
+    levels = height_levels(
+        np.array([-9.0, -scale.deepest, -middle, -0.01, 0.0, 0.03, scale.highest, 1e3, np.nan]), scale
+    )
     assert levels[:-1] == pytest.approx([-1, -1, -0.5, 0, 0, 0, 1, 1]) and np.isnan(levels[-1])
 
 
@@ -90,16 +97,23 @@ ABOVE = view_from(-0.5 * np.pi, 0.5 * np.pi)
 def test_from_above_x_is_to_the_right_and_y_is_up():
     assert pytest.approx(np.eye(3), abs=1e-12) == ABOVE
     for view in (ABOVE, view_from(0.3, 0.6)):
-        assert view @ view.T == pytest.approx(np.eye(3), abs=1e-12) and np.linalg.det(view) == pytest.approx(1.0)
+        assert view @ view.T == pytest.approx(np.eye(3), abs=1e-12) and np.linalg.det(view) == pytest.approx(
+            1.0
+        )
 
 
 def test_the_upper_of_two_triangles_is_seen_and_none_from_behind():
     flat = np.array([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0]])
     high = 0.5 * flat + (0, 0, 1.0)
     seen = owners(np.stack([flat, high]), ABOVE, np.zeros(2), 10.0, 100, 100)
-    assert (seen == 1).sum() == pytest.approx(0.125e4, rel=0.03) and (seen == 0).sum() == pytest.approx(0.375e4, rel=0.03)
+    assert (seen == 1).sum() == pytest.approx(0.125e4, rel=0.03) and (seen == 0).sum() == pytest.approx(
+        0.375e4, rel=0.03
+    )
     assert seen[-1, 0] == 1 and seen[-1, 95] == 0 and seen[0, 99] == -1  # the lowest row is the last
-    assert (owners(np.stack([flat, high])[::-1], ABOVE, np.zeros(2), 10.0, 100, 100) == np.where(seen < 0, -1, 1 - seen)).all()
+    assert (
+        owners(np.stack([flat, high])[::-1], ABOVE, np.zeros(2), 10.0, 100, 100)
+        == np.where(seen < 0, -1, 1 - seen)
+    ).all()
     assert (owners(flat[None, ::-1], ABOVE, np.zeros(2), 10.0, 100, 100) == -1).all()
 
 
@@ -113,7 +127,9 @@ def test_the_pixels_are_those_of_a_ray_through_each_of_them():
         x, y = low[0] + (column + 0.5) / scale, low[1] + (48 - row - 0.5) / scale
         best, of = -np.inf, -1
         for k, (a, b, c) in enumerate(flat):
-            share = np.linalg.lstsq(np.array([[a[0], b[0], c[0]], [a[1], b[1], c[1]], [1, 1, 1]]), [x, y, 1], rcond=None)[0]
+            share = np.linalg.lstsq(
+                np.array([[a[0], b[0], c[0]], [a[1], b[1], c[1]], [1, 1, 1]]), [x, y, 1], rcond=None
+            )[0]
             facing = np.cross(b - a, c - a)[2] > 0.0
             if facing and share.min() > 0.0 and share @ (a[2], b[2], c[2]) > best:
                 best, of = share @ (a[2], b[2], c[2]), k

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``scripts/rings``: rings side by side, each heard whole; what fails is told; Ctrl-C leaves no process behind."""
+"""``scripts/rings``: rings side by side, each heard whole; what fails is told; Ctrl-C leaves no process
+behind."""
 
 import os
 import re
@@ -16,7 +17,10 @@ ROOT = Path(__file__).parents[2]
 
 pytestmark = [
     pytest.mark.texts,
-    pytest.mark.skipif(os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"),
+    pytest.mark.skipif(
+        os.name != "posix" or not shutil.which("make") or not shutil.which("bash"),
+        reason="needs make and bash",
+    ),
 ]
 
 HEARS = """
@@ -25,7 +29,8 @@ for number in (signal.SIGINT, signal.SIGHUP):
     signal.signal(number, signal.SIG_DFL)
 os.execvp("bash", ["bash", *sys.argv[1:]])
 """
-"""A process takes over what its parent ignores, and a shell cannot change that: SIGHUP under nohup, SIGINT behind an ampersand."""
+"""A process takes over what its parent ignores, and a shell cannot change that: SIGHUP under nohup, SIGINT
+behind an ampersand."""
 
 RING = """
 {name}:
@@ -35,12 +40,15 @@ RING = """
 
 @pytest.fixture
 def rings(tmp_path):
-    """rings({name: (seconds, code)}, *words, more="", waiting=2): the process of scripts/rings over such targets, and ``more``."""
+    """rings({name: (seconds, code)}, *words, more="", waiting=2): the process of scripts/rings over such
+    targets, and ``more``."""
     (tmp_path / "scripts").mkdir()
     shutil.copy(ROOT / "scripts/rings", tmp_path / "scripts")
 
     def begin(targets, *words, more="", waiting=2):
-        text = "".join(RING.format(name=name, seconds=seconds, code=code) for name, (seconds, code) in targets.items())
+        text = "".join(
+            RING.format(name=name, seconds=seconds, code=code) for name, (seconds, code) in targets.items()
+        )
         (tmp_path / "Makefile").write_text(text + more)
         around = {**os.environ, "FIVEAXIS_WAITING": str(waiting), "FIVEAXIS_GRACE": "1", "MAKEFLAGS": ""}
         return subprocess.Popen(
@@ -90,18 +98,27 @@ def test_one_that_fails_makes_all_fail_and_the_others_are_run(rings):
 def test_a_ring_over_its_budget_is_named_with_its_ten_dearest_tests_and_fails_nothing(rings, tmp_path):
     (tmp_path / "tests").mkdir()
     (tmp_path / "tests/budget.toml").write_text("# seconds\n[budget]\na = -1\nb = 500\n")
-    lines = "".join(f"\t@echo '{seconds}.25 s of the processor: tests/test_{seconds}.py::test'\n" for seconds in range(12))
+    lines = "".join(
+        f"\t@echo '{seconds}.25 s of the processor: tests/test_{seconds}.py::test'\n" for seconds in range(12)
+    )
     process = rings({"c": (0, 0)}, "a", "b", "c", more=f"a:\n{lines}b:\n{lines}")
     said = process.communicate(timeout=300)[0]
     assert process.returncode == 0, said
     closing = said.split("all after")[1]
     assert "(budget -1)" in closing and "(budget 500)" in closing and closing.count("budget") == 4, closing
-    assert re.findall(r"^(\d+)\.25 s  tests/test_\1\.py::test$", closing, re.MULTILINE) == [str(n) for n in range(11, 1, -1)]
-    assert len(re.findall("^rings: a is over its budget: [0-9]", closing, re.MULTILINE)) == 1 and "b is over" not in closing
+    assert re.findall(r"^(\d+)\.25 s  tests/test_\1\.py::test$", closing, re.MULTILINE) == [
+        str(n) for n in range(11, 1, -1)
+    ]
+    assert (
+        len(re.findall("^rings: a is over its budget: [0-9]", closing, re.MULTILINE)) == 1
+        and "b is over" not in closing
+    )
 
 
 def test_every_ring_of_make_test_all_has_a_budget():
-    names = re.search(r"^test-all:.*\n.*\n\t@bash scripts/rings (.*)", (ROOT / "Makefile").read_text(), re.MULTILINE)[1].split()
+    names = re.search(
+        r"^test-all:.*\n.*\n\t@bash scripts/rings (.*)", (ROOT / "Makefile").read_text(), re.MULTILINE
+    )[1].split()
     budgets = re.findall(r"^([\w-]+) = \d+$", (ROOT / "tests/budget.toml").read_text(), re.MULTILINE)
     assert set(names) - {"--"} <= set(budgets) and len(names) > 10
 

@@ -53,7 +53,9 @@ def test_the_words_are_the_tip_and_the_axis_of_the_cl_path_within_half_a_step(pa
     made = posted(path_file, machine, controller=name, rtcp=how).draft
     program, path = made.program, made.joints.path
     rows = program.row
-    assert np.abs(program.guided.tip - path.tip[rows]).max() <= 0.5 * 10.0**-made.dialect.linear_decimals * (1 + 1e-9)
+    assert np.abs(program.guided.tip - path.tip[rows]).max() <= 0.5 * 10.0**-made.dialect.linear_decimals * (
+        1 + 1e-9
+    )
     tip, axis = forward(made.kinematics, words_to_q(program.words))
     assert np.abs(tip - program.guided.tip).max() < 1e-9  # where the axes stand puts the tip exactly there
     if how == "vectors":
@@ -72,10 +74,17 @@ def test_nothing_is_claimed_of_a_block_that_the_controller_guides(path_file):
     told = summary(numbers)
     assert told["guided_blocks"] == told["feed_blocks"] > 0 and told["proven"] is False
     assert told["max_segment_deviation"] == told["max_bound"] == 0.0
-    assert told["worst_line"] is None and not len(numbers.worst), "no block is the worst of what nobody has measured"
-    assert summary(job.figures(joint))["max_segment_deviation"] > 0.01 and summary(job.figures(joint))["guided_blocks"] == 0
+    assert told["worst_line"] is None and not len(numbers.worst), (
+        "no block is the worst of what nobody has measured"
+    )
+    assert (
+        summary(job.figures(joint))["max_segment_deviation"] > 0.01
+        and summary(job.figures(joint))["guided_blocks"] == 0
+    )
     text = " ".join(as_text(numbers).split())
-    assert "Only block end points are verified in all 4 feed blocks: the path between them is under RTCP" in text
+    assert (
+        "Only block end points are verified in all 4 feed blocks: the path between them is under RTCP" in text
+    )
     assert "- (the controller guides the tip: only block ends are verified)" in " ".join(text.split())
     assert "proven upper bound" not in text and "0.000000 mm" not in text
     found = [one for one in result.findings if one.code == "tip-guided-by-controller"]
@@ -104,7 +113,20 @@ def test_f_is_the_feed_of_the_tip_under_g94_and_the_blocks_time_under_g93(path_f
 
 def test_blocks_table_shows_the_words_of_the_nc_file(path_file, tmp_path):
     out, table, report = tmp_path / "a.ngc", tmp_path / "a.csv", tmp_path / "a.json"
-    words = ["post", path_file, "--machine", "trunnion_ac", "--rtcp", "-o", out, "--blocks", table, "--report", report, "--quiet"]
+    words = [
+        "post",
+        path_file,
+        "--machine",
+        "trunnion_ac",
+        "--rtcp",
+        "-o",
+        out,
+        "--blocks",
+        table,
+        "--report",
+        report,
+        "--quiet",
+    ]
     assert cli.main([str(word) for word in words]) == cli.DONE
     lines, rows = out.read_text().splitlines(), list(csv.DictReader(table.read_text().splitlines()))
     assert "M428" in lines and "M429" in lines
@@ -126,9 +148,23 @@ def test_blocks_table_shows_the_words_of_the_nc_file(path_file, tmp_path):
         ([], "off"),
     ],
 )
-def test_rtcp_may_stand_bare_on_the_command_line_even_before_the_file(path_file, tmp_path, given, said, capsys):
+def test_rtcp_may_stand_bare_on_the_command_line_even_before_the_file(
+    path_file, tmp_path, given, said, capsys
+):
     report, out = tmp_path / "a.json", tmp_path / "a.mpf"
-    words = ["post", *given, path_file, "--machine", "trunnion_ac", "--controller", "siemens840d", "-o", out, "--report", report]
+    words = [
+        "post",
+        *given,
+        path_file,
+        "--machine",
+        "trunnion_ac",
+        "--controller",
+        "siemens840d",
+        "-o",
+        out,
+        "--report",
+        report,
+    ]
     cli.main([str(word) for word in (*words, "--quiet")])
     assert json.loads(report.read_text())["inputs"]["rtcp"] == said
 

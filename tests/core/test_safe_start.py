@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs begin and end safely: Z is up before the rotary axes turn, and never do two groups of axes move at once."""
+"""Programs begin and end safely: Z is up before the rotary axes turn, and never do two groups of axes move at
+once."""
 
 import json
 import math
@@ -35,8 +36,9 @@ GROUPS = ("Z", "AC", "XY")
 
 
 def height_over_part(machine, setup, z, q1, q2):
-    """The lowest place of the tip over the highest corner of the box (n,), in the machine frame, by rotations of its own: the
-    tool by the axes of the head, the part by those of the table the other way. X and Y stand at 0."""
+    """The lowest place of the tip over the highest corner of the box (n,), in the machine frame, by rotations
+    of its own: the tool by the axes of the head, the part by those of the table the other way. X and Y stand
+    at 0."""
     origin, tip = np.array(setup.origin), np.array(machine.gauge_point) - (0.0, 0.0, setup.tool_length)
     corners = np.array(list(product(*zip(LOW, HIGH, strict=True)))) + origin
     up = np.tile(origin + (0.0, 0.0, z), (len(q1), 1))  # the linear words count from the work zero
@@ -50,7 +52,9 @@ def height_over_part(machine, setup, z, q1, q2):
     for axis, q in zip(machine.rotary, (q1, q2), strict=True):
         if axis.side == "table":
             turn, point = np.array(axis.direction), np.array(axis.point)
-            part = np.array([point + Rotation.from_rotvec(-q[:, None] * turn).apply(corner - point) for corner in part])
+            part = np.array(
+                [point + Rotation.from_rotvec(-q[:, None] * turn).apply(corner - point) for corner in part]
+            )
     return up[:, 2] - part[:, :, 2].max(axis=0)
 
 
@@ -75,7 +79,9 @@ def test_a_z_that_does_not_lift_the_tool_is_refused():
     machine = load_machine("trunnion_ac")
     swapped = {"Y": (0.0, 0.0, 1.0), "Z": (0.0, 1.0, 0.0)}
     axes = tuple(replace(axis, direction=swapped.get(axis.letter, axis.direction)) for axis in machine.axes)
-    with pytest.raises(SettingsError, match="Z of this machine does not lift the tool: give its file another safe_start"):
+    with pytest.raises(
+        SettingsError, match="Z of this machine does not lift the tool: give its file another safe_start"
+    ):
         plane_above(chain(replace(machine, axes=axes), Setup()), LOW, HIGH, 5.0, np.zeros((1, 5)))
 
 
@@ -106,11 +112,20 @@ def test_the_machine_file_says_how_programs_begin(given, read, tmp_path):
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"retract": "home"}, r"fiveaxis\.safe_start\.retract: 'home' is none of machine, reference, clearance, none"),
+        (
+            {"retract": "home"},
+            r"fiveaxis\.safe_start\.retract: 'home' is none of machine, reference, clearance, none",
+        ),
         ({"retract": "machine"}, r"fiveaxis\.safe_start\.Z: the key is missing"),
         ({"retract": "machine", "Z": "up"}, r"fiveaxis\.safe_start\.Z: 'up' is not a finite number"),
-        ({"retract": "clearance", "Z": 5}, r"fiveaxis\.safe_start\.Z: retract clearance takes no such key; leave it out"),
-        ({"retract": "machine", "z": 5, "Z": 5}, r"fiveaxis\.safe_start\.z: retract machine takes no such key"),
+        (
+            {"retract": "clearance", "Z": 5},
+            r"fiveaxis\.safe_start\.Z: retract clearance takes no such key; leave it out",
+        ),
+        (
+            {"retract": "machine", "z": 5, "Z": 5},
+            r"fiveaxis\.safe_start\.z: retract machine takes no such key",
+        ),
         ({}, r"fiveaxis\.safe_start\.retract: the key is missing"),
         ("G28", r"fiveaxis\.safe_start: 'G28' is not an object"),
     ],
@@ -153,18 +168,30 @@ def machine_with(folder, start, name="trunnion_ac"):
 
 def posted(folder, start=None, name="trunnion_ac", axes=((0.6, 0.0, 0.8), (0.0, 0.6, 0.8)), **options):
     machine = machine_with(folder, start, name) if start else name
-    return job.make(build_settings("post", path_file(folder, axes), {"machine": machine, "tool_length": 90.0} | options))
+    return job.make(
+        build_settings("post", path_file(folder, axes), {"machine": machine, "tool_length": 90.0} | options)
+    )
 
 
 def traverses(nc, folder):
     """Where LinuxCNC's interpreter drives to in rapid, up to the first feed (n, 6): X Y Z A B C."""
     (folder / "a.ngc").write_bytes(nc)
     run = subprocess.run(
-        ["rs274", "-g", "a.ngc"], cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=60
+        ["rs274", "-g", "a.ngc"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        timeout=60,
     )
     assert run.returncode == 0, run.stderr
     before = run.stdout.split("STRAIGHT_FEED")[0]
-    return np.array([[float(n) for n in found.split(",")] for found in re.findall(r"STRAIGHT_TRAVERSE\(([^)]*)\)", before)])
+    return np.array(
+        [
+            [float(n) for n in found.split(",")]
+            for found in re.findall(r"STRAIGHT_TRAVERSE\(([^)]*)\)", before)
+        ]
+    )
 
 
 @pytest.mark.rs274
@@ -176,7 +203,9 @@ def test_linuxcnc_drives_z_then_the_rotary_axes_then_x_and_y_then_z(start, z, tm
     made = posted(tmp_path, start)
     moves = traverses(made.nc, tmp_path)
     first = made.program.words[0]
-    at = [moves[0]] if start.retract != "reference" else [moves[0], moves[1]]  # G28 goes by way of where it is
+    at = (
+        [moves[0]] if start.retract != "reference" else [moves[0], moves[1]]
+    )  # G28 goes by way of where it is
     up = at[-1]
     assert up[2] == (z if z is not None else up[2]) and (up[[0, 1, 3, 4, 5]] == 0.0).all()
     turned, over, down = moves[len(at) : len(at) + 3]
@@ -187,7 +216,9 @@ def test_linuxcnc_drives_z_then_the_rotary_axes_then_x_and_y_then_z(start, z, tm
         assert up[2] >= first[2]
 
 
-@pytest.mark.parametrize("start", [SafeStart("machine", 200.0), SafeStart("reference"), SafeStart(), SafeStart("none")])
+@pytest.mark.parametrize(
+    "start", [SafeStart("machine", 200.0), SafeStart("reference"), SafeStart(), SafeStart("none")]
+)
 @pytest.mark.parametrize(
     "options",
     [
@@ -198,17 +229,24 @@ def test_linuxcnc_drives_z_then_the_rotary_axes_then_x_and_y_then_z(start, z, tm
     ],
     ids=lambda given: "-".join(given.values()) if isinstance(given, dict) else "",
 )  # fmt: skip
-def test_the_written_file_is_read_again_as_the_same_blocks_and_without_a_word_of_its_start(start, options, tmp_path):
+def test_the_written_file_is_read_again_as_the_same_blocks_and_without_a_word_of_its_start(
+    start, options, tmp_path
+):
     made = posted(tmp_path, start, tool=3, spindle=9000.0, **options)
     again = read_nc(made.nc, made.kinematics, made.dialect)
     own = np.isin(again.line, made.program.line)
-    assert np.abs(again.words[own] - made.program.words).max() < 1e-9 and np.array_equal(again.line[own], made.program.line)
+    assert np.abs(again.words[own] - made.program.words).max() < 1e-9 and np.array_equal(
+        again.line[own], made.program.line
+    )
     assert {found.code for found in again.findings} <= {"tip-guided-by-controller"}
     others = again.words[~own]  # of a plane above the part only: over the first place, and over the last
     if len(others):
         ends = made.program.words[[0, -1]]
         assert start.retract == "clearance" and len(others) == 2
-        assert np.abs(others[:, [0, 1, 3, 4]] - ends[:, [0, 1, 3, 4]]).max() < 2e-4 and (others[:, 2] >= ends[:, 2]).all()
+        assert (
+            np.abs(others[:, [0, 1, 3, 4]] - ends[:, [0, 1, 3, 4]]).max() < 2e-4
+            and (others[:, 2] >= ends[:, 2]).all()
+        )
     elif start.retract == "clearance":
         assert options["controller"] in ("fanuc", "haas")
         assert any(found.code == "starts-at-reference" for found in made.findings)
@@ -220,7 +258,8 @@ def groups_of(line):
 
 
 @pytest.mark.parametrize(
-    "controller", ["linuxcnc", "fanuc", "haas", "siemens840d", "heidenhain", "heidenhain_m128", "mach3", "grbl"]
+    "controller",
+    ["linuxcnc", "fanuc", "haas", "siemens840d", "heidenhain", "heidenhain_m128", "mach3", "grbl"],
 )
 @pytest.mark.parametrize("start", [SafeStart("machine", -1.0), SafeStart("reference"), SafeStart()])
 @pytest.mark.parametrize("rtcp", ["off", "angles"])
@@ -232,11 +271,17 @@ def test_no_line_before_the_first_block_drives_two_groups_and_the_guide_comes_af
     made = posted(tmp_path, start, controller=controller, rtcp=rtcp, tool=3)
     head = made.nc.decode().split(made.dialect.newline)[: int(made.program.line[0]) - 1]
     code = [re.sub(r"\(.*\)$|;.*", "", line) for line in head]
-    driven = [(k, groups_of(line)) for k, line in enumerate(code) if groups_of(line) and "TOOL CALL" not in line]
+    driven = [
+        (k, groups_of(line)) for k, line in enumerate(code) if groups_of(line) and "TOOL CALL" not in line
+    ]
     driven = [(k, axes) for k, axes in driven if "FGROUP" not in code[k]]
     assert [axes for _, axes in driven if axes != "Z"] == ["AC", "XY"] and driven[0][1] == "Z"
     if rtcp == "angles":
-        guide = next(k for k, line in enumerate(code) if made.dialect.guide.on[0].split(" {")[0].split()[0] in line.split())
+        guide = next(
+            k
+            for k, line in enumerate(code)
+            if made.dialect.guide.on[0].split(" {")[0].split()[0] in line.split()
+        )
         assert driven[-1][0] < guide or controller.startswith("heidenhain")
 
 
@@ -244,12 +289,17 @@ def test_the_head_names_tool_cutter_and_length(tmp_path):
     assert b"\n(T3 BALL 8 MM, L 90.000)\n" in posted(tmp_path, tool=3, cutter="ball:8").nc
     assert b"\n(BALL 8 MM, L 90.000)\n" in posted(tmp_path, cutter="ball:8").nc
     assert b"T3 M6" not in posted(tmp_path, cutter="ball:8").nc
-    assert b"\n2 ; T3 BALL 8 MM, L 90.000\n" in posted(tmp_path, controller="heidenhain", tool=3, cutter="ball:8").nc
+    assert (
+        b"\n2 ; T3 BALL 8 MM, L 90.000\n"
+        in posted(tmp_path, controller="heidenhain", tool=3, cutter="ball:8").nc
+    )
 
 
 def test_a_spindle_that_stays_off_is_said(tmp_path):
     found = [one for one in posted(tmp_path).findings if one.code == "spindle-off"]
-    assert [(one.severity, one.text) for one in found] == [(Severity.WARNING, "The spindle stays off: give --spindle S.")]
+    assert [(one.severity, one.text) for one in found] == [
+        (Severity.WARNING, "The spindle stays off: give --spindle S.")
+    ]
     assert not [one for one in posted(tmp_path, spindle=8000.0).findings if one.code == "spindle-off"]
 
 
@@ -257,7 +307,9 @@ def test_a_spindle_that_stays_off_is_said(tmp_path):
 def test_a_spindle_that_is_asked_to_stay_off_is_a_note(tmp_path, given):
     made = posted(tmp_path, spindle=given)
     found = [one for one in made.findings if one.code == "spindle-off"]
-    assert [(one.severity, one.text.startswith("The spindle stays off, as asked")) for one in found] == [(Severity.NOTE, True)]
+    assert [(one.severity, one.text.startswith("The spindle stays off, as asked")) for one in found] == [
+        (Severity.NOTE, True)
+    ]
     assert b"M5" in made.nc and b"M3" not in made.nc
 
 

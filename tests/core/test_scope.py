@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a verdict rests on: nothing is called proven that was not, and nothing that was not looked at is passed over."""
+"""What a verdict rests on: nothing is called proven that was not, and nothing that was not looked at is
+passed over."""
 
 import json
 from dataclasses import replace
@@ -37,7 +38,9 @@ def milled():
 
 def test_a_program_alone_says_that_the_part_is_not_known():
     found = scope_of(dome())
-    assert not any("part" in one for one in found.proven) and any("enters it was not looked at" in one for one in found.unknown)
+    assert not any("part" in one for one in found.proven) and any(
+        "enters it was not looked at" in one for one in found.unknown
+    )
 
 
 def test_blocks_over_tolerance_are_not_counted_as_proven():
@@ -45,7 +48,9 @@ def test_blocks_over_tolerance_are_not_counted_as_proven():
     numbers = summary(figures)
     held = numbers["feed_blocks"] - numbers["guided_blocks"] - numbers["over_tolerance"] - numbers["unproven"]
     assert 0 < held < numbers["feed_blocks"]
-    assert scope_of(figures).proven[0].startswith(f"in {held} of {numbers['feed_blocks']} feed blocks the tip")
+    assert (
+        scope_of(figures).proven[0].startswith(f"in {held} of {numbers['feed_blocks']} feed blocks the tip")
+    )
 
 
 def test_the_tool_is_named_as_far_as_it_is_given(milled):
@@ -66,15 +71,22 @@ def test_rapids_are_assumed_or_proven_as_the_controller_drives_them(milled):
 
 def test_what_enters_the_part_or_is_open_is_not_proven(milled):
     figures = milled(rapids="independent")
-    for code, severity, lost in (("overcut", Severity.ERROR, "stays out"), ("rapid-unproven", Severity.WARNING, "each rate")):
+    for code, severity, lost in (
+        ("overcut", Severity.ERROR, "stays out"),
+        ("rapid-unproven", Severity.WARNING, "each rate"),
+    ):
         finding = Finding(severity, code, "text", 1.0, 0.0, "mm")
         found = scope_of(replace(figures, findings=(finding,)))
-        assert any(lost in one for one in scope_of(figures).proven) and not any(lost in one for one in found.proven)
+        assert any(lost in one for one in scope_of(figures).proven) and not any(
+            lost in one for one in found.proven
+        )
 
 
 def test_without_the_gouge_check_nothing_is_said_of_the_part(milled):
     found = scope_of(milled(gouge="off"))
-    assert not any("the part" in one for one in found.proven) and any("not looked at" in one for one in found.unknown)
+    assert not any("the part" in one for one in found.proven) and any(
+        "not looked at" in one for one in found.unknown
+    )
 
 
 def test_every_report_has_the_box(milled):
@@ -83,4 +95,6 @@ def test_every_report_has_the_box(milled):
     text, page = " ".join(as_text(figures).split()), as_html(figures)
     for one in (*found.proven, *found.assumed, *found.unknown):
         assert " ".join(one.split()) in text and one.replace("'", "&#x27;") in page
-    assert json.loads(as_json(figures))["scope"] == {name: list(said) for name, said in found._asdict().items()}
+    assert json.loads(as_json(figures))["scope"] == {
+        name: list(said) for name, said in found._asdict().items()
+    }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where labels and legends stand on the screen: none over another, as near as may be, and quick enough for every frame."""
+"""Where labels and legends stand on the screen: none over another, as near as may be, and quick enough for
+every frame."""
 
 from __future__ import annotations
 
@@ -22,7 +23,9 @@ def crossing(boxes):
 def placed(anchor, size=(150.0, 23.0), taken=layout.NONE, before=None):
     anchor = np.asarray(anchor, float)
     sizes = np.broadcast_to(np.asarray(size, float), anchor.shape)
-    return layout.label_places(anchor, sizes, VIEW, taken, np.full(len(anchor), -1) if before is None else before)
+    return layout.label_places(
+        anchor, sizes, VIEW, taken, np.full(len(anchor), -1) if before is None else before
+    )
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -40,11 +43,14 @@ def test_no_label_lies_over_another_nor_over_a_legend_nor_out_of_the_view(seed):
     assert np.allclose(box[seen, 2:] - box[seen, :2], size[seen])
     assert seen.sum() >= (8 if spread < 100.0 else 4), "labels are left out that had room"
     marks = anchor[((anchor >= 0.0) & (anchor <= VIEW)).all(axis=1)]
-    assert not ((marks[:, None] > box[seen, :2]) & (marks[:, None] < box[seen, 2:])).all(axis=2).any(), "a marker is covered"
+    assert not ((marks[:, None] > box[seen, :2]) & (marks[:, None] < box[seen, 2:])).all(axis=2).any(), (
+        "a marker is covered"
+    )
 
 
 def test_where_labels_stood_before_they_lay_over_each_other():
-    """The old place, up and right of the anchor, for three anchors that are near to each other: the count would notice it."""
+    """The old place, up and right of the anchor, for three anchors that are near to each other: the count
+    would notice it."""
     anchor = np.array([[600.0, 350.0], [606.0, 352.0], [640.0, 340.0]])
     assert crossing(np.concatenate([anchor + 14.0, anchor + (164.0, 37.0)], axis=1)) > 0
     assert crossing(placed(anchor)[0]) == 0
@@ -52,9 +58,14 @@ def test_where_labels_stood_before_they_lay_over_each_other():
 
 def test_a_lone_label_stands_beside_its_marker_and_a_crowd_is_cut_off():
     box, slot = placed([[600.0, 350.0]])
-    assert slot[0] == 0 and np.linalg.norm(layout.leader_ends(np.array([[600.0, 350.0]]), box)[0] - (600.0, 350.0)) < 16.0
+    assert (
+        slot[0] == 0
+        and np.linalg.norm(layout.leader_ends(np.array([[600.0, 350.0]]), box)[0] - (600.0, 350.0)) < 16.0
+    )
     _, slot = placed(np.full((40, 2), 350.0))
-    assert (slot >= 0).sum() <= layout.MOST and (slot[layout.MOST :] < 0).all(), "the most important come first"
+    assert (slot >= 0).sum() <= layout.MOST and (slot[layout.MOST :] < 0).all(), (
+        "the most important come first"
+    )
 
 
 def test_what_is_out_of_the_view_or_behind_the_eye_has_no_label():
@@ -94,8 +105,12 @@ def test_the_legend_stands_in_the_upper_left_corner_even_of_a_view_that_is_too_s
 
 def test_places_are_projected_as_a_camera_sees_them():
     eye, focal = 100.0, 2.0
-    perspective = np.array([[focal, 0, 0, 0], [0, focal, 0, 0], [0, 0, -1, -1], [0, 0, 0, eye]])  # rows from the left
-    seen = layout.projected(np.array([[10.0, 5.0, 0.0], [0.0, 0.0, 50.0], [0.0, 0.0, 150.0]]), perspective, VIEW)
+    perspective = np.array(
+        [[focal, 0, 0, 0], [0, focal, 0, 0], [0, 0, -1, -1], [0, 0, 0, eye]]
+    )  # rows from the left
+    seen = layout.projected(
+        np.array([[10.0, 5.0, 0.0], [0.0, 0.0, 50.0], [0.0, 0.0, 150.0]]), perspective, VIEW
+    )
     assert seen[0] == pytest.approx([600.0 * (1.0 + focal * 10.0 / eye), 350.0 * (1.0 + focal * 5.0 / eye)])
     assert seen[1] == pytest.approx([600.0, 350.0]) and np.isnan(seen[2]).all()
 
@@ -111,7 +126,9 @@ def test_a_label_stands_beside_the_middle_of_its_part_where_there_is_room():
     again, _ = layout.label_places(anchor, sizes, VIEW, layout.NONE, placed(anchor)[1], part)
     assert not layout.overlap(again, part).any(), "a label that lay over it before goes"
     whole = np.array([[0.0, 0.0, *map(float, VIEW)]])
-    assert (layout.label_places(anchor, sizes, VIEW, layout.NONE, before, whole)[1] >= 0).all(), "over it rather than nowhere"
+    assert (layout.label_places(anchor, sizes, VIEW, layout.NONE, before, whole)[1] >= 0).all(), (
+        "over it rather than nowhere"
+    )
 
 
 def test_a_part_behind_the_eye_or_none_has_no_middle():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Entries and rest material by several threads: the same numbers as by one; where the work is stopped, all threads end soon."""
+"""Entries and rest material by several threads: the same numbers as by one; where the work is stopped, all
+threads end soon."""
 
 import threading
 
@@ -77,7 +78,9 @@ def test_only_the_blocks_asked_for_are_filled_in(monkeypatch, mesh):
 
 
 def test_no_block_is_no_work(mesh):
-    found = find_entries(BODY, facet_tree(mesh), straight_motion(*poses(mesh)), 0.01, blocks=np.zeros(0, np.int64))
+    found = find_entries(
+        BODY, facet_tree(mesh), straight_motion(*poses(mesh)), 0.01, blocks=np.zeros(0, np.int64)
+    )
     assert not found.depth.any()
 
 
@@ -104,7 +107,8 @@ def test_rest_material_is_the_same_by_any_number_of_threads(monkeypatch, mesh, e
 
 @pytest.mark.parametrize("word", [1, 4])
 def test_where_the_work_is_stopped_every_thread_ends_at_its_next_tick(monkeypatch, mesh, word):
-    """The helper is kept within its first batch until the caller has been stopped; it would go on with it for ever."""
+    """The helper is kept within its first batch until the caller has been stopped; it would go on with it for
+    ever."""
     monkeypatch.setattr(chunks, "ALONE", False)
     monkeypatch.setattr(chunks, "PROCESSORS", 2)
     monkeypatch.setattr(search, "PAUSE", -1.0)

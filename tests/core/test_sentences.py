@@ -93,7 +93,11 @@ def test_values_in_english(value, text):
     assert say("a {value} b", value=value) == f"a {text} b"
 
 
-NAMES = {Option("max_axis_angle"): "Steepest surface", Choice("gouge", ("lift",)): "Gouge: lift", Task("post"): "Post-process"}
+NAMES = {
+    Option("max_axis_angle"): "Steepest surface",
+    Choice("gouge", ("lift",)): "Gouge: lift",
+    Task("post"): "Post-process",
+}
 
 
 @pytest.mark.parametrize("named", NAMES)
@@ -103,7 +107,8 @@ def test_settings_choices_and_tasks_have_names_of_their_own_in_a_window(named):
 
 
 @pytest.mark.parametrize(
-    ("count", "text", "told"), [(1, "1 block leaves", "1 Satz verlässt"), (3, "3 blocks leave", "3 Sätze verlassen")]
+    ("count", "text", "told"),
+    [(1, "1 block leaves", "1 Satz verlässt"), (3, "3 blocks leave", "3 Sätze verlassen")],
 )
 def test_one_and_many(count, text, told):
     said = plural(count, "{count} block leaves", "{count} blocks leave")

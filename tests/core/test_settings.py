@@ -6,7 +6,14 @@ import pytest
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.pipeline.option_values import READERS
-from freecad_fiveaxis.core.pipeline.settings import RENAMED, TASKS, Settings, build_settings, flat_options, option_fields
+from freecad_fiveaxis.core.pipeline.settings import (
+    RENAMED,
+    TASKS,
+    Settings,
+    build_settings,
+    flat_options,
+    option_fields,
+)
 
 
 def mill(**options):
@@ -93,7 +100,11 @@ def test_flat_options_make_the_same_settings_again(task):
     )
     options = {"machines" if task == "compare" else "machine": "trunnion_ac", name: value}
     options |= {"program": "x.ngc"} if task == "recover" else {}
-    options |= {"direction": "33.3", "lead": "5", "scallop": "0.0123", "cutter": "ball:7.7"} if task == "mill" else {}
+    options |= (
+        {"direction": "33.3", "lead": "5", "scallop": "0.0123", "cutter": "ball:7.7"}
+        if task == "mill"
+        else {}
+    )
     settings = build_settings(task, "x", options)
     flat = flat_options(settings)
     again = build_settings(flat.pop("task"), flat.pop("source"), flat)
@@ -149,7 +160,9 @@ def test_the_cutter_belongs_to_the_tasks_that_add_rapids_and_to_audits_against_a
     def tasks(name):
         return {task for task in TASKS for _, leaf in option_fields(task) if leaf.name == name}
 
-    assert tasks("cutter") == {"mill", "post", "setup", "compare", "audit", "reach"} and tasks("coedge_tolerance") == {
+    assert tasks("cutter") == {"mill", "post", "setup", "compare", "audit", "reach"} and tasks(
+        "coedge_tolerance"
+    ) == {
         "mill",
         "setup",
         "compare",
@@ -167,7 +180,9 @@ def test_a_source_that_no_file_can_be_is_refused(source):
 @pytest.mark.parametrize("task", ["audit", "recover"])
 def test_what_a_program_does_not_say_itself_can_be_said(task: str) -> None:
     more = {"program": "p.nc"} if task == "recover" else {}
-    told = build_settings(task, "p.nc", {"machine": "trunnion_ac", "units": "inch", "decimal": "least-increment", **more})
+    told = build_settings(
+        task, "p.nc", {"machine": "trunnion_ac", "units": "inch", "decimal": "least-increment", **more}
+    )
     assert (told.reading.units, told.reading.decimal) == ("inch", "least-increment")
     with pytest.raises(SettingsError, match="not one of file, mm, inch"):
         build_settings(task, "p.nc", {"machine": "trunnion_ac", "units": "cm", **more})

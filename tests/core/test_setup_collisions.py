@@ -33,14 +33,19 @@ GIVEN = (
 
 
 def looked_at(depth):
-    """choose_free over ten places in a row, the first best, with that depth of a hit (10,) in each; and where it looked."""
+    """choose_free over ten places in a row, the first best, with that depth of a hit (10,) in each; and where
+    it looked."""
     seen = []
 
     def look(turn, origin):
         row = int(origin[0])
         seen.append(row)
         near = report_finding(Code.MACHINE_NEAR, f"near {row}", 1.0)
-        return (near, report_finding(Code.MACHINE_COLLISION, "hit", float(depth[row]))) if depth[row] else (near,)
+        return (
+            (near, report_finding(Code.MACHINE_COLLISION, "hit", float(depth[row])))
+            if depth[row]
+            else (near,)
+        )
 
     def choose(able):
         return int(able.argmax()) if able.any() else None
@@ -52,7 +57,10 @@ def test_the_first_that_is_free_is_chosen_and_what_is_nearer_than_a_hit_is_deep_
     choice, seen = looked_at(np.array([2.5, 2.0, 1.0, 0.5, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0]))
     assert seen == [0, 3, 4, 5] and choice.best == 5
     np.testing.assert_array_equal(choice.hits, [2.5, 1.5, 0.5, 0.5, 0.5, 0.0, *[np.nan] * 4])
-    assert [one.code for one in choice.findings] == ["machine-near", "setups-hit-machine"] and choice.findings[1].value == 3.0
+    assert [one.code for one in choice.findings] == [
+        "machine-near",
+        "setups-hit-machine",
+    ] and choice.findings[1].value == 3.0
 
 
 def test_where_the_present_one_is_free_and_best_nothing_else_is_looked_at():
@@ -63,7 +71,9 @@ def test_where_the_present_one_is_free_and_best_nothing_else_is_looked_at():
 def test_where_none_is_free_none_is_chosen_and_the_least_hit_is_named():
     choice, seen = looked_at(np.linspace(0.9, 0.1, 10))
     assert choice.best is None and seen == list(range(10)) and (choice.hits > 0.0).all()
-    assert [one.code for one in choice.findings] == ["no-setup-free"] and choice.findings[0].value == pytest.approx(0.1)
+    assert [one.code for one in choice.findings] == ["no-setup-free"] and choice.findings[
+        0
+    ].value == pytest.approx(0.1)
 
 
 def test_so_many_are_looked_at_and_no_more():
@@ -71,7 +81,12 @@ def test_so_many_are_looked_at_and_no_more():
     count = []
     hit = report_finding(Code.MACHINE_COLLISION, "hit", 0.5)
     choice = choose_free(
-        lambda able: int(able.argmax()), places, np.zeros(100), np.ones(100, bool), False, lambda *_: count.append(1) or (hit,)
+        lambda able: int(able.argmax()),
+        places,
+        np.zeros(100),
+        np.ones(100, bool),
+        False,
+        lambda *_: count.append(1) or (hit,),
     )
     assert choice.best is None and len(count) == MOST_LOOKED_AT
 
@@ -91,7 +106,9 @@ def test_without_bodies_nobody_looks():
 def given(tmp_path):
     """given(body): a part, and a trunnion with such a body on its base."""
     half = np.array([(12, 0, 0), (0, 12, 0), (0, 0, 6)], float)
-    corners = np.array([[(x, y, z) for z in (0, 1) for y in (-1, 1) for x in (-1, 1)]], float).reshape(-1, 3) @ half
+    corners = (
+        np.array([[(x, y, z) for z in (0, 1) for y in (-1, 1) for x in (-1, 1)]], float).reshape(-1, 3) @ half
+    )
     quads = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
     facets = [corners[[a, b, c]] for a, b, c, d in quads] + [corners[[a, c, d]] for a, b, c, d in quads]
     write_stl(from_triangles(np.array(facets)), tmp_path / "part.stl")
@@ -107,7 +124,17 @@ def given(tmp_path):
 
 def run_setup(given, tmp_path):
     """The map's record of three work zeros in a row along X, and a search between."""
-    words = ["setup", *given, "--origin=0,0,0", "--region", "80,0,0", "--grid", "3,1,1", "--report", str(tmp_path / "map.json")]
+    words = [
+        "setup",
+        *given,
+        "--origin=0,0,0",
+        "--region",
+        "80,0,0",
+        "--grid",
+        "3,1,1",
+        "--report",
+        str(tmp_path / "map.json"),
+    ]
     assert cli.main(words) == 0
     return json.loads((tmp_path / "map.json").read_text())
 
@@ -116,7 +143,9 @@ def mill_at(given, tmp_path, origin):
     """The findings of the whole program with the work zero there: the second route."""
     report = tmp_path / "mill.json"
     place = "--origin=" + ",".join(f"{value:.6f}" for value in origin)
-    cli.main(["mill", *given, place, "--spindle", "off", "-o", str(tmp_path / "o.ngc"), "--report", str(report)])
+    cli.main(
+        ["mill", *given, place, "--spindle", "off", "-o", str(tmp_path / "o.ngc"), "--report", str(report)]
+    )
     return [one for one in json.loads(report.read_text())["findings"] if one["code"] == "machine-collision"]
 
 
@@ -144,7 +173,17 @@ def test_far_bodies_change_nothing_but_that_somebody_has_looked(given, tmp_path)
 def test_where_the_machine_is_hit_everywhere_the_map_is_refused_in_one_line(given, tmp_path, capsys):
     words = given((-900.0, -900.0, -100.0), (900.0, 900.0, 40.0))
     code = cli.main(
-        ["setup", *words, "--origin=0,0,0", "--region", "80,0,0", "--grid", "3,1,1", "--report", str(tmp_path / "map.json")]
+        [
+            "setup",
+            *words,
+            "--origin=0,0,0",
+            "--region",
+            "80,0,0",
+            "--grid",
+            "3,1,1",
+            "--report",
+            str(tmp_path / "map.json"),
+        ]
     )
     said = capsys.readouterr().err
     assert code == 2 and said.count("\n") == 1 and "In all" in said and "post" in said

@@ -47,7 +47,8 @@ COARSE = {"stepover": 12.0, "rings": 8}
 
 
 def full_run(made, machine, origin, turn):
-    """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the pipeline's own calls."""
+    """Deviation mm, rotary travel rad, time s and excess over limits mm of one setup, by the pipeline's own
+    calls."""
     kinematics = chain(machine, Setup(tuple(origin), made.settings.machine.tool_length or 0.0))
     path, how = turned_path(made.path, turn), posting(made)
     joints = solve(path, kinematics, *part_box(path, how.part, turn), how.clearance, how.radius)
@@ -89,9 +90,14 @@ def test_the_map_agrees_with_a_full_run_at_20_random_setups():
     chart = setup_map(made.path, made.machine, Setup((60.0, 10.0, -20.0)), region, posting(made))
     for row in rng.choice(len(chart.turn), 20, replace=False):
         run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
-        mapped = [column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)]
+        mapped = [
+            column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)
+        ]
         assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
-    assert abs(mapped[0] - full_run(made, made.machine, chart.origin[row] + (1.0, 0.0, 0.0), chart.turn[row])[0]) > 1e-6
+    assert (
+        abs(mapped[0] - full_run(made, made.machine, chart.origin[row] + (1.0, 0.0, 0.0), chart.turn[row])[0])
+        > 1e-6
+    )
 
 
 @some_in_core("machine", ["mikron_ucp710", "head_b_table_c", "nutating_table_b45"])
@@ -101,20 +107,29 @@ def test_the_map_agrees_with_a_full_run_on_other_chains(machine):
     chart = setup_map(made.path, made.machine, Setup((10.0, 10.0, 10.0), 80.0), region, posting(made))
     for row in range(len(chart.turn)):
         run = full_run(made, made.machine, chart.origin[row], chart.turn[row])
-        mapped = [column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)]
+        mapped = [
+            column[row] for column in (chart.max_deviation, chart.rotary_travel, chart.time, chart.over)
+        ]
         assert np.abs(np.subtract(mapped, run)).max() <= 1e-6
 
 
 @pytest.mark.thorough
 def test_a_part_turned_in_cad_as_advised_deviates_as_the_map_says():
-    """The solid turned about Z, the passes' direction by as much: `mill` makes the same cuts, at the work zero of the map."""
-    off, turn = from_faces(cap(rings=8, sectors=24).vertex + (15.0, 5.0, 0.0), cap(rings=8, sectors=24).face), math.radians(120.0)
+    """The solid turned about Z, the passes' direction by as much: `mill` makes the same cuts, at the work
+    zero of the map."""
+    off, turn = (
+        from_faces(cap(rings=8, sectors=24).vertex + (15.0, 5.0, 0.0), cap(rings=8, sectors=24).face),
+        math.radians(120.0),
+    )
     given = {"machine": "trunnion_ac", "stepover": 12.0}
     asked = {"grid": "1,1,1", "region": "30,30,0", "turns": 3}
     chart = trials.try_setups(build_settings("setup", "cap.stl", given | asked), mesh=off).chart
     row = int(np.flatnonzero((chart.kind == Kind.FOUND) & (np.abs(chart.turn - turn) < 1e-9))[0])
     given |= {"direction": 120.0, "origin": chart.origin[row].tolist()}
-    made = job.make(build_settings("mill", "cap.stl", {**given, **UNCURED}), mesh=from_faces(turned(off.vertex, turn), off.face))
+    made = job.make(
+        build_settings("mill", "cap.stl", {**given, **UNCURED}),
+        mesh=from_faces(turned(off.vertex, turn), off.face),
+    )
     segment = measure(made.kinematics, made.program.words).segment[feed_blocks(made.program)]
     assert segment.max() == pytest.approx(chart.max_deviation[row], abs=1e-6)
 
@@ -128,7 +143,8 @@ def test_the_present_row_is_what_mill_reports(chart):
 
 @pytest.mark.thorough
 def test_the_deviation_is_convex_in_the_work_zero():
-    """What the proof rests on: at the middle of two work zeros it is no more than the mean, but for the rounding of words."""
+    """What the proof rests on: at the middle of two work zeros it is no more than the mean, but for the
+    rounding of words."""
     made, rng = milled(**COARSE), np.random.default_rng(1)
     driven = drive_turned(made.path, made.machine, Setup(), posting(made), 0.3)
     for _ in range(12):
@@ -143,10 +159,14 @@ def test_no_work_zero_has_less_than_the_proven_least():
     region = Region((-80.0, -80.0, -80.0), (80.0, 80.0, 80.0), (1, 1, 1))
     chart = setup_map(made.path, made.machine, Setup((70.0, 0.0, 0.0)), region, posting(made))
     driven = drive_turned(made.path, made.machine, Setup(), posting(made), 0.0)
-    around = np.concatenate([rng.uniform(-80.0, 80.0, (20, 3)), chart.origin[-1] + rng.normal(0.0, 3.0, (20, 3))])
+    around = np.concatenate(
+        [rng.uniform(-80.0, 80.0, (20, 3)), chart.origin[-1] + rng.normal(0.0, 3.0, (20, 3))]
+    )
     tried = [driven.cost(origin).deviation for origin in around]
     assert min(tried) >= chart.least - 5e-4
-    assert chart.max_deviation[-1] <= 1.02 * chart.least + 1e-3  # the place that was found is as good as the proof
+    assert (
+        chart.max_deviation[-1] <= 1.02 * chart.least + 1e-3
+    )  # the place that was found is as good as the proof
     assert min(tried) < 1.3 * chart.least  # a least of nothing would prove nothing
 
 
@@ -164,7 +184,9 @@ def test_limits_are_told_where_they_are_left(chart):
     assert not chart.within_limits.all() and chart.within_limits.any()
     assert (chart.within_limits == (chart.over <= 1e-6)).all()
     row = int(chart.over.argmax())
-    assert chart.over[row] == pytest.approx(full_run(made, made.machine, chart.origin[row], chart.turn[row])[3], abs=1e-6)
+    assert chart.over[row] == pytest.approx(
+        full_run(made, made.machine, chart.origin[row], chart.turn[row])[3], abs=1e-6
+    )
     assert chart.within_limits[chart.best]
 
 
@@ -175,7 +197,11 @@ def test_a_region_that_leaves_every_limit_recommends_nothing_and_tells_by_how_mu
     assert chart.best is None and not chart.within_limits[chart.kind == Kind.GRID].any()
     (finding,) = [one for one in chart.findings if one.code != "table-unknown"]
     assert finding.code == "no-setup-within-limits"
-    assert 0.9 * chart.over[chart.kind == Kind.GRID].min() <= finding.value <= chart.over[chart.kind == Kind.GRID].min() + 1e-6
+    assert (
+        0.9 * chart.over[chart.kind == Kind.GRID].min()
+        <= finding.value
+        <= chart.over[chart.kind == Kind.GRID].min() + 1e-6
+    )
     assert verdict(chart).startswith("No setup") and advice(chart) == () and origin_option(chart) == ""
     assert "No setup" in heat_map_html(chart) and setup_markers(chart)[0].kind == "setup-present"
 
@@ -194,14 +220,22 @@ def test_no_setup_below_the_table_is_recommended_and_such_setups_are_greyed():
     assert free.origin[free.best, 2] < -10.0 <= chart.origin[chart.best, 2]  # the table is what decides
     below = chart.origin[:, 2] + bottom < table - 1e-6
     assert below.any() and np.array_equal(chart.stands, ~below) and free.stands.all()
-    assert {kind for row, kind in marked_rows(chart) if below[row]} == {"setup-present", "setup-beyond-limits"}
-    assert "mm above the table" in verdict(chart) and "In the present setup the part reaches below the table" in verdict(chart)
+    assert {kind for row, kind in marked_rows(chart) if below[row]} == {
+        "setup-present",
+        "setup-beyond-limits",
+    }
+    assert "mm above the table" in verdict(
+        chart
+    ) and "In the present setup the part reaches below the table" in verdict(chart)
     assert UNKNOWN not in verdict(chart) and "below the table" in setup_text(chart)
     told = [one for one in chart.findings if one.code == "part-below-table"]
     assert len(told) == 1 and told[0].value == pytest.approx(-10.0)
     assert chart.least >= free.least - 1e-9  # proven of what stands
     record = json.loads(setup_json(chart))
-    assert record["table"] == pytest.approx(table) and [one["on_table"] for one in record["setups"]] == (~below).tolist()
+    assert (
+        record["table"] == pytest.approx(table)
+        and [one["on_table"] for one in record["setups"]] == (~below).tolist()
+    )
 
 
 def test_a_table_that_is_not_known_is_said(chart):
@@ -231,7 +265,12 @@ def test_a_region_that_is_none_is_refused(low, high, count, turns, named):
 def test_what_cannot_be_mapped_is_refused():
     made = milled(**COARSE)
     empty = replace(
-        made.path, **{name: getattr(made.path, name)[:0] for name in made.path.__dataclass_fields__ if name != "findings"}
+        made.path,
+        **{
+            name: getattr(made.path, name)[:0]
+            for name in made.path.__dataclass_fields__
+            if name != "findings"
+        },
     )
     region = Region((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, 1))
     with pytest.raises(SettingsError, match="no rows"):
@@ -244,7 +283,13 @@ def test_a_machine_whose_rotary_limits_allow_no_way_is_refused():
     made = milled(**COARSE)
     beneath = replace(made.path, axis=made.path.axis * (1.0, 1.0, -1.0))  # from below
     with pytest.raises(ReachError):
-        setup_map(beneath, load_machine("mikron_ucp710"), Setup(), Region((0, 0, 0), (1, 1, 1), (1, 1, 1)), posting(made))
+        setup_map(
+            beneath,
+            load_machine("mikron_ucp710"),
+            Setup(),
+            Region((0, 0, 0), (1, 1, 1), (1, 1, 1)),
+            posting(made),
+        )
 
 
 @pytest.mark.parametrize(
@@ -267,8 +312,13 @@ def test_markers_stand_at_places_of_the_map_in_work_coordinates(chart):
     assert all(isinstance(one, Marker) for one in made)
     assert [one.kind for one in made[:2]] == ["setup-best", "setup-present"]
     assert made[0].place == pytest.approx(chart.origin[chart.best] - np.array(chart.base.origin))
-    assert made[1].place == (0.0, 0.0, 0.0) and made[1].label == f"work zero now: {chart.max_deviation[0]:.4f} mm"
-    grid = chart.origin[(chart.kind == Kind.GRID) & (chart.turn == chart.turn[chart.best])] - np.array(chart.base.origin)
+    assert (
+        made[1].place == (0.0, 0.0, 0.0)
+        and made[1].label == f"work zero now: {chart.max_deviation[0]:.4f} mm"
+    )
+    grid = chart.origin[(chart.kind == Kind.GRID) & (chart.turn == chart.turn[chart.best])] - np.array(
+        chart.base.origin
+    )
     assert sorted(one.place for one in made[2:]) == sorted(map(tuple, grid.tolist()))
     assert {one.kind for one in made[2:]} == {"setup", "setup-beyond-limits"}
 
@@ -285,7 +335,9 @@ def test_the_page_needs_nothing_else_and_the_pictures_have_units(chart):
 @pytest.mark.thorough
 def test_a_region_along_one_axis_is_drawn_as_a_curve():
     made = milled(**COARSE)
-    chart = setup_map(made.path, made.machine, Setup(), Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (3, 1, 1)), posting(made))
+    chart = setup_map(
+        made.path, made.machine, Setup(), Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (3, 1, 1)), posting(made)
+    )
     (plot,), (again,) = heat_maps(chart), heat_maps(chart)
     assert plot.name == "curve-x" and b"<svg" in plot.svg and plot == again  # the same bytes again
 
@@ -309,7 +361,14 @@ def test_the_json_has_every_setup_in_degrees_and_no_nan(chart):
 def test_progress_runs_from_0_to_1_and_may_be_cancelled():
     made, seen = milled(**COARSE), []
     region = Region((-9.0, 0.0, 0.0), (9.0, 0.0, 0.0), (2, 1, 1))
-    setup_map(made.path, made.machine, Setup(), region, posting(made), progress=lambda stage, fraction: seen.append(fraction))
+    setup_map(
+        made.path,
+        made.machine,
+        Setup(),
+        region,
+        posting(made),
+        progress=lambda stage, fraction: seen.append(fraction),
+    )
     assert seen == sorted(seen) and seen[0] == 0.0 and seen[-1] == 1.0 and len(seen) > 5
 
     def stop(stage, fraction):
@@ -321,7 +380,8 @@ def test_progress_runs_from_0_to_1_and_may_be_cancelled():
 
 
 def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
-    """Turns that the linear axes make up for deviate by a third of their quick bound, a turn alone by all of it."""
+    """Turns that the linear axes make up for deviate by a third of their quick bound, a turn alone by all of
+    it."""
     machine = load_machine("trunnion_ac")
     kinematics = chain(machine, Setup(machine.origin))
     made_up, alone, count = np.radians(7.0), np.radians(9.5), FIRST_BATCH + 40
@@ -329,11 +389,20 @@ def test_the_worst_block_is_found_behind_many_whose_bound_promises_more():
     turns = np.array([[0.0, 0.0], [made_up, 0.0]])
     pair = np.column_stack([linear_words(kinematics, np.tile(place, (2, 1)), turns), np.degrees(turns)])
     still = np.column_stack(
-        [linear_words(kinematics, kinematics.point1[None] + (120.0, 0.0, 20.0), np.zeros((1, 2))), np.zeros((1, 2))]
+        [
+            linear_words(kinematics, kinematics.point1[None] + (120.0, 0.0, 20.0), np.zeros((1, 2))),
+            np.zeros((1, 2)),
+        ]
     )
-    words = np.concatenate([np.tile(pair, (count, 1)), still, still + (0.0, 0.0, 0.0, np.degrees(alone), 0.0)])
+    words = np.concatenate(
+        [np.tile(pair, (count, 1)), still, still + (0.0, 0.0, 0.0, np.degrees(alone), 0.0)]
+    )
     feeds = np.arange(1, len(words), 2)
     bound, segment = quick_bound(kinematics, words)[feeds], measure(kinematics, words).segment[feeds]
-    assert segment.argmax() == count and (bound[:-1] > bound[-1]).all() and segment[:-1].max() > 0.3 * bound[-1]
+    assert (
+        segment.argmax() == count and (bound[:-1] > bound[-1]).all() and segment[:-1].max() > 0.3 * bound[-1]
+    )
     worst = worst_blocks(kinematics, words, feeds)
-    assert worst.row[0] == feeds[-1] and worst.segment[0] == pytest.approx(120.0 * (1.0 - np.cos(0.5 * alone)), rel=1e-6)
+    assert worst.row[0] == feeds[-1] and worst.segment[0] == pytest.approx(
+        120.0 * (1.0 - np.cos(0.5 * alone)), rel=1e-6
+    )

@@ -23,7 +23,8 @@ def block():
 
 
 def fine_block():
-    """The same block, its facets divided until none is longer than a few mm: as a mesher gives it, or a scanner."""
+    """The same block, its facets divided until none is longer than a few mm: as a mesher gives it, or a
+    scanner."""
     corner = box((0.0, 0.0, 0.0), (60.0, 35.0, 20.0))
     for _ in range(5):
         middle = 0.5 * (corner + np.roll(corner, -1, axis=1))
@@ -39,7 +40,9 @@ def drafted():
 
 def made(mesh, faces=None, **options):
     given = {"machine": "trunnion_ac", "cutter": "ball:8", "gouge": "off", "stepover": 3, **options}
-    return job.make(build_settings("mill", "part.stl", {k: v for k, v in given.items() if v}), mesh=mesh, faces=faces)
+    return job.make(
+        build_settings("mill", "part.stl", {k: v for k, v in given.items() if v}), mesh=mesh, faces=faces
+    )
 
 
 def sides(result):
@@ -47,15 +50,25 @@ def sides(result):
 
 
 @pytest.mark.parametrize("part", [block, fine_block])
-@pytest.mark.parametrize(("direction", "where", "area"), [(0, ("Y 0", "Y 35"), 1200.0), (90, ("X 0", "X 60"), 700.0)])
+@pytest.mark.parametrize(
+    ("direction", "where", "area"), [(0, ("Y 0", "Y 35"), 1200.0), (90, ("X 0", "X 60"), 700.0)]
+)
 def test_the_sides_along_the_passes_are_told_with_their_area(part, direction, where, area):
     told = sides(made(part(), direction=direction))
     assert sorted(one.text.split(" is not")[0] for one in told) == [f"The side at {one}" for one in where]
     for one in told:
-        assert one.severity is Severity.WARNING and one.unit == "mm2" and one.value == pytest.approx(area, rel=1e-9)
+        assert (
+            one.severity is Severity.WARNING
+            and one.unit == "mm2"
+            and one.value == pytest.approx(area, rel=1e-9)
+        )
         axis, at = "XYZ".index(where[0][0]), float(re.search(r"[XY] (\d+)", one.text).group(1))
         assert one.place[axis] == pytest.approx(at, abs=1e-9), "its marker stands on that side"
-        assert all(0.0 < value < high for k, (value, high) in enumerate(zip(one.place, (60, 35, 20), strict=True)) if k != axis)
+        assert all(
+            0.0 < value < high
+            for k, (value, high) in enumerate(zip(one.place, (60, 35, 20), strict=True))
+            if k != axis
+        )
 
 
 @some_in_core("part", [block, fine_block, filleted])
@@ -93,12 +106,16 @@ def test_strips_between_passes_are_no_sides_but_caps_beyond_the_outermost_are(st
     ball = from_triangles(sphere(20.0, rows=80, columns=160))
     for direction in (0, 33):
         told = sides(made(ball, stepover=stepover, direction=direction))
-        assert len(told) == caps, "told where the caps beyond the outermost passes are wider than passes may lie apart"
+        assert len(told) == caps, (
+            "told where the caps beyond the outermost passes are wider than passes may lie apart"
+        )
         for one in told:
             facing = np.degrees(np.arctan2(one.place[1], one.place[0]))
             assert abs((facing - direction) % 180.0 - 90.0) < 5.0
             inset = 20.0 - 0.5 * (np.ceil(40.0 / stepover) - 1.0) * stepover
-            assert one.value == pytest.approx(np.pi * 20.0 * inset, rel=0.35), "half a cap's area: its lower half looks down"
+            assert one.value == pytest.approx(np.pi * 20.0 * inset, rel=0.35), (
+                "half a cap's area: its lower half looks down"
+            )
             assert "direction" not in one.text and "a smaller stepover would cut it" in one.text.lower()
     assert not sides(made(ball, stepover=None, scallop=0.02))
 
@@ -130,18 +147,22 @@ def test_where_a_side_makes_the_least_interval_bind_the_side_is_told_instead():
 def test_the_underside_is_a_note_by_its_name():
     (one,) = [one for one in made(block()).findings if one.code == "facets-looking-down"]
     assert one.severity is Severity.NOTE and one.value == pytest.approx(2100.0) and one.place[2] == 0.0
-    assert one.text.startswith("The underside at Z 0 is not machined: 2100 mm2 (26.2 % of the part) face away from the spindle.")
+    assert one.text.startswith(
+        "The underside at Z 0 is not machined: 2100 mm2 (26.2 % of the part) face away from the spindle."
+    )
 
 
 def test_where_every_direction_leaves_as_much_out_the_rest_is_named():
-    """A round part of plane walls: a plumb wall is cut by no finer planes, and each direction has walls of its own."""
+    """A round part of plane walls: a plumb wall is cut by no finer planes, and each direction has walls of
+    its own."""
     turn = np.radians(np.arange(5.0, 365.0, 10.0))
     ring = 40.0 * np.column_stack([np.cos(turn), np.sin(turn)])
     low, high = (np.column_stack([ring, np.full(36, z)]) for z in (0.0, 20.0))
     after = np.roll(np.arange(36), -1)
     walls = [np.stack([low, low[after], high[after]], axis=1), np.stack([low, high[after], high], axis=1)]
     lids = [
-        np.stack([np.tile((0.0, 0.0, z), (36, 1)), a, b], axis=1) for z, a, b in ((20, high, high[after]), (0, low[after], low))
+        np.stack([np.tile((0.0, 0.0, z), (36, 1)), a, b], axis=1)
+        for z, a, b in ((20, high, high[after]), (0, low[after], low))
     ]
     told = sides(made(from_triangles(np.concatenate([*walls, *lids])), stepover=1))
     assert len(told) == 2

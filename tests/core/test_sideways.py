@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A lollipop leaves a place under a part of the part across its axis; proven by dense samples, and by a whole program."""
+"""A lollipop leaves a place under a part of the part across its axis; proven by dense samples, and by a whole
+program."""
 
 import json
 
@@ -39,7 +40,9 @@ def test_from_under_a_roof_it_goes_away_from_the_wall():
     assert abs(way[0, 2]) < 1e-12 and way[0, 1] < 0.1 and np.linalg.norm(way[0]) == pytest.approx(1.0)
     assert entering(LOLLIPOP, mesh, tip[0], UP[0], way[0], 60.0) < 0.02
     assert entering(LOLLIPOP, mesh, tip[0], UP[0], UP[0], 60.0) > 1.0, "a way through the roof is seen"
-    assert entering(LOLLIPOP, mesh, tip[0], UP[0], np.array([0.0, 1.0, 0.0]), 60.0) > 1.0, "and one through the wall"
+    assert entering(LOLLIPOP, mesh, tip[0], UP[0], np.array([0.0, 1.0, 0.0]), 60.0) > 1.0, (
+        "and one through the wall"
+    )
 
 
 def test_in_a_t_slot_it_goes_along_the_slot_by_the_shorter_way():
@@ -67,7 +70,8 @@ def test_a_ball_end_mill_is_not_let_out_there():
 
 @pytest.mark.thorough
 def test_a_program_gets_under_a_roof_from_the_side_and_stays_out_of_the_part(tmp_path):
-    """The axis within 30 deg of upright: the lollipop leaves a smaller share unfinished than the ball, and both are proven gouge-free."""
+    """The axis within 30 deg of upright: the lollipop leaves a smaller share unfinished than the ball, and
+    both are proven gouge-free."""
     write_stl(shelf(), tmp_path / "part.stl")
     share = {}
     for cutter in ("ball:8", "lollipop:8:3"):

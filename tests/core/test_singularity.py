@@ -31,7 +31,9 @@ def test_table_2_of_so_et_al_is_singular():
     found = find_singular(kinematics_of("mikron_ucp710"), np.array(TABLE_2), CONE)
     assert found.singular.tolist() == [False, True]
     assert found.least_sine[1] == pytest.approx(math.sin(math.radians(1.0664)), abs=1e-12)
-    assert found.rotary_travel[1] == pytest.approx(math.radians(148.9685 - 121.5477 + 1.1793 - 1.0664), abs=1e-12)
+    assert found.rotary_travel[1] == pytest.approx(
+        math.radians(148.9685 - 121.5477 + 1.1793 - 1.0664), abs=1e-12
+    )
     axes = forward(kinematics_of("mikron_ucp710"), words_to_q(np.array(TABLE_2)))[1]
     assert found.axis_travel[1] == pytest.approx(math.acos(axes[0] @ axes[1]), abs=1e-9)
 
@@ -76,7 +78,9 @@ def test_columns_agree_with_sampling_and_forward_kinematics(name):
     sampled = inverse_axis(kinematics, forward(kinematics, along)[1])[1].reshape(2001, -1).min(0)
     assert (found.least_sine[1:] <= sampled + 1e-7).all()
     np.testing.assert_allclose(found.least_sine[1:], sampled, atol=np.abs(np.diff(q[:, 4])).max() / 4000)
-    assert found.least_sine[0] == found.rotary_travel[0] == found.axis_travel[0] == 0.0 and not found.singular[0]
+    assert (
+        found.least_sine[0] == found.rotary_travel[0] == found.axis_travel[0] == 0.0 and not found.singular[0]
+    )
 
 
 @pytest.mark.parametrize("name", shipped_machines())
@@ -85,7 +89,9 @@ def test_the_cone_is_an_angle_to_the_pole_on_every_machine(name):
     kinematics = kinematics_of(name)
     for degrees, singular in ((4.99, True), (5.01, False)):
         tilt = math.radians(degrees)
-        second = math.degrees(inverse_axis(kinematics, np.array([[math.sin(tilt), 0.0, math.cos(tilt)]]))[0][0, 0, 1])
+        second = math.degrees(
+            inverse_axis(kinematics, np.array([[math.sin(tilt), 0.0, math.cos(tilt)]]))[0][0, 0, 1]
+        )
         words = np.array([[0.0, 0.0, 0.0, 0.0, second], [0.0, 0.0, 0.0, 20.0, second]])
         assert bool(find_singular(kinematics, words, CONE).singular[1]) is singular
 
@@ -104,7 +110,9 @@ def test_chunks_join_without_a_seam():
     at = np.array([1, 16383, 16384, 16385, 32768, 39_999])
     for i in at:
         pair = find_singular(kinematics, words[i - 1 : i + 1], CONE)
-        assert (pair.least_sine[1], pair.axis_travel[1]) == pytest.approx((whole.least_sine[i], whole.axis_travel[i]), abs=1e-12)
+        assert (pair.least_sine[1], pair.axis_travel[1]) == pytest.approx(
+            (whole.least_sine[i], whole.axis_travel[i]), abs=1e-12
+        )
 
 
 def test_blocks_that_pass_the_cone_are_found_whether_they_turn_far_or_not():

@@ -24,10 +24,13 @@ def mikron():
 
 
 def blocks_at(kinematics, tilt, count=300, turn=30.0, seed=1, level=False):
-    """Blocks with 1 mm chords, across U where ``level``, V within ``tilt`` deg of the pole and turning by up to 0.2 deg, U turning by up to ``turn``."""
+    """Blocks with 1 mm chords, across U where ``level``, V within ``tilt`` deg of the pole and turning by up
+    to 0.2 deg, U turning by up to ``turn``."""
     rng = np.random.default_rng(seed)
     first = np.stack([rng.uniform(-180, 180, count), rng.uniform(-tilt, tilt, count)], axis=1)
-    last = first + np.stack([rng.uniform(10, turn, count) * rng.choice((-1, 1), count), rng.uniform(-0.2, 0.2, count)], axis=1)
+    last = first + np.stack(
+        [rng.uniform(10, turn, count) * rng.choice((-1, 1), count), rng.uniform(-0.2, 0.2, count)], axis=1
+    )
     tips, step = rng.uniform(-80, 80, (count, 3)), rng.normal(size=(count, 3))
     step -= level * (step @ kinematics.direction[3])[:, None] * kinematics.direction[3]
     step /= np.linalg.norm(step, axis=1)[:, None]
@@ -113,7 +116,10 @@ def test_polar_form_of_equation_4_is_the_same_path(mikron):
 
 def test_near_the_pole_it_agrees_with_the_exact_deviation(kinematics):
     words = blocks_at(kinematics, tilt=1.0)
-    exact, model = measure(kinematics, words).line[1::2], measure(kinematics, words, method="so2008").line[1::2]
+    exact, model = (
+        measure(kinematics, words).line[1::2],
+        measure(kinematics, words, method="so2008").line[1::2],
+    )
     assert np.median((exact - model) / exact) < 2e-3
     assert (model <= exact * (1 + 1e-5) + 1e-6).all()  # a distance of the real path, so never more
 
@@ -128,7 +134,10 @@ def shortfall(kinematics, words, method):
 def test_with_level_chords_the_form_with_n_is_right_and_with_climbing_ones_the_printed_form_is_nearer(kind):
     kinematics = kinematics_of(kind)
     level, climbing = (blocks_at(kinematics, tilt=1.0, count=600, level=level) for level in (True, False))
-    one, two = ([shortfall(kinematics, words, method) for words in (level, climbing)] for method in ("so2008", "so2008-printed"))
+    one, two = (
+        [shortfall(kinematics, words, method) for words in (level, climbing)]
+        for method in ("so2008", "so2008-printed")
+    )
     assert one[0] < 1e-4 < 0.05 < two[0]
     assert 5.0 * two[1] < one[1]
 
@@ -144,7 +153,10 @@ def test_samples_keep_a_tenth_of_the_block_from_its_ends():
 def test_samples_as_printed_are_those_of_table_1_wherever_they_differ():
     k = np.array([-1.0, 0.3, 0.4, 0.7, 2.5])
     h = np.abs(0.5 - k)
-    below, above = [0 * k, 0.5 - 2 * h, 0.5 - h, 0 * k + 0.5, 0 * k + 1], [0 * k, 0 * k + 0.5, 0.5 + h, 0.5 + 2 * h, 0 * k + 1]
+    below, above = (
+        [0 * k, 0.5 - 2 * h, 0.5 - h, 0 * k + 0.5, 0 * k + 1],
+        [0 * k, 0 * k + 0.5, 0.5 + h, 0.5 + 2 * h, 0 * k + 1],
+    )
     assert so2008._samples(k, printed=True) == pytest.approx(np.where(k < 0.5, below, above))
     for meeting in (0.25, 0.75):  # 0.5 -+ 2h is an end of the block
         samples = np.sort(so2008._samples(np.array([meeting]), printed=True)[:, 0])
@@ -153,7 +165,8 @@ def test_samples_as_printed_are_those_of_table_1_wherever_they_differ():
 
 @pytest.mark.parametrize("printed", [False, True])
 def test_no_two_samples_coincide_wherever_the_middle_lies(printed):
-    """k = 0 or 1 (h = 0.5) puts 0.5 +- h onto an end as h = 0.25 does 0.5 +- 2h; the system of eq. (9) is then singular."""
+    """k = 0 or 1 (h = 0.5) puts 0.5 +- h onto an end as h = 0.25 does 0.5 +- 2h; the system of eq. (9) is
+    then singular."""
     k = np.concatenate([[-0.25, 0.0, 0.25, 0.4, 0.6, 0.75, 1.0, 1.25], np.linspace(-3.0, 4.0, 701)])
     u = np.sort(so2008._samples(k, printed), axis=0)
     assert np.diff(u, axis=0).min() > 0.9 * so2008.APART
@@ -175,7 +188,9 @@ def test_its_path_near_the_pole_follows_heads_too(kind):
 def test_it_fails_where_the_second_axis_turns_much():
     kinematics = kinematics_of("table_table")
     rng = np.random.default_rng(3)
-    start = np.concatenate([rng.uniform(-100, 100, (200, 3)), np.zeros((200, 1)), rng.uniform(-80, 0, (200, 1))], axis=1)
+    start = np.concatenate(
+        [rng.uniform(-100, 100, (200, 3)), np.zeros((200, 1)), rng.uniform(-80, 0, (200, 1))], axis=1
+    )
     words = interleaved(start, start + [0, 0, 0, 60.0, 90.0])
     exact, model = measure(kinematics, words), measure(kinematics, words, method="so2008")
     assert (exact.line - model.line)[1::2].max() > 1.0
@@ -192,7 +207,11 @@ def test_a_circle_about_the_pole_has_its_farthest_point_in_the_middle():
 
 def test_straight_moves_and_empty_programs_have_no_deviation():
     kinematics = kinematics_of("head_table")
-    for words in (np.zeros((0, 5)), np.zeros((1, 5)), np.array([[0.0, 0, 0, 20, 30], [5, 6, 7, 20, 30], [5, 6, 7, 20, 30]])):
+    for words in (
+        np.zeros((0, 5)),
+        np.zeros((1, 5)),
+        np.array([[0.0, 0, 0, 20, 30], [5, 6, 7, 20, 30], [5, 6, 7, 20, 30]]),
+    ):
         found = measure(kinematics, words, method="so2008")
         assert len(found.line) == len(words)
         assert not (found.line > 1e-11).any()

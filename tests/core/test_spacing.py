@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The planes: a constant stepover, and the scallop that is really left, measured by dense sampling of analytic surfaces."""
+"""The planes: a constant stepover, and the scallop that is really left, measured by dense sampling of
+analytic surfaces."""
 
 import math
 
@@ -12,7 +13,13 @@ from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError, Settings
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import prepare_planes, slice_mesh
-from freecad_fiveaxis.core.passes.scallop import facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
+from freecad_fiveaxis.core.passes.scallop import (
+    facet_curvature,
+    flat_interval,
+    kink_factor,
+    scallop_height,
+    turned_along,
+)
 from freecad_fiveaxis.core.passes.spacing import AIM
 
 RADIUS, SCALLOP, LEAST = 5.0, 0.01, 0.02
@@ -37,12 +44,16 @@ def turned(s, t, turn):
 def patch(height, length=LENGTH, width=WIDTH, size=0.2, turn=TURN, uneven=0.25, seed=5):
     """Mesh of z = height(x, y) over a rectangle whose sides lie along and across the passes."""
     along, across = round(length / size), round(width / size)
-    s, t = np.meshgrid(np.linspace(-0.5, 0.5, along + 1) * length, np.linspace(-0.5, 0.5, across + 1) * width, indexing="ij")
+    s, t = np.meshgrid(
+        np.linspace(-0.5, 0.5, along + 1) * length, np.linspace(-0.5, 0.5, across + 1) * width, indexing="ij"
+    )
     rng = np.random.default_rng(seed)
     s[1:-1, 1:-1] += rng.uniform(-uneven, uneven, s[1:-1, 1:-1].shape) * size
     t[1:-1, 1:-1] += rng.uniform(-uneven, uneven, s[1:-1, 1:-1].shape) * size
     x, y = turned(s, t, turn)
-    return from_faces(np.column_stack([x.ravel(), y.ravel(), height(x, y).ravel()]), grid_faces(along, across))
+    return from_faces(
+        np.column_stack([x.ravel(), y.ravel(), height(x, y).ravel()]), grid_faces(along, across)
+    )
 
 
 def plane(tilt, toward):
@@ -84,7 +95,8 @@ def smooth_centres(height, offset, length, turn):
 
 
 def facet_centres(path, plane):
-    """Ball centres over the facets that one plane cuts, every 0.04 mm, and on arcs where one facet follows another."""
+    """Ball centres over the facets that one plane cuts, every 0.04 mm, and on arcs where one facet follows
+    another."""
     entry = np.flatnonzero(path.pass_ == plane)[::2]
     start, end, normal = path.point[entry], path.point[entry + 1], path.normal[entry]
     share = np.linspace(0.0, 1.0, 2 + int(np.linalg.norm(end - start, axis=1).max() / 0.04))[:, None, None]
@@ -98,9 +110,14 @@ def facet_centres(path, plane):
 def left_between(height, first, second, centres, length=LENGTH, turn=TURN):
     """Largest distance of the surface between two planes from the nearer pass's centres, less the radius.
 
-    Half an interval short of the ends: beyond, the surface no longer lies between two passes where they end aslant.
+    Half an interval short of the ends: beyond, the surface no longer lies between two passes where they end
+    aslant.
     """
-    s, t = np.meshgrid(np.arange(-0.5, 0.5, 0.13 / length) * (length - 1), np.linspace(first, second, 25)[1:-1], indexing="ij")
+    s, t = np.meshgrid(
+        np.arange(-0.5, 0.5, 0.13 / length) * (length - 1),
+        np.linspace(first, second, 25)[1:-1],
+        indexing="ij",
+    )
     point = surface(height, s, t, turn).reshape(-1, 3)
     nearest = np.minimum(*(cKDTree(part).query(point)[0] for part in centres))
     return nearest.max() - RADIUS
@@ -176,12 +193,16 @@ def test_the_scallop_height_is_where_two_circles_meet(curvature):
 
 
 def test_balls_that_do_not_meet_leave_half_their_distance():
-    np.testing.assert_allclose(scallop_height(np.array([10.0, 12.0, 40.0]), 5.0, np.zeros(3)), [5.0, 6.0, 20.0])
+    np.testing.assert_allclose(
+        scallop_height(np.array([10.0, 12.0, 40.0]), 5.0, np.zeros(3)), [5.0, 6.0, 20.0]
+    )
 
 
 def test_the_flat_interval_inverts_the_flat_scallop():
     for scallop in (1e-6, 0.01, 1.0, 4.9):
-        assert scallop_height(np.array([flat_interval(5.0, scallop)]), 5.0, np.zeros(1))[0] == pytest.approx(scallop)
+        assert scallop_height(np.array([flat_interval(5.0, scallop)]), 5.0, np.zeros(1))[0] == pytest.approx(
+            scallop
+        )
 
 
 @pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9])
@@ -195,7 +216,11 @@ def test_an_edge_between_two_contacts_leaves_no_more_than_its_bound(angle, share
     surface_points = np.where(x < 0, x * np.array([1.0, 0.0]), x * down)
     left = np.minimum(*(np.linalg.norm(surface_points - c, axis=1) for c in (first, second))).max() - RADIUS
     far = np.array([max(share, 1 - share)])
-    bound = chord**2 / (8 * RADIUS) * kink_factor(np.array([chord]), RADIUS, np.array([angle]), np.zeros(1), far)[0]
+    bound = (
+        chord**2
+        / (8 * RADIUS)
+        * kink_factor(np.array([chord]), RADIUS, np.array([angle]), np.zeros(1), far)[0]
+    )
     assert left <= bound * 1.02
     assert bound <= 1.3 * max(left, chord**2 / (8 * RADIUS)) or angle < 0.1
 
@@ -223,7 +248,7 @@ def test_a_sharp_edge_bends_no_surface():
     assert not facet_curvature(box()).any()
 
 
-# ------------------------------------------------------------------------------------------------ walls, steps, gaps
+# ----------------------------------------------------------------------------------------- walls, steps, gaps
 
 
 def box(size=(20.0, 30.0, 10.0), low=(0.0, 0.0, 0.0), draft=0.0):
@@ -259,7 +284,9 @@ def test_a_steep_wall_goes_on_at_the_least_interval_with_a_warning():
     assert found[0].severity == Severity.WARNING and found[0].unit == "mm" and found[0].limit == SCALLOP
     climb = math.hypot(0.1, 0.1 * 10 / 0.5)  # of neighbouring passes on the wall
     between = RADIUS - math.sqrt(RADIUS**2 - climb**2 / 4)
-    assert between <= found[0].value <= 4 * between  # more where the edge of the wall lies at one of the passes
+    assert (
+        between <= found[0].value <= 4 * between
+    )  # more where the edge of the wall lies at one of the passes
     assert np.diff(offsets).min() == pytest.approx(0.1)
     assert found[0].place is not None and min(found[0].place[1], 30 - found[0].place[1]) < 0.6
     assert str(len(np.flatnonzero(np.diff(offsets) < 0.1001))) in found[0].text
@@ -282,7 +309,9 @@ def test_a_smaller_least_interval_keeps_the_scallop_on_the_wall():
 
 def test_no_plane_stands_in_the_gap_between_two_islands():
     one, two = box(), box(low=(0.0, 50.0, 0.0))
-    mesh = from_faces(np.concatenate([one.vertex, two.vertex]), np.concatenate([one.face, two.face + len(one.vertex)]))
+    mesh = from_faces(
+        np.concatenate([one.vertex, two.vertex]), np.concatenate([one.face, two.face + len(one.vertex)])
+    )
     offsets, found = place_planes(mesh, 0.0, RADIUS, scallop=SCALLOP, least=LEAST, keep=upward(mesh))
     assert not found
     assert not ((offsets > 30) & (offsets < 50)).any()
@@ -311,7 +340,7 @@ def test_a_stepover_is_constant_and_leaves_both_edges_alike(stepover):
     assert len(offsets) == max(1, math.ceil(30 / stepover - 1e-3))
 
 
-# ------------------------------------------------------------------------------------------------ settings, progress
+# ----------------------------------------------------------------------------------------- settings, progress
 
 
 @pytest.mark.parametrize(
@@ -344,7 +373,9 @@ def test_settings_out_of_range_are_named_with_their_remedy(wrong, named):
 def test_progress_rises_to_one_and_can_stop_the_work(monkeypatch):
     monkeypatch.setattr("freecad_fiveaxis.core.passes.spacing.PERIOD", -1.0)
     told = []
-    place_planes(box(), 0.0, RADIUS, scallop=0.1, least=LEAST, progress=lambda stage, share: told.append(share))
+    place_planes(
+        box(), 0.0, RADIUS, scallop=0.1, least=LEAST, progress=lambda stage, share: told.append(share)
+    )
     assert len(told) > 5 and told == sorted(told) and told[0] > 0 and told[-1] <= 1
 
     def stop(stage, share):
@@ -358,11 +389,17 @@ def test_progress_rises_to_one_and_can_stop_the_work(monkeypatch):
 def test_a_scallop_that_needs_too_many_samples_is_refused_at_once(scallop):
     """Its samples stand half an interval of a flat apart, 1e-4 mm at 1e-9: the work would take hours."""
     mesh = patch(plane(0.1, 0.0), length=60.0, width=60.0, size=2.0)
-    with pytest.raises(SettingsError, match=r"scallop .* needs .*; give a larger scallop or check the units of the part"):
+    with pytest.raises(
+        SettingsError, match=r"scallop .* needs .*; give a larger scallop or check the units of the part"
+    ):
         place_planes(mesh, TURN, RADIUS, scallop=scallop, least=0.05)
 
 
 def test_the_smallest_stepover_is_told_in_a_machinists_words():
     mesh = box(draft=0.5)
     _, found = place_planes(mesh, 0.0, 0.4, scallop=SCALLOP, least=0.1, keep=upward(mesh))
-    assert found[0].text.startswith("On steep walls ") and "binds" not in found[0].text and "--least-interval" in found[0].text
+    assert (
+        found[0].text.startswith("On steep walls ")
+        and "binds" not in found[0].text
+        and "--least-interval" in found[0].text
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Spirals instead of closed passes round one another: by closed forms, and by dense samples of the surface between the loops."""
+"""Spirals instead of closed passes round one another: by closed forms, and by dense samples of the surface
+between the loops."""
 
 import math
 from dataclasses import fields, replace
@@ -80,7 +81,9 @@ def dense(line, step=0.05):
     start, end = line[::2], line[1::2]
     pieces = np.ceil(np.linalg.norm(end - start, axis=1) / step).astype(int) + 1
     row = np.repeat(np.arange(len(start)), pieces)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[
+        row
+    ]
     return start[row] + share[:, None] * (end - start)[row]
 
 
@@ -98,11 +101,17 @@ def farthest(mesh, contact, low, high):
     """The farthest that a sample of the mesh from Z ``low`` to ``high`` is from all passes, mm."""
     point = samples(mesh)
     between = (point[:, 2] >= low) & (point[:, 2] <= high)
-    return float(cKDTree(np.concatenate([dense(line) for line in lines(contact)])).query(point[between])[0].max())
+    return float(
+        cKDTree(np.concatenate([dense(line) for line in lines(contact)])).query(point[between])[0].max()
+    )
 
 
 def same(one, two):
-    return all(np.array_equal(getattr(one, f.name), getattr(two, f.name)) for f in fields(one) if f.name != "findings")
+    return all(
+        np.array_equal(getattr(one, f.name), getattr(two, f.name))
+        for f in fields(one)
+        if f.name != "findings"
+    )
 
 
 PARTS = [
@@ -157,7 +166,9 @@ def test_points_lie_in_the_facets_that_they_name_and_on_their_coedges(name, stra
     assert len(rows) > 0.5 * len(contact.coedge)
     start, end = mesh.vertex[mesh.coedge_vertex[contact.coedge[rows]]].transpose(1, 0, 2)
     assert np.linalg.norm(np.cross(contact.point[rows] - start, end - start), axis=1).max() < 1e-7
-    np.testing.assert_array_equal(contact.point[2::2], contact.point[1:-1:2])  # one segment goes on where the other ended
+    np.testing.assert_array_equal(
+        contact.point[2::2], contact.point[1:-1:2]
+    )  # one segment goes on where the other ended
     np.testing.assert_array_equal(contact.segment, np.arange(len(contact.point)) // 2)
     np.testing.assert_array_equal(contact.face[::2], contact.face[1::2])
 
@@ -168,7 +179,9 @@ def test_on_a_cylinder_it_is_a_helix_between_two_circles():
     angle = np.unwrap(np.arctan2(point[:, 1], point[:, 0])) / (2 * math.pi)
     turn, count = angle - angle[0], len(lines(loops))
     low, high = loops.point[:, 2].min(), loops.point[:, 2].max()
-    assert turn[-1] == pytest.approx(count + 1, abs=0.1)  # a turn from each loop to the next, and the first and the last loop
+    assert turn[-1] == pytest.approx(
+        count + 1, abs=0.1
+    )  # a turn from each loop to the next, and the first and the last loop
     pitch = (high - low) / (count - 1)
     wanted = low + pitch * np.clip(turn - 1.0, 0.0, count - 1.0)
     np.testing.assert_allclose(point[:, 2], wanted, atol=0.1 * pitch)
@@ -184,12 +197,18 @@ def test_passes_begin_in_the_sense_of_the_loops_with_what_is_higher_to_their_lef
 def test_a_region_with_two_peaks_is_three_spirals():
     """Below the saddle round both peaks, and round each of them: three rings."""
     mesh = bumps(
-        60, lambda x, y: 9 * np.exp(-((x - 18) ** 2 + (y - 30) ** 2) / 90) + 9 * np.exp(-((x - 42) ** 2 + (y - 30) ** 2) / 90)
+        60,
+        lambda x, y: (
+            9 * np.exp(-((x - 18) ** 2 + (y - 30) ** 2) / 90)
+            + 9 * np.exp(-((x - 42) ** 2 + (y - 30) ** 2) / 90)
+        ),
     )
     heights = np.arange(0.61, 9.0, 0.4)
     saddle = 18 * math.exp(-144 / 90)
     region = Region(mesh, np.ones(len(mesh.face), bool), 3.0, STEP)
-    loops, spiral = (cut(region, PassField(mesh.vertex[:, 2], heights), "one_way", on) for on in (False, True))
+    loops, spiral = (
+        cut(region, PassField(mesh.vertex[:, 2], heights), "one_way", on) for on in (False, True)
+    )
     count = (heights < saddle).sum() + 2 * (heights > saddle).sum()
     assert len(lines(loops)) == count and all(map(is_closed, lines(loops)))
     assert len(lines(spiral)) == 3
@@ -199,7 +218,9 @@ def test_a_region_with_two_peaks_is_three_spirals():
 
 def test_level_planes_through_an_upright_ring_make_four_spirals():
     """Below the hole, on either side of it, and above it."""
-    turn, tube = np.meshgrid(2 * math.pi * np.arange(60) / 60, 2 * math.pi * np.arange(30) / 30, indexing="ij")
+    turn, tube = np.meshgrid(
+        2 * math.pi * np.arange(60) / 60, 2 * math.pi * np.arange(30) / 30, indexing="ij"
+    )
     radius = 12.0 + 5.0 * np.cos(tube)
     row = np.stack([5.0 * np.sin(tube), radius * np.cos(turn), radius * np.sin(turn)], axis=-1)
     a, b, c, d = row, np.roll(row, -1, 0), np.roll(row, (-1, -1), (0, 1)), np.roll(row, -1, 1)
@@ -207,7 +228,11 @@ def test_level_planes_through_an_upright_ring_make_four_spirals():
     loops, spiral = laid(from_triangles(corner), "zlevel")
     assert len(lines(loops)) > 40 and all(map(is_closed, lines(loops)))
     assert len(lines(spiral)) == 4
-    assert sum(line[:, 2].max() < -6.0 for line in lines(spiral)) == sum(line[:, 2].min() > 6.0 for line in lines(spiral)) == 1
+    assert (
+        sum(line[:, 2].max() < -6.0 for line in lines(spiral))
+        == sum(line[:, 2].min() > 6.0 for line in lines(spiral))
+        == 1
+    )
 
 
 def uneven():
@@ -219,7 +244,8 @@ def uneven():
 
 
 def beyond(heights, contact):
-    """How much farther from all passes a sample is than half-way between the two loops it lies between, mm at most."""
+    """How much farther from all passes a sample is than half-way between the two loops it lies between, mm at
+    most."""
     point = samples(tube(), 40_000)
     point = point[(point[:, 2] > heights[0]) & (point[:, 2] < heights[-1])]
     gap = np.diff(heights)[np.searchsorted(heights, point[:, 2]) - 1]
@@ -272,7 +298,9 @@ def test_loops_beside_open_passes_become_a_spiral_and_the_others_stay():
     loops, spiral = laid(mesh, "zlevel", PassOptions(stepover=0.5), order="one_way")
     opened = [line for line in lines(loops) if not is_closed(line)]
     closed = len(lines(loops)) - len(opened)
-    kept = [line for line in lines(spiral) if any(len(line) == len(one) and (line == one).all() for one in opened)]
+    kept = [
+        line for line in lines(spiral) if any(len(line) == len(one) and (line == one).all() for one in opened)
+    ]
     assert closed > 4 and len(kept) == len(opened)
     assert len(lines(spiral)) == len(opened) + 1
 
@@ -282,7 +310,7 @@ def test_a_ball_is_cut_from_its_lowest_place_in_one_spiral():
     assert len(lines(spiral)) == 1
 
 
-# ------------------------------------------------------------------------------------------------ the whole way
+# ---------------------------------------------------------------------------------------------- the whole way
 
 
 @pytest.fixture(scope="module")
@@ -293,7 +321,13 @@ def boss(tmp_path_factory):
 
 
 def made(file, **more):
-    options = {"machine": "trunnion_ac", "controller": "linuxcnc", "cutter": "ball:6", "passes": "zlevel", "stepover": 1.0}
+    options = {
+        "machine": "trunnion_ac",
+        "controller": "linuxcnc",
+        "cutter": "ball:6",
+        "passes": "zlevel",
+        "stepover": 1.0,
+    }
     options |= {"tool_axis": "facet_mean", **UNCURED}
     return job.make(build_settings("mill", str(file), {**options, **more}))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tasks on the workers of any executor: each result in its place, none of another task, and a stop is heard by all."""
+"""Tasks on the workers of any executor: each result in its place, none of another task, and a stop is heard
+by all."""
 
 import itertools
 import multiprocessing
@@ -38,7 +39,8 @@ def die(common, task, progress):
 
 
 def work_on(common, task, progress):
-    """Goes on until it is stopped, but not for ever; ``common`` names a file by which it says that it has begun."""
+    """Goes on until it is stopped, but not for ever; ``common`` names a file by which it says that it has
+    begun."""
     with open(f"{common}{task}", "w", encoding="utf-8"):
         pass
     for _ in range(6000):
@@ -80,7 +82,9 @@ def executor(request):
 
 def test_results_come_in_the_order_of_the_tasks(executor):
     told = []
-    found = spread(tell_place, COMMON, TASKS, executor, lambda stage, fraction: told.append((stage, fraction)), "stage")
+    found = spread(
+        tell_place, COMMON, TASKS, executor, lambda stage, fraction: told.append((stage, fraction)), "stage"
+    )
     assert [(common, task) for common, task, *_ in found] == [(COMMON, task) for task in TASKS]
     assert {stage for stage, _ in told} == {"stage"} and told == sorted(told)
     assert told[0][1] == 0.0 and told[-1][1] == 1.0
@@ -99,7 +103,9 @@ def count_kept(common, task, progress):
 
 def test_the_share_that_is_done_goes_by_weight():
     told = []
-    spread(tell_place, COMMON, (0, 1), None, lambda stage, fraction: told.append(fraction), "stage", (3.0, 1.0))
+    spread(
+        tell_place, COMMON, (0, 1), None, lambda stage, fraction: told.append(fraction), "stage", (3.0, 1.0)
+    )
     assert told == [0.0, 0.75, 1.0]
 
 
@@ -111,8 +117,9 @@ LARGE = {"zeros": bytes(1 << 20), "list": list(range(9))}
 
 
 class Packing(Inline):
-    """Does each task from its pickle, as a worker elsewhere does, whose process has what is common from nobody else; keeps how
-    long each pickle was and what lay among the temporary files. ``reach``: whether it can read them."""
+    """Does each task from its pickle, as a worker elsewhere does, whose process has what is common from
+    nobody else; keeps how long each pickle was and what lay among the temporary files. ``reach``: whether it
+    can read them."""
 
     def __init__(self, reach=lambda file: True):
         self.reach, self.bytes, self.files = reach, [], []
@@ -157,11 +164,19 @@ def test_what_is_small_is_sent_and_makes_no_file(own_temporary):
 def test_who_cannot_read_the_file_gets_the_bytes(others, own_temporary):
     """As a worker of another computer; in the order of the tasks all the same, and each is done once."""
     done, turns = [], itertools.count()
-    pool = Packing((lambda files: False) if others == "from the beginning" else lambda files: next(turns) % 3 != 2)
-    found = spread(common_and_task, (LARGE, "all"), TASKS, pool, lambda stage, fraction: done.append(fraction), "stage")
+    pool = Packing(
+        (lambda files: False) if others == "from the beginning" else lambda files: next(turns) % 3 != 2
+    )
+    found = spread(
+        common_and_task, (LARGE, "all"), TASKS, pool, lambda stage, fraction: done.append(fraction), "stage"
+    )
     assert found == [(LARGE, task) for task in TASKS]
     assert done == sorted(done) and done[-1] == 1.0
-    assert len(TASKS) < len(pool.bytes) <= 2 * len(TASKS) and max(pool.bytes) > 1 << 20 and temporary_files() == []
+    assert (
+        len(TASKS) < len(pool.bytes) <= 2 * len(TASKS)
+        and max(pool.bytes) > 1 << 20
+        and temporary_files() == []
+    )
 
 
 def common_and_task(common, task, progress):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where to clamp and what to compare and where the tool gets by workers: small tasks, a stop that is heard in the middle, the command line."""
+"""Where to clamp and what to compare and where the tool gets by workers: small tasks, a stop that is heard in
+the middle, the command line."""
 
 import json
 import multiprocessing
@@ -65,7 +66,9 @@ def test_a_stop_in_the_middle_leaves_no_process(name, roof):
 
 
 def words_of(name, roof):
-    options = (word for key, value in options_of(name).items() for word in (f"--{key.replace('_', '-')}", str(value)))
+    options = (
+        word for key, value in options_of(name).items() for word in (f"--{key.replace('_', '-')}", str(value))
+    )
     return [name, roof, *options, "--quiet"]
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The stages of ``mill``: each takes what the one before it gives, and the page about them is made from their list."""
+"""The stages of ``mill``: each takes what the one before it gives, and the page about them is made from their
+list."""
 
 import sys
 import typing
@@ -35,7 +36,9 @@ def types_of(stage):
 def breaks(stages):
     """Where a stage does not take what the one before it gives."""
     ends = [Region, *(types_of(stage)[1] for stage in stages)]
-    return [stage.__name__ for stage, given in zip(stages, ends, strict=False) if types_of(stage)[0] is not given]
+    return [
+        stage.__name__ for stage, given in zip(stages, ends, strict=False) if types_of(stage)[0] is not given
+    ]
 
 
 def test_each_stage_takes_what_the_one_before_it_gives():
@@ -70,7 +73,9 @@ def test_mill_runs_every_stage_once_in_their_order(tmp_path, monkeypatch):
         return run
 
     monkeypatch.setattr(milling, "STAGES", tuple(spied(stage) for stage in STAGES))
-    settings = build_settings(MILL, "field", {"machine": "trunnion_ac", "stepover": 8, "tool_axis": "facet_mean"})
+    settings = build_settings(
+        MILL, "field", {"machine": "trunnion_ac", "stepover": 8, "tool_axis": "facet_mean"}
+    )
     job.make(settings, mesh=from_triangles(field(12, lambda x, y: 0.02 * x * x)))
     assert ran == [stage.__name__ for stage in STAGES]
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is cut from below where nothing is asked: all that the machine reaches, but for a face on which the part stands."""
+"""What is cut from below where nothing is asked: all that the machine reaches, but for a face on which the
+part stands."""
 
 import math
 from functools import cache
@@ -45,7 +46,8 @@ def lean(mesh, machine=TRUNNION, **options):
 
 
 def make(asked, mesh, faces=None):
-    """The program, with axes from fewer places of the part than the product looks at: on what it stands does not depend on them."""
+    """The program, with axes from fewer places of the part than the product looks at: on what it stands does
+    not depend on them."""
     with pytest.MonkeyPatch.context() as patch:
         take_nodes(patch, NODES)
         return job.make(asked, mesh=mesh, faces=faces)
@@ -69,7 +71,9 @@ def test_a_block_stands_on_its_underside_and_on_nothing_else():
 @pytest.mark.parametrize("turn", [0.0, 45.0, 180.0])
 def test_what_would_fall_over_stands_on_nothing(turn):
     angle = math.radians(turn)
-    turned = np.array([[math.cos(angle), -math.sin(angle), 0.0], [math.sin(angle), math.cos(angle), 0.0], [0.0, 0.0, 1.0]])
+    turned = np.array(
+        [[math.cos(angle), -math.sin(angle), 0.0], [math.sin(angle), math.cos(angle), 0.0], [0.0, 0.0, 1.0]]
+    )
     for mesh, stands in ((table_with_one_leg(), False), (block(), True)):
         assert standing_facets(from_triangles((mesh.vertex @ turned.T)[mesh.face])).any() == stands
 
@@ -85,7 +89,9 @@ def test_axes_lean_as_far_as_the_machine_goes_only_over_a_table_that_is_known():
     mesh = block()
     assert lean(mesh) == pytest.approx(180.0)
     assert lean(mesh, tool_axis="facet_mean") == pytest.approx(90.0)
-    assert lean(mesh, origin=(0.0, 0.0, -150.0)) == pytest.approx(90.0)  # the part lies in the table: who knows where that is
+    assert lean(mesh, origin=(0.0, 0.0, -150.0)) == pytest.approx(
+        90.0
+    )  # the part lies in the table: who knows where that is
     assert lean(mesh, max_axis_angle=70) == pytest.approx(70.0)
     assert lean(mesh, max_axis_angle=180, tool_axis="facet_mean") == pytest.approx(180.0)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where bodies of a machine's file are drawn: by the joints' own turns, in the machine's frame, on machines of five kinds."""
+"""Where bodies of a machine's file are drawn: by the joints' own turns, in the machine's frame, on machines
+of five kinds."""
 
 from dataclasses import replace
 
@@ -40,7 +41,8 @@ def move(place, points):
 
 
 def drawn_and_true(name):
-    """Of every body at random words: its vertices as drawn, and as the joints carry them, both in the picture's frame."""
+    """Of every body at random words: its vertices as drawn, and as the joints carry them, both in the
+    picture's frame."""
     machine = with_bodies(name, head=True)
     kinematics = chain(machine, SETUP)
     gauge = np.array(machine.gauge_point)
@@ -50,7 +52,8 @@ def drawn_and_true(name):
     words[:, [not axis.fitted for axis in kinematics.axes]] = 0.0
     carried = placements(kinematics, words)["machine_from_carried"]
     joints = [
-        dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True)) for word in [np.zeros(5), *words]
+        dict(zip(kinematics.letters, word + np.concatenate([shift, (0, 0)]), strict=True))
+        for word in [np.zeros(5), *words]
     ]
     innermost = (*carriers(machine)[1:], "base")[0]
     zero = move(frames(machine, joints[0])[0][innermost], np.array(ORIGIN)[None])[0]
@@ -90,11 +93,17 @@ def test_without_the_tools_length_the_spindle_is_not_drawn_and_the_table_is():
     names = [one.name for one in stand_bodies(machine, setup, chain(machine, setup), None)]
     assert names == ["on base", "on C", "on A"]
     moving = Machine(
-        "Z on the table", (*KINDS["table_table"][:2], Axis("Z", False, "table", (0, 0, 1)), *KINDS["table_table"][2:4])
+        "Z on the table",
+        (*KINDS["table_table"][:2], Axis("Z", False, "table", (0, 0, 1)), *KINDS["table_table"][2:4]),
     )
-    moving = replace(moving, bodies=tuple(MachineBody(one, one, "sphere", ((0.0, 0.0, 0.0),), (5.0,)) for one in ("base", "A")))
+    moving = replace(
+        moving,
+        bodies=tuple(MachineBody(one, one, "sphere", ((0.0, 0.0, 0.0),), (5.0,)) for one in ("base", "A")),
+    )
     stood = stand_bodies(moving, setup, chain(moving, setup), None)
-    assert [one.name for one in stood] == ["A"], "how low the base is under the tip depends on the tool's length"
+    assert [one.name for one in stood] == ["A"], (
+        "how low the base is under the tip depends on the tool's length"
+    )
     plain = load_machine("trunnion_ac")
     assert stand_bodies(plain, setup, chain(plain, setup), LENGTH) == ()
 
@@ -112,13 +121,23 @@ def test_the_sketch_keeps_what_no_body_stands_for():
     no_spindle = [one for one in standing if one.place != "spindle"]
     assert {one.name for one in leave_out(whole, no_spindle, kinematics)} == {"spindle", "ram"}
     base = [one for one in standing if one.place == "base"]
-    assert {one.name for one in leave_out(whole, base, kinematics)} == {"platter", "riser", "cradle", "spindle", "ram"}
+    assert {one.name for one in leave_out(whole, base, kinematics)} == {
+        "platter",
+        "riser",
+        "cradle",
+        "spindle",
+        "ram",
+    }
     head = with_bodies("head_b_table_c")
     chained = chain(head, SETUP)
-    left = leave_out(sketch(chained, *PART, ToolRoom(90.0, 20.0)), stand_bodies(head, SETUP, chained, LENGTH), chained)
+    left = leave_out(
+        sketch(chained, *PART, ToolRoom(90.0, 20.0)), stand_bodies(head, SETUP, chained, LENGTH), chained
+    )
     assert {one.name for one in left} >= {"fork", "ram"} and "spindle" not in {one.name for one in left}
     head = with_bodies("head_b_table_c", head=True)
-    left = leave_out(sketch(chained, *PART, ToolRoom(90.0, 20.0)), stand_bodies(head, SETUP, chained, LENGTH), chained)
+    left = leave_out(
+        sketch(chained, *PART, ToolRoom(90.0, 20.0)), stand_bodies(head, SETUP, chained, LENGTH), chained
+    )
     assert not {one.name for one in left} & {"fork", "ram", "spindle"}
 
 
@@ -147,5 +166,7 @@ def test_a_file_is_drawn_as_it_is(tmp_path):
     machine = replace(load_machine("trunnion_ac"), bodies=(body,))
     (found,) = stand_bodies(machine, SETUP, chain(machine, SETUP), LENGTH)
     low, high = found.mesh.box
-    assert np.allclose(low, np.array((-5, -6, -7)) - ORIGIN) and np.allclose(high, np.array((8, 9, 10)) - ORIGIN)
+    assert np.allclose(low, np.array((-5, -6, -7)) - ORIGIN) and np.allclose(
+        high, np.array((8, 9, 10)) - ORIGIN
+    )
     assert (found.place, found.carrier) == ("platter", chain(machine, SETUP).letters.index("C"))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Level planes where a surface is steep and other passes where it is not: against closed forms, and by dense samples of it."""
+"""Level planes where a surface is steep and other passes where it is not: against closed forms, and by dense
+samples of it."""
 
 import math
 from dataclasses import fields
@@ -43,7 +44,9 @@ def hemisphere(radius=15.0, plate=25.0, rows=45, columns=72):
 @lru_cache
 def filleted_box(width=20.0, height=12.0, fillet=5.0, steps=20):
     turn = np.linspace(0, math.pi / 2, steps + 1)
-    right = np.stack([width - fillet + fillet * np.cos(turn), height - fillet + fillet * np.sin(turn)], axis=1)
+    right = np.stack(
+        [width - fillet + fillet * np.cos(turn), height - fillet + fillet * np.sin(turn)], axis=1
+    )
     left = right[::-1] * [-1, 1]
     return prism([(-width, 0), (width, 0), *right, *left])
 
@@ -56,8 +59,12 @@ def region_of(mesh, keep=None):
     return Region(mesh, np.ones(len(mesh.face), bool) if keep is None else keep, BALL, STEP)
 
 
-def laid(mesh, degrees, strategy="scallop", order="zigzag", spiral=False, overlap=1.0, keep=None, options=OPTIONS):
-    division = Division(math.radians(degrees), PASS_STRATEGIES["zlevel"], PASS_STRATEGIES[strategy], order, spiral, overlap)
+def laid(
+    mesh, degrees, strategy="scallop", order="zigzag", spiral=False, overlap=1.0, keep=None, options=OPTIONS
+):
+    division = Division(
+        math.radians(degrees), PASS_STRATEGIES["zlevel"], PASS_STRATEGIES[strategy], order, spiral, overlap
+    )
     return lay_by_slope(region_of(mesh, keep), options, division)
 
 
@@ -66,7 +73,11 @@ def alone(mesh, strategy, keep=None, spiral=False, options=OPTIONS):
 
 
 def same(one, two):
-    return all(np.array_equal(getattr(one, f.name), getattr(two, f.name)) for f in fields(one) if f.name != "findings")
+    return all(
+        np.array_equal(getattr(one, f.name), getattr(two, f.name))
+        for f in fields(one)
+        if f.name != "findings"
+    )
 
 
 def is_level(line):
@@ -82,10 +93,12 @@ def off(contact, point):
     return cKDTree(np.concatenate([dense(line) for line in lines(contact)])).query(point)[0]
 
 
-# ------------------------------------------------------------------------------------------------ where the line runs
+# ---------------------------------------------------------------------------------------- where the line runs
 
 
-@pytest.mark.parametrize("degrees", [45.0, *(pytest.param(one, marks=pytest.mark.slow) for one in (20.0, 70.0))])
+@pytest.mark.parametrize(
+    "degrees", [45.0, *(pytest.param(one, marks=pytest.mark.slow) for one in (20.0, 70.0))]
+)
 def test_a_hemisphere_is_divided_on_a_circle_and_the_passes_overlap_by_a_stepover(degrees):
     """The circle on which the slope is DEG has the radius R sin DEG; facets are 2 deg high."""
     mesh, radius, bound = hemisphere(), 15.0, math.radians(degrees)
@@ -95,9 +108,19 @@ def test_a_hemisphere_is_divided_on_a_circle_and_the_passes_overlap_by_a_stepove
     wide = np.hypot(ball[:, 0], ball[:, 1])
     assert wide.min() == pytest.approx(radius * math.sin(bound), abs=0.02 * radius * math.cos(bound))
     contact, _ = laid(mesh, degrees, "planes")
-    polar = [math.atan2(np.hypot(*line[0, :2]), line[0, 2]) for line in lines(contact) if is_level(line) and line[0, 2] > 1e-6]
-    assert 0.4 * STEP < radius * (bound - min(polar)) <= 1.02 * STEP  # within half an interval of the strip's rim
-    assert 0.4 * STEP < radius * (max(polar_of(line) for line in lines(contact) if not is_level(line)) - bound) <= 1.02 * STEP
+    polar = [
+        math.atan2(np.hypot(*line[0, :2]), line[0, 2])
+        for line in lines(contact)
+        if is_level(line) and line[0, 2] > 1e-6
+    ]
+    assert (
+        0.4 * STEP < radius * (bound - min(polar)) <= 1.02 * STEP
+    )  # within half an interval of the strip's rim
+    assert (
+        0.4 * STEP
+        < radius * (max(polar_of(line) for line in lines(contact) if not is_level(line)) - bound)
+        <= 1.02 * STEP
+    )
 
 
 def polar_of(line):
@@ -120,12 +143,15 @@ def test_every_strategy_goes_a_stepover_beyond_the_line():
     for degrees in (30.0, 60.0):
         contact, _ = laid(mesh, degrees, "planes", keep=keep, options=options)
         across = [line for line in lines(contact) if not is_level(line)]
-        ends = np.array([np.degrees(np.arctan2(np.abs(line[[0, -1], 1]), line[[0, -1], 2])) for line in across])
+        ends = np.array(
+            [np.degrees(np.arctan2(np.abs(line[[0, -1], 1]), line[[0, -1], 2])) for line in across]
+        )
         assert len(across) > 20 and ends == pytest.approx(degrees + math.degrees(STEP / 12), abs=1.0)
 
 
 def test_the_line_is_smooth_where_facets_are_not():
-    """On a ball of facets in disorder the line stays nearer to its circle than a facet is wide, and is one closed curve."""
+    """On a ball of facets in disorder the line stays nearer to its circle than a facet is wide, and is one
+    closed curve."""
     random = np.random.default_rng(5)
     mesh = from_triangles(height_field(40, lambda x, y: np.zeros_like(x), 0.5))
     place = mesh.vertex[:, :2] - 10
@@ -155,7 +181,7 @@ def test_facets_at_the_bound_belong_to_the_shallow_side_alone():
     assert not slopes.steep[box.normal[slopes.copy.parent, 2] < -0.9].any()
 
 
-# ------------------------------------------------------------------------------------------------ one side only
+# ---------------------------------------------------------------------------------------------- one side only
 
 
 def test_a_part_on_one_side_has_the_very_passes_of_the_one_strategy():
@@ -170,7 +196,7 @@ def test_what_is_not_cut_counts_for_neither_side():
     assert same(laid(mesh, 40, keep=keep)[0], alone(mesh, "zlevel", keep)[0])
 
 
-# ------------------------------------------------------------------------------------------------ what is left
+# ----------------------------------------------------------------------------------------------- what is left
 
 
 def hilly():
@@ -189,7 +215,9 @@ def cut_of(name):
 @pytest.mark.parametrize(
     "strategy", ["scallop", *(pytest.param(one, marks=pytest.mark.thorough) for one in ("planes", "radial"))]
 )
-@pytest.mark.parametrize("name", [pytest.param(one, marks=[pytest.mark.slow] * ("box" in one)) for one in PARTS])
+@pytest.mark.parametrize(
+    "name", [pytest.param(one, marks=[pytest.mark.slow] * ("box" in one)) for one in PARTS]
+)
 def test_every_place_is_as_near_to_a_pass_as_with_the_worse_of_both_alone(name, strategy):
     mesh, keep = cut_of(name)
     contact, _ = laid(mesh, 35, strategy, keep=keep)
@@ -213,8 +241,8 @@ def spread(mesh, keep):
 
 @pytest.mark.thorough
 def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
-    """Without overlap both strategies end at the line, half an interval from it: the highest level plane is needed there. With it
-    the other strategy's passes lie over that plane."""
+    """Without overlap both strategies end at the line, half an interval from it: the highest level plane is
+    needed there. With it the other strategy's passes lie over that plane."""
     mesh, keep = cut_of("hemisphere")
     point, _ = spread(mesh, keep)
     polar = np.arctan2(np.hypot(*point[:, :2].T), point[:, 2])
@@ -229,7 +257,8 @@ def test_a_removed_pass_would_be_noticed_but_for_the_overlap():
 
 
 def test_nothing_is_told_of_what_the_other_strategy_cuts():
-    """Pieces of facets between two passes are no facets without a pass, and the rim of a strip is no steep wall."""
+    """Pieces of facets between two passes are no facets without a pass, and the rim of a strip is no steep
+    wall."""
     mesh, keep = cut_of("hemisphere")
     codes = [one.code for one in alone(mesh, "zlevel", keep)[1]]
     assert "side-not-machined" in codes  # the plate, of which nothing is told where another strategy cuts it
@@ -244,22 +273,31 @@ def test_at_the_rim_of_a_strip_no_planes_are_too_far_apart(monkeypatch):
     found = Region(mesh, keep, BALL, flat_interval(BALL, 0.02))
     assert "least-interval" not in [one.code for one in lay_by_slope(found, options, of_scallop(40))[1]]
     monkeypatch.setattr(steep_and_shallow, "_at_rim", lambda *_: False)
-    told = next(one for one in lay_by_slope(found, options, of_scallop(40))[1] if one.code == "least-interval")
+    told = next(
+        one for one in lay_by_slope(found, options, of_scallop(40))[1] if one.code == "least-interval"
+    )
     assert told.value > BALL
 
 
-# ------------------------------------------------------------------------------------------------ order, length, contract
+# ------------------------------------------------------------------------------------ order, length, contract
 
 
 def test_the_steep_part_comes_first_from_the_top_down():
     mesh = hemisphere()
     contact, _ = laid(mesh, 45, "planes", order="one_way")
-    level = np.array([is_level(line) and 1e-6 < line[0, 2] < 15 * math.cos(math.radians(44)) + STEP for line in lines(contact)])
+    level = np.array(
+        [
+            is_level(line) and 1e-6 < line[0, 2] < 15 * math.cos(math.radians(44)) + STEP
+            for line in lines(contact)
+        ]
+    )
     height = np.array([line[0, 2] for line in lines(contact)])[level]
     assert level[: level.sum()].all() and not level[level.sum() :].any() and len(height) > 8
     assert (np.diff(height) <= 0).all() and (np.diff(contact.pass_) >= 0).all()
     plain, _ = alone(mesh, "zlevel")
-    assert (contact.point[1, :2] - contact.point[0, :2]) @ np.array([-contact.point[0, 1], contact.point[0, 0]]) * (
+    assert (contact.point[1, :2] - contact.point[0, :2]) @ np.array(
+        [-contact.point[0, 1], contact.point[0, 0]]
+    ) * (
         (plain.point[1, :2] - plain.point[0, :2]) @ np.array([-plain.point[0, 1], plain.point[0, 0]])
     ) > 0  # the way round is the one of level planes alone
 
@@ -298,7 +336,9 @@ def of_scallop(degrees):
 def assert_alike(one, two):
     """Points lie on the same curves; how a curve is divided into segments may differ by rounding."""
     near = cKDTree(one).query(two)[0], cKDTree(two).query(one)[0]
-    assert max(float(np.quantile(away, 0.99)) for away in near) < 0.02 and max(away.max() for away in near) < 0.5
+    assert (
+        max(float(np.quantile(away, 0.99)) for away in near) < 0.02 and max(away.max() for away in near) < 0.5
+    )
 
 
 def test_passes_lie_on_the_part_in_the_facets_and_on_the_coedges_that_they_name():
@@ -331,7 +371,9 @@ def test_both_parts_become_spirals_where_they_can(strategy):
     polar = np.linspace(0, math.pi / 2, 46)
     mesh = revolved(15 * np.sin(polar[::-1]), 15 * np.cos(polar[::-1]), 72)
     mesh = (
-        mesh if strategy == "scallop" else from_faces(mesh.vertex, mesh.face[mesh.vertex[mesh.face][:, :, 2].max(axis=1) < 14.5])
+        mesh
+        if strategy == "scallop"
+        else from_faces(mesh.vertex, mesh.face[mesh.vertex[mesh.face][:, :, 2].max(axis=1) < 14.5])
     )
     loops, spiral = laid(mesh, 45, strategy)[0], laid(mesh, 45, strategy, spiral=True)[0]
     assert len(lines(loops)) > 15 and len(lines(spiral)) <= 3  # two, and a loop round the top
@@ -343,7 +385,13 @@ def test_both_parts_become_spirals_where_they_can(strategy):
 # ------------------------------------------------------------------------------------------------ jobs
 
 
-JOB = {"machine": "trunnion_ac", "controller": "linuxcnc", "cutter": "ball:6", "scallop": SCALLOP, "tool_axis": "facet_mean"}
+JOB = {
+    "machine": "trunnion_ac",
+    "controller": "linuxcnc",
+    "cutter": "ball:6",
+    "scallop": SCALLOP,
+    "tool_axis": "facet_mean",
+}
 
 
 @pytest.fixture(scope="module")
@@ -353,13 +401,20 @@ def files(tmp_path_factory):
     write_stl(cone(50), folder / "cone.stl")
     mesh = filleted_box()
     level = mesh.normal[:, 2] > 1 - 1e-9
-    for name, chosen in (("top", level), ("sides", (np.abs(mesh.normal[:, 0]) < 0.5) & ~level & (mesh.normal[:, 2] > -0.5))):
+    for name, chosen in (
+        ("top", level),
+        ("sides", (np.abs(mesh.normal[:, 0]) < 0.5) & ~level & (mesh.normal[:, 2] > -0.5)),
+    ):
         write_stl(from_faces(mesh.vertex, mesh.face[chosen]), folder / f"{name}.stl")
     return folder
 
 
 def made(files, **more):
-    return job.make(build_settings("mill", str(files / "box.stl"), {**JOB, "passes": "scallop", "steep_shallow": 40, **more}))
+    return job.make(
+        build_settings(
+            "mill", str(files / "box.stl"), {**JOB, "passes": "scallop", "steep_shallow": 40, **more}
+        )
+    )
 
 
 def slope_at(found):
@@ -406,7 +461,9 @@ def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
     jobs = [
         job.run(
             build_settings(
-                "mill", str(files / "box.stl"), {**JOB, "tool_axis": axis, "rest": "on", "scallop": 4 * SCALLOP, **more}
+                "mill",
+                str(files / "box.stl"),
+                {**JOB, "tool_axis": axis, "rest": "on", "scallop": 4 * SCALLOP, **more},
             )
         )
         for more in ({"passes": "scallop", "steep_shallow": 40}, {"passes": "scallop"}, {"passes": "zlevel"})
@@ -415,7 +472,7 @@ def test_the_rest_is_no_higher_than_with_the_worse_of_both_alone(files, axis):
     assert both.uncut(8 * SCALLOP)[0] <= max(scallop.uncut(8 * SCALLOP)[0], level.uncut(8 * SCALLOP)[0])
 
 
-# ------------------------------------------------------------------------------------------------ what is refused
+# -------------------------------------------------------------------------------------------- what is refused
 
 
 BAD = [
@@ -429,7 +486,18 @@ BAD = [
 @pytest.mark.parametrize(("words", "said"), BAD, ids=range(len(BAD)))
 def test_what_is_no_slope_is_refused_in_one_line(files, tmp_path, capsys, words, said):
     out = tmp_path / "out.ngc"
-    given = ["mill", str(files / "box.stl"), "--machine", "trunnion_ac", "--cutter", "ball:6", "-o", str(out), "--quiet", *words]
+    given = [
+        "mill",
+        str(files / "box.stl"),
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6",
+        "-o",
+        str(out),
+        "--quiet",
+        *words,
+    ]
     try:
         code = cli.main(given)
     except SystemExit as ended:

@@ -24,7 +24,13 @@ def binary(corners, header=b"", count=None):
 def ascii_lines(corners, name="part"):
     lines = [f"solid {name}"]
     for facet in np.asarray(corners, float).tolist():
-        lines += ["facet normal 0 0 0", "outer loop", *(f"vertex {x!r} {y!r} {z!r}" for x, y, z in facet), "endloop", "endfacet"]
+        lines += [
+            "facet normal 0 0 0",
+            "outer loop",
+            *(f"vertex {x!r} {y!r} {z!r}" for x, y, z in facet),
+            "endloop",
+            "endfacet",
+        ]
     return [*lines, f"endsolid {name}"]
 
 
@@ -213,13 +219,15 @@ def test_a_file_that_shrinks_while_it_is_read_is_an_error():
         stl._binary_columns(BytesIO(whole[84:-1]), facets)
 
 
-# ------------------------------------------------------------------------------------------------ facets that are not welded
+# --------------------------------------------------------------------------------- facets that are not welded
 
 
 def sheet(columns, rows, turn=0.0):
     """Corners (f, 3, 3) of a level sheet of unit squares, tilted by ``turn`` rad about X."""
     i, j = np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij")
-    square = np.stack([i, j, 0 * i], axis=-1).reshape(-1, 1, 3) + np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    square = np.stack([i, j, 0 * i], axis=-1).reshape(-1, 1, 3) + np.array(
+        [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    )
     corners = np.concatenate([square[:, [0, 1, 2]], square[:, [0, 2, 3]]]).astype(float)
     return corners @ np.array([[1, 0, 0], [0, np.cos(turn), np.sin(turn)], [0, -np.sin(turn), np.cos(turn)]])
 
@@ -232,7 +240,11 @@ def value(mesh, code):
 def test_corners_a_rounding_apart_are_joined_and_counted(read, turn):
     loose = sheet(4, 3, turn) + np.random.default_rng(3).uniform(-1e-6, 1e-6, (24, 3, 3))
     mesh = read("\n".join(ascii_lines(loose)).encode())
-    assert len(mesh.vertex) == 20 and value(mesh, "open-shell") == 14 and value(mesh, "corners-joined") == 72 - 20
+    assert (
+        len(mesh.vertex) == 20
+        and value(mesh, "open-shell") == 14
+        and value(mesh, "corners-joined") == 72 - 20
+    )
     assert mesh.area.sum() == pytest.approx(12.0, rel=1e-4)
 
 
@@ -256,7 +268,9 @@ def test_a_facet_with_t_junctions_on_all_its_sides_is_divided_at_each(read):
     beside = [[[2, 0, 0], [0, 0, 0], [1, -1, 0]], [[4, 0, 0], [2, 0, 0], [3, -1, 0]], [[2, 2, 0], [4, 0, 0], [4, 2, 0]],
               [[0, 4, 0], [2, 2, 0], [2, 4, 0]], [[0, 2, 0], [0, 4, 0], [-1, 3, 0]], [[0, 0, 0], [0, 2, 0], [-1, 1, 0]]]  # fmt: skip
     mesh = read("\n".join(ascii_lines(np.concatenate([[outer], beside]))).encode())
-    assert value(mesh, "t-junctions-joined") == 3 and len(mesh.face) == 4 + 6 and value(mesh, "open-shell") == 12
+    assert (
+        value(mesh, "t-junctions-joined") == 3 and len(mesh.face) == 4 + 6 and value(mesh, "open-shell") == 12
+    )
 
 
 def test_of_doubled_facets_one_is_kept(read):

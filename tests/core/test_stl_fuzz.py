@@ -12,7 +12,12 @@ from freecad_fiveaxis.core.base.errors import MeshError
 from freecad_fiveaxis.core.geometry.mesh import Mesh, from_triangles, read_stl
 from freecad_fiveaxis.core.passes import slice_mesh
 
-quick = settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+quick = settings(
+    max_examples=150,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
 VALID = [binary(box()), binary(box(), b"solid "), "\n".join(ascii_lines(box())).encode()]
 
 
@@ -32,7 +37,11 @@ def check_usable(mesh):
     assert isinstance(mesh, Mesh)
     np.testing.assert_allclose(np.linalg.norm(mesh.normal, axis=1), 1.0, atol=1e-9)
     assert np.isin(mesh.coedge_face, np.arange(-1, len(mesh.face))).all()
-    assert (mesh.face_coedge[mesh.coedge_face[:, 0]] == np.arange(len(mesh.coedge_face))[:, None]).any(axis=1).all()
+    assert (
+        (mesh.face_coedge[mesh.coedge_face[:, 0]] == np.arange(len(mesh.coedge_face))[:, None])
+        .any(axis=1)
+        .all()
+    )
     path = slice_mesh(mesh, [0.0, 0.25, 1.0], 0.3)
     assert np.isfinite(path.point).all()
 
@@ -57,7 +66,8 @@ def test_random_facets(tmp_path, facets):
 
 @quick
 @given(
-    st.sampled_from(VALID), st.lists(st.tuples(st.floats(0, 1), st.integers(0, 2), st.binary(min_size=1, max_size=6)), max_size=4)
+    st.sampled_from(VALID),
+    st.lists(st.tuples(st.floats(0, 1), st.integers(0, 2), st.binary(min_size=1, max_size=6)), max_size=4),
 )
 def test_valid_files_with_bytes_changed_added_and_taken_away(tmp_path, data, changes):
     for where, kind, new in changes:
@@ -69,7 +79,9 @@ def test_valid_files_with_bytes_changed_added_and_taken_away(tmp_path, data, cha
 @quick
 @given(
     st.lists(
-        st.sampled_from(b"solid endsolid facet normal outer loop vertex endloop endfacet 0 1 -1e3 nan x \n".split(b" ")),
+        st.sampled_from(
+            b"solid endsolid facet normal outer loop vertex endloop endfacet 0 1 -1e3 nan x \n".split(b" ")
+        ),
         max_size=120,
     )
 )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a ball leaves on flat faces between sharp edges, on the machine's real way: blocks are divided by the ball's centre."""
+"""What a ball leaves on flat faces between sharp edges, on the machine's real way: blocks are divided by the
+ball's centre."""
 
 from functools import cache
 from pathlib import Path
@@ -13,7 +14,15 @@ from thorough import some_in_core
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
 from freecad_fiveaxis.core.machine import load_machine
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, joint_words, lift_of, raised, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import (
+    Setup,
+    chain,
+    forward,
+    joint_words,
+    lift_of,
+    raised,
+    words_to_q,
+)
 from freecad_fiveaxis.core.pipeline import driving, job
 from freecad_fiveaxis.core.report import as_html, as_text, blocks_csv, draw, spot, summary
 from freecad_fiveaxis.core.report.playback import Playback
@@ -26,11 +35,15 @@ MACHINES = sorted(path.stem for path in (Path(__file__).parents[2] / "resources"
 
 
 def prism(outline, length):
-    """Triangles (f, 3, 3) mm of a closed prism: ``outline`` (n, 2) anticlockwise and convex, from z 0 to ``length``."""
+    """Triangles (f, 3, 3) mm of a closed prism: ``outline`` (n, 2) anticlockwise and convex, from z 0 to
+    ``length``."""
     low, high = (np.column_stack([outline, np.full(len(outline), z)]) for z in (0.0, length))
     after, fan = np.roll(low, -1, axis=0), np.arange(1, len(outline) - 1)
     beyond = np.roll(high, -1, axis=0)
-    caps = [np.stack([high[0 * fan], high[fan], high[fan + 1]], 1), np.stack([low[0 * fan], low[fan + 1], low[fan]], 1)]
+    caps = [
+        np.stack([high[0 * fan], high[fan], high[fan + 1]], 1),
+        np.stack([low[0 * fan], low[fan + 1], low[fan]], 1),
+    ]
     return np.concatenate([np.stack([low, after, beyond], 1), np.stack([low, beyond, high], 1), *caps])
 
 
@@ -53,7 +66,12 @@ SOLIDS = {
 
 def milled_anew(name, **options):
     """The result of ``mill`` on one of the solids, without reading a file."""
-    given = {"cutter": f"ball:{2 * RADIUS:g}", "scallop": SCALLOP, "passes": "scallop", "machine": "trunnion_ac"}
+    given = {
+        "cutter": f"ball:{2 * RADIUS:g}",
+        "scallop": SCALLOP,
+        "passes": "scallop",
+        "machine": "trunnion_ac",
+    }
     settings = build_settings("mill", f"{name}.stl", {**given, "controller": "linuxcnc", **options})
     return job.make(settings, mesh=from_triangles(SOLIDS[name]))
 
@@ -70,7 +88,10 @@ def proven(name, **options):
 
 def centres(made):
     """The ball's centre (n, 3) mm at most STEP apart on the real way of all blocks that cut."""
-    q, cut = words_to_q(made.program.words), np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL)))
+    q, cut = (
+        words_to_q(made.program.words),
+        np.flatnonzero(np.isin(made.program.motion[1:], (Motion.CUT, Motion.FILL))),
+    )
 
     def at(block, u):
         tip, axis = forward(made.kinematics, q[block] + u[:, None] * (q[block + 1] - q[block]))
@@ -85,7 +106,10 @@ def centres(made):
 def commanded(made):
     """The same on the way that the CL path commands, the centre straight from row to row."""
     path = made.joints.path
-    centre, cut = path.tip + RADIUS * path.axis, np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL)))
+    centre, cut = (
+        path.tip + RADIUS * path.axis,
+        np.flatnonzero(np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))),
+    )
     count = np.ceil(np.linalg.norm(centre[cut + 1] - centre[cut], axis=1) / STEP).astype(int) + 2
     within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
     block, share = np.repeat(cut, count), (within / np.repeat(count - 1, count))[:, None]
@@ -98,13 +122,16 @@ def rest(made, centre, spacing=0.2):
     count = int(np.ceil(np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max() / spacing))
     i, j = (part.ravel() for part in np.indices((count + 1, count + 1)))
     share = np.stack([i, j, count - i - j], 1)[i + j <= count] / count
-    tree = cKDTree(centre, balanced_tree=False, compact_nodes=False)  # a third of the time, for points as even as these
+    tree = cKDTree(
+        centre, balanced_tree=False, compact_nodes=False
+    )  # a third of the time, for points as even as these
     return tree.query(np.einsum("ks,fsx->fkx", share, corner).reshape(-1, 3))[0] - RADIUS
 
 
 @some_in_core("name", list(SOLIDS))
 def test_flat_faces_between_sharp_edges_keep_no_more_than_two_scallops(name):
-    """But for the middle of the level dodecagon, 0.1 mm across, where its passes end: that is their own way's."""
+    """But for the middle of the level dodecagon, 0.1 mm across, where its passes end: that is their own
+    way's."""
     made = milled(name)
     left = rest(made, centres(made))
     more = left > 2.0 * SCALLOP
@@ -148,14 +175,22 @@ def test_the_report_judges_the_centre_and_tells_the_tip_beside_it(linearize):
     over = [finding for finding in result.findings if finding.code == "deviation-over-tolerance"]
     assert bool(over) == (linearize == "off") and all(len(one.place) == 3 for one in over)
     assert not over or ("ball's centre along a curve" in over[0].text and "RTCP" not in over[0].text)
-    table = blocks_csv(result.draft.program, result.deviation, result.singularity, surface=result.surface).decode().splitlines()
+    table = (
+        blocks_csv(result.draft.program, result.deviation, result.singularity, surface=result.surface)
+        .decode()
+        .splitlines()
+    )
     assert table[0].endswith(",surface_deviation,surface_bound")
     rows = np.array([line.split(",")[-2:] for line in table[1:]], float)
-    assert np.abs(rows[:, 0] - result.surface.segment).max() <= 1e-6 and (rows[:, 1] >= result.surface.bound).all()
+    assert (
+        np.abs(rows[:, 0] - result.surface.segment).max() <= 1e-6
+        and (rows[:, 1] >= result.surface.bound).all()
+    )
 
 
 def test_the_surface_deviation_is_that_of_dense_samples():
-    """A second route: plain forward kinematics, 201 points of every block, the centre against its own chord."""
+    """A second route: plain forward kinematics, 201 points of every block, the centre against its own
+    chord."""
     result = proven("box", linearize="off")
     q = words_to_q(result.draft.program.words)
     way = q[:-1, None] + np.linspace(0.0, 1.0, 201)[None, :, None] * np.diff(q, axis=0)[:, None]
@@ -170,7 +205,12 @@ def test_the_surface_deviation_is_that_of_dense_samples():
 
 @pytest.mark.parametrize(
     "options",
-    [{"cutter": "flat:6"}, {"cutter": "bull:6:1"}, {"control_point": "centre"}, {"rtcp": "angles", "controller": "siemens840d"}],
+    [
+        {"cutter": "flat:6"},
+        {"cutter": "bull:6:1"},
+        {"control_point": "centre"},
+        {"rtcp": "angles", "controller": "siemens840d"},
+    ],
 )
 def test_what_is_not_led_by_another_point_has_no_surface_of_its_own(options):
     result = proven("box", **options)
@@ -192,7 +232,9 @@ def test_post_goes_by_the_centre_where_a_ball_is_known(tmp_path, cutter, given, 
     ]
     source = tmp_path / "way.apt"
     source.write_text("\n".join([f"CUTTER/{cutter}"] * bool(cutter) + lines) + "\n")
-    result = job.run(build_settings("post", str(source), {"machine": "trunnion_ac", "controller": "linuxcnc", **given}))
+    result = job.run(
+        build_settings("post", str(source), {"machine": "trunnion_ac", "controller": "linuxcnc", **given})
+    )
     feeds = job.figures(result).feeds
     assert (result.surface is not None) == known
     assert (result.surface if known else result.deviation).bound[feeds].max() <= 0.01
@@ -223,10 +265,14 @@ def test_the_raised_chain_drives_the_point_above_the_tip(name, origin):
 def audited(path, text, **options):
     """The result of ``audit`` on the trunnion; the program stands in ``path`` and names no cutter."""
     path.write_bytes(text.replace(b"(BALL 6 MM)", b"(as the operator has set it)"))
-    return job.run(build_settings("audit", str(path), {"machine": "trunnion_ac", "controller": "linuxcnc", **options}))
+    return job.run(
+        build_settings("audit", str(path), {"machine": "trunnion_ac", "controller": "linuxcnc", **options})
+    )
 
 
-@pytest.mark.parametrize(("cutter", "known"), [(f"ball:{2 * RADIUS:g}", True), ("bull:6:1", False), (None, False)])
+@pytest.mark.parametrize(
+    ("cutter", "known"), [(f"ball:{2 * RADIUS:g}", True), ("bull:6:1", False), (None, False)]
+)
 def test_an_audit_judges_the_centre_of_a_ball_that_is_given(tmp_path, cutter, known):
     result = proven("box")
     found = audited(tmp_path / "a.ngc", result.draft.nc, **({"cutter": cutter} if cutter else {}))
@@ -245,7 +291,9 @@ def test_the_drawn_curves_are_of_the_centre_and_as_far_off_as_is_judged():
     figures = job.figures(proven("box", linearize="off"))
     picture = draw(figures)
     off = np.linalg.norm(picture.spoke[1::2] - picture.spoke[::2], axis=1)
-    assert len(off) == len(figures.worst) and off == pytest.approx(figures.surface.segment[picture.worst], abs=1e-6)
+    assert len(off) == len(figures.worst) and off == pytest.approx(
+        figures.surface.segment[picture.worst], abs=1e-6
+    )
     centre = figures.tip + RADIUS * figures.axis
     ends = np.stack([centre[picture.worst - 1], centre[picture.worst]], axis=1).reshape(-1, 3)
     assert picture.chord == pytest.approx(ends, abs=1e-9)
@@ -260,7 +308,9 @@ def test_the_player_measures_the_point_that_is_judged():
         pose = play.at_block(row, float(deviation.u_segment[row]))
         assert pose.to_chord == pytest.approx(deviation.segment[row], abs=1e-6)
         assert pose.point == pytest.approx(pose.tip + above * pose.axis, abs=1e-9)
-        assert play.curve(row)[[0, -1]] == pytest.approx(figures.tip[[row - 1, row]] + above * figures.axis[[row - 1, row]])
+        assert play.curve(row)[[0, -1]] == pytest.approx(
+            figures.tip[[row - 1, row]] + above * figures.axis[[row - 1, row]]
+        )
 
 
 def test_the_page_shows_the_worst_block_of_the_centre():
@@ -268,15 +318,21 @@ def test_the_page_shows_the_worst_block_of_the_centre():
     row = figures.worst[0]
     page = as_html(figures).replace("&#x27;", "'")
     assert f"Real path of the ball's centre in NC line {figures.program.line[row]}" in page
-    assert f"largest distance {figures.surface.segment[row]:.4g} mm at u = {figures.surface.u_segment[row]:.4f}" in page
+    assert (
+        f"largest distance {figures.surface.segment[row]:.4g} mm at u = {figures.surface.u_segment[row]:.4f}"
+        in page
+    )
 
 
 def test_a_program_is_compared_with_its_cl_path_by_the_centre_of_the_ball_that_the_file_names(tmp_path):
-    """Its blocks were divided for the centre: the tips between two rows lie off the tip's straight line, the centres on theirs."""
+    """Its blocks were divided for the centre: the tips between two rows lie off the tip's straight line, the
+    centres on theirs."""
     made = milled("box")
     (tmp_path / "a.apt").write_bytes(write_apt(made.path, Cutter(2 * RADIUS), "box"))
     found = audited(tmp_path / "a.ngc", made.nc, against=str(tmp_path / "a.apt"))
-    assert not {"off-cl-path", "between-cl-rows", "deviation-over-tolerance"} & {one.code for one in found.findings}
+    assert not {"off-cl-path", "between-cl-rows", "deviation-over-tolerance"} & {
+        one.code for one in found.findings
+    }
     assert found.audit.path.off.max() <= 0.01 and found.draft.settings.cutter.cutter.diameter == 2 * RADIUS
     (tmp_path / "a.apt").write_bytes(write_apt(made.path, Cutter(2 * RADIUS, corner=1.0), "box"))
     assert audited(tmp_path / "a.ngc", made.nc, against=str(tmp_path / "a.apt")).audit.path.off.max() > 0.02

@@ -16,7 +16,8 @@ SAMPLES = 201
 
 
 def second_derivatives(swept, block):
-    """The largest of tip (mm) and axis by u in a block, by second differences: means of the derivative, so never above it."""
+    """The largest of tip (mm) and axis by u in a block, by second differences: means of the derivative, so
+    never above it."""
     pose = swept.pose(np.full(SAMPLES, block), np.linspace(0.0, 1.0, SAMPLES))
     return [np.linalg.norm(np.diff(column, 2, axis=1), axis=0).max() * (SAMPLES - 1) ** 2 for column in pose]
 
@@ -27,13 +28,16 @@ def test_an_axis_on_a_great_arc_bends_by_the_square_of_its_angle(degrees):
     axes = np.array([[0.0, 0.0, 1.0], [np.sin(angle), 0.0, np.cos(angle)]])
     swept = straight_motion(np.array([[0.0, 0.0, 0.0], [5.0, 1.0, 2.0]]), axes)
     tip, axis = second_derivatives(swept, 0)
-    assert axis == pytest.approx(angle**2, rel=1e-3) and axis * (1 - 1e-6) <= swept.bend_axis[0] <= angle**2 * (1 + 1e-9)
+    assert axis == pytest.approx(angle**2, rel=1e-3) and axis * (1 - 1e-6) <= swept.bend_axis[
+        0
+    ] <= angle**2 * (1 + 1e-9)
     assert tip < 1e-8 and swept.bend_tip[0] == 0.0
 
 
 @pytest.mark.parametrize("back", [0.0, 5.0, 60.0])
 def test_a_tip_that_swings_about_the_driven_point_bends_with_it(back):
-    """The driven point stands on both rotary lines, so that its own path does not bend: the tip circles about it."""
+    """The driven point stands on both rotary lines, so that its own path does not bend: the tip circles about
+    it."""
     machine = load_machine("trunnion_ac")
     kinematics = chain(machine, Setup(machine.origin))
     angles = np.radians([[0.0, 20.0], [0.0, 50.0]])
@@ -42,7 +46,9 @@ def test_a_tip_that_swings_about_the_driven_point_bends_with_it(back):
     swept = real_motion(kinematics, words, back)
     tip, axis = second_derivatives(swept, 0)
     turn = np.radians(30.0)
-    assert tip == pytest.approx(back * turn**2, rel=1e-3, abs=1e-7) and axis == pytest.approx(turn**2, rel=1e-3)
+    assert tip == pytest.approx(back * turn**2, rel=1e-3, abs=1e-7) and axis == pytest.approx(
+        turn**2, rel=1e-3
+    )
     assert tip <= swept.bend_tip[0] + 1e-7 and axis * (1 - 1e-9) <= swept.bend_axis[0]
 
 
@@ -58,9 +64,12 @@ def test_random_blocks_bend_no_more_than_is_said():
 # ------------------------------------------------------------------------------------------------ buried
 
 
-@pytest.mark.parametrize(("centre", "buried"), [(-8.0, True), (-4.9, True), (-2.9, True), (0.1, False), (2.9, False)])
+@pytest.mark.parametrize(
+    ("centre", "buried"), [(-8.0, True), (-4.9, True), (-2.9, True), (0.1, False), (2.9, False)]
+)
 def test_a_block_is_buried_where_the_middle_of_its_ball_is_in_the_part(centre, buried):
-    """Material from z = -11 to 0: the ball's middle, not its tip, decides, for a tip that sticks out below it, too."""
+    """Material from z = -11 to 0: the ball's middle, not its tip, decides, for a tip that sticks out below
+    it, too."""
     tree = facet_tree(prism([(-30, -11), (30, -11), (30, 0), (-30, 0)]))
     ball = Body((round_piece(0.0, 3.0, 3.0),))
     tips = np.array([[-2.0, 0.3, centre - 3.0], [2.0, 0.3, centre - 3.0]])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool against the table: by closed forms of a block that stands on it, on cuts, by the shank, and on rapids of independent axes."""
+"""The tool against the table: by closed forms of a block that stands on it, on cuts, by the shank, and on
+rapids of independent axes."""
 
 from dataclasses import replace
 
@@ -23,7 +24,13 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 ON_TABLE = (0.0, 0.0, -100.0)
 """The work zero of trunnion_ac on its table's face."""
-OPTIONS = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 4.0, "passes": "planes"}
+OPTIONS = {
+    "machine": "trunnion_ac",
+    "tool_length": 120,
+    "cutter": "ball:6",
+    "stepover": 4.0,
+    "passes": "planes",
+}
 
 
 def proved(height=10.0, **options):
@@ -74,10 +81,13 @@ def test_axes_that_are_found_freely_keep_off_the_table(monkeypatch):
 
 
 def test_bounds_that_clear_the_whole_way_lie_just_below_its_lowest_point():
-    """The ball's lowest point is 3 mm below the work zero, see above: a bound that clears less would only be slow, one that clears
-    more would hide a collision."""
+    """The ball's lowest point is 3 mm below the work zero, see above: a bound that clears less would only be
+    slow, one that clears more would hide a collision."""
     made = proved(origin=ON_TABLE, gouge="report").draft
-    body, swept = tool_body(made.settings), program_motion(made.kinematics, made.program, tip_to_driven(made.settings))
+    body, swept = (
+        tool_body(made.settings),
+        program_motion(made.kinematics, made.program, tip_to_driven(made.settings)),
+    )
     assert stays_above(-3.1, body, swept)
     assert not stays_above(-2.99, body, swept)
     assert not stays_above(-100.0, Body(()), swept)
@@ -107,7 +117,8 @@ def test_nothing_is_looked_at_where_gouges_are_not_or_the_table_is_not_known():
 
 
 def swung(made, side):
-    """A program of one rapid from the tool upright 50 mm above the work zero to the tool level there: half-way it is 29 mm lower."""
+    """A program of one rapid from the tool upright 50 mm above the work zero to the tool level there:
+    half-way it is 29 mm lower."""
     words = np.zeros((2, 5))
     words[:, 2] = 50.0, -50.0
     words[1, 1], words[1, made.program.letters.index("A")] = side * 100.0, 90.0
@@ -117,7 +128,8 @@ def swung(made, side):
 
 
 def test_a_rapid_that_misses_the_table_interpolated_goes_below_it_where_one_axis_comes_after_the_other():
-    """A turns about a line 50 mm below the work zero: with A first, or Y and Z first, the tip comes down to that height."""
+    """A turns about a line 50 mm below the work zero: with A first, or Y and Z first, the tip comes down to
+    that height."""
     made = proved(gouge="off").draft
     back = tip_to_driven(made.settings)
     (program,) = [
@@ -127,11 +139,17 @@ def test_a_rapid_that_misses_the_table_interpolated_goes_below_it_where_one_axis
     assert table_slab(-20.0, made.kinematics, program).vertex[:, 2].max() == -20.0
 
     def found(height, rapids):
-        return check_table(height, tool_body(made.settings), made.kinematics, program, 0.01, back, rapids=rapids)
+        return check_table(
+            height, tool_body(made.settings), made.kinematics, program, 0.01, back, rapids=rapids
+        )
 
     assert not found(-20.0, INTERPOLATED)
     (one,) = found(-20.0, INDEPENDENT)
-    assert one.value == pytest.approx(3.0, abs=0.1) and "at least" in str(one.text)  # 33 mm: more than the ball is thick
+    assert one.value == pytest.approx(3.0, abs=0.1) and "at least" in str(
+        one.text
+    )  # 33 mm: more than the ball is thick
     assert not found(-54.0, INDEPENDENT)
     assert not found(19.0, INTERPOLATED)
-    assert found(20.5, INTERPOLATED)  # half-way the tip is at 20.71 and leans by 45 deg: the ball's lowest place is at 19.83
+    assert found(
+        20.5, INTERPOLATED
+    )  # half-way the tip is at 20.71 and leans by 45 deg: the ball's lowest place is at 19.83

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What of a path cuts at the part, and fewer passes for a small picture: those that stay are apart, and nothing bad is left out."""
+"""What of a path cuts at the part, and fewer passes for a small picture: those that stay are apart, and
+nothing bad is left out."""
 
 import numpy as np
 import pytest
@@ -38,7 +39,10 @@ def test_passes_of_each_coat_are_apart_and_the_coats_are_nested():
 
 def test_a_spiral_is_thinned_too_though_it_is_one_pass():
     turn = np.linspace(0.0, 100.0 * np.pi, 8001)
-    points = np.stack([0.4 * turn / (2 * np.pi) * np.cos(turn), 0.4 * turn / (2 * np.pi) * np.sin(turn), 0.0 * turn], axis=-1)
+    points = np.stack(
+        [0.4 * turn / (2 * np.pi) * np.cos(turn), 0.4 * turn / (2 * np.pi) * np.sin(turn), 0.0 * turn],
+        axis=-1,
+    )
     widest = coats(points[:-1], points[1:], 57.0)
     left = [(widest >= coat).sum() for coat in range(COATS + 1)]
     assert left[0] == 8000 and left[-1] < 0.25 * 8000
@@ -66,7 +70,15 @@ def test_without_a_part_all_but_links_cut():
 
 def test_places_that_are_lifted_off_the_part_are_told_from_those_at_it():
     mesh = from_triangles(SQUARE)
-    place = np.array([[5.0, 5.0, 0.0], [5.0, 5.0, NEAR - 0.01], [5.0, 5.0, NEAR + 0.01], [5.0, 5.0, 50.0], [-3.0, 5.0, 0.0]])
+    place = np.array(
+        [
+            [5.0, 5.0, 0.0],
+            [5.0, 5.0, NEAR - 0.01],
+            [5.0, 5.0, NEAR + 0.01],
+            [5.0, 5.0, 50.0],
+            [-3.0, 5.0, 0.0],
+        ]
+    )
     assert near_part(mesh, place, 0.0).tolist() == [True, True, False, False, False]
     assert near_part(mesh, place, 3.0).tolist() == [True, True, True, False, True]
 
@@ -74,7 +86,9 @@ def test_places_that_are_lifted_off_the_part_are_told_from_those_at_it():
 def test_a_flat_tool_that_leans_may_stand_off_and_one_that_stands_upright_may_not():
     up, lean = np.array([[0.0, 0.0, 1.0]]), np.array([[np.sin(0.1), 0.0, np.cos(0.1)]])
     assert stand_of(Cutter(10.0, corner=1.0), up, up) == 0.0
-    assert stand_of(Cutter(10.0, corner=1.0), up, lean) == pytest.approx(4.0 * np.sin(0.1) + 1.0 - np.cos(0.1))
+    assert stand_of(Cutter(10.0, corner=1.0), up, lean) == pytest.approx(
+        4.0 * np.sin(0.1) + 1.0 - np.cos(0.1)
+    )
     assert stand_of(Cutter(10.0), up, lean) < 0.03
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Options so small that the work would never end, or numbers overflow, are refused before it; a long mill is stopped at once."""
+"""Options so small that the work would never end, or numbers overflow, are refused before it; a long mill is
+stopped at once."""
 
 import os
 import signal
@@ -18,7 +19,13 @@ MILL = [sys.executable, "-W", "error", "-m", "freecad_fiveaxis", "mill"]
 
 @pytest.mark.parametrize(
     "given",
-    ["--clearance 1e-320", "--coedge-tolerance 1e-320", "--scallop 1e-9", "--stepover 1e-4", "--scallop 1e-320"]
+    [
+        "--clearance 1e-320",
+        "--coedge-tolerance 1e-320",
+        "--scallop 1e-9",
+        "--stepover 1e-4",
+        "--scallop 1e-320",
+    ]
     + ["--tolerance 1e-320", "--tolerance 1e-30", "--least-interval 1e-45"],
 )
 def test_an_option_that_is_too_small_is_refused_in_one_line(given, tmp_path):
@@ -55,7 +62,19 @@ def test_a_part_that_is_smaller_than_any_is_refused_with_its_size(size, tmp_path
         for facet in corners
     ]
     part.write_text("\n".join(["solid part", *lines, "endsolid part"]))
-    words = [*MILL, part, "--machine", "trunnion_ac", "--scallop", "1e-6", "--least-interval", "1e-6", "-o", out, "--quiet"]
+    words = [
+        *MILL,
+        part,
+        "--machine",
+        "trunnion_ac",
+        "--scallop",
+        "1e-6",
+        "--least-interval",
+        "1e-6",
+        "-o",
+        out,
+        "--quiet",
+    ]
     done = subprocess.run(words, capture_output=True, text=True, timeout=300)
     assert done.returncode == 2 and len(done.stderr.splitlines()) == 1 and not out.exists(), done.stderr
     assert f"the whole part is {size:.4g} mm long" in done.stderr and "check the units" in done.stderr
@@ -89,11 +108,15 @@ def read_until(stream, stage):
 @pytest.mark.parametrize(
     ("passes", "stage"),
     [("scallop", "axis field"), ("planes", "placing planes"), ("planes", "lift")]
-    + [pytest.param("planes", late, marks=pytest.mark.large) for late in ("slice", "closing co-edges", "linking passes")],
+    + [
+        pytest.param("planes", late, marks=pytest.mark.large)
+        for late in ("slice", "closing co-edges", "linking passes")
+    ],
 )
 def test_a_long_mill_hears_ctrl_c_and_writes_nothing(passes, stage, tmp_path):
-    """It is sent when the stage is shown: before most of the work, for that is the lift. How soon: benchmarks/bench_stop.py. Planes are
-    placed by scallop, which takes ten seconds of the processor, only where that is the stage."""
+    """It is sent when the stage is shown: before most of the work, for that is the lift. How soon:
+    benchmarks/bench_stop.py. Planes are placed by scallop, which takes ten seconds of the processor, only
+    where that is the stage."""
     part, out = tmp_path / "part.stl", tmp_path / "part.ngc"
     write_stl(blade_beside_hub(cells=120), part)
     spaced = ("--scallop", "0.002") if stage in ("axis field", "placing planes") else ("--stepover", "0.18")

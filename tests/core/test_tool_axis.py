@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tool axes: the paper's equations by hand, signs of lead and tilt, and every way in which a direction can be missing."""
+"""Tool axes: the paper's equations by hand, signs of lead and tilt, and every way in which a direction can be
+missing."""
 
 from dataclasses import replace
 
@@ -80,7 +81,9 @@ def test_a_fixed_axis_without_direction_is_refused(fixed):
 
 
 def test_an_unknown_strategy_is_refused_with_those_known():
-    with pytest.raises(SettingsError, match="'magic'; choose one of facet_mean, step_weighted, minimax, auto, fixed"):
+    with pytest.raises(
+        SettingsError, match="'magic'; choose one of facet_mean, step_weighted, minimax, auto, fixed"
+    ):
         plain("magic", offset(UNEVEN))
     assert find_strategy("fixed") is STRATEGIES["fixed"]
 
@@ -167,7 +170,9 @@ def test_opposed_normals_fall_back_on_the_rows_own():
 def test_opposed_normals_take_the_rows_own_however_far_opposed_ones_may_be_rounded(off):
     path = offset([(0, 0), (10, 5), (20, 0)])
     across = np.broadcast_to((0.0, off, 0.0), path.before.shape)
-    path = replace(path, after=across - path.before, normal=np.broadcast_to((0.6, 0.8, 0.0), path.before.shape).copy())
+    path = replace(
+        path, after=across - path.before, normal=np.broadcast_to((0.6, 0.8, 0.0), path.before.shape).copy()
+    )
     np.testing.assert_array_equal(plain("step_weighted", path), path.normal)
 
 

@@ -22,7 +22,8 @@ def facets(seed):
 
 
 def demand(piece, pose, point):
-    """How far (n,) mm the piece must rise from its pose for points (3, n) to lie under its bottom; -inf beside it."""
+    """How far (n,) mm the piece must rise from its pose for points (3, n) to lie under its bottom; -inf
+    beside it."""
     arm = point - pose.tip
     height = (arm * pose.axis).sum(axis=0)
     over = np.maximum(np.linalg.norm(arm - height * pose.axis, axis=0) - piece.low_radius, 0.0)
@@ -35,7 +36,9 @@ def dense(corner, steps=60):
     """Points (3, n, k) mm of the facets."""
     u, v = (grid.ravel() for grid in np.meshgrid(*2 * [np.linspace(0.0, 1.0, steps)]))
     u, v = u[u + v <= 1.0], v[u + v <= 1.0]
-    return corner[0][..., None] + (corner[1] - corner[0])[..., None] * u + (corner[2] - corner[0])[..., None] * v
+    return (
+        corner[0][..., None] + (corner[1] - corner[0])[..., None] * u + (corner[2] - corner[0])[..., None] * v
+    )
 
 
 def most_of(piece, pose, points):

@@ -36,7 +36,10 @@ def test_tip_and_axis_are_those_of_the_words_in_between(kinematics):
 def test_path_begins_and_ends_at_the_commanded_tips(kinematics):
     start, end = blocks(kinematics)
     for u, words in ((0.0, start), (1.0, end)):
-        assert np.abs(tip_at(kinematics, start, end, u) - forward(kinematics, words_to_q(words))[0]).max() < ROUNDING
+        assert (
+            np.abs(tip_at(kinematics, start, end, u) - forward(kinematics, words_to_q(words))[0]).max()
+            < ROUNDING
+        )
 
 
 def test_derivatives_are_limits_of_differences(kinematics):
@@ -46,7 +49,9 @@ def test_derivatives_are_limits_of_differences(kinematics):
     scale = 1.0 + np.abs(now[2]).max()
     assert np.abs((after[0] - before[0]) / (2 * h) - now[1]).max() < 1e-6 * scale
     assert np.abs((after[1] - before[1]) / (2 * h) - now[2]).max() < 1e-6 * scale
-    assert np.abs((after[0] - before[0]) / (2 * h) - 1.001 * now[1]).max() > 1e-6 * scale  # the comparison can fail
+    assert (
+        np.abs((after[0] - before[0]) / (2 * h) - 1.001 * now[1]).max() > 1e-6 * scale
+    )  # the comparison can fail
 
 
 def test_many_u_for_each_block_come_as_a_third_dimension(kinematics):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""No finding and no error of the core or the documents is a text that nobody can translate: each is made by ``say``."""
+"""No finding and no error of the core or the documents is a text that nobody can translate: each is made by
+``say``."""
 
 import ast
 import re
@@ -7,7 +8,9 @@ import re
 import pytest
 from translation_script import ROOT
 
-OUR_OWN = re.compile(r"(?!ValueError|NotImplementedError|RuntimeError|TypeError|KeyError|PrintError)\w+Error|Cancelled")
+OUR_OWN = re.compile(
+    r"(?!ValueError|NotImplementedError|RuntimeError|TypeError|KeyError|PrintError)\w+Error|Cancelled"
+)
 """Errors that a user reads; the builtins tell programmers of a wrong call."""
 
 
@@ -23,23 +26,31 @@ def has_words(node):
 
 
 def message_of(call):
-    """What a call tells the user, or None: the text of a Finding, the message of an error, the text of a replaced Finding."""
+    """What a call tells the user, or None: the text of a Finding, the message of an error, the text of a
+    replaced Finding."""
     name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
     if name == "Finding" and len(call.args) > 2:
         return call.args[2]
     if OUR_OWN.fullmatch(name) and call.args:
         return call.args[0]
-    return next((one.value for one in call.keywords if name in ("replace", "Finding") and one.arg == "text"), None)
+    return next(
+        (one.value for one in call.keywords if name in ("replace", "Finding") and one.arg == "text"), None
+    )
 
 
 def bare_sentences(source):
-    """Line and text of every finding and error that is given a bare text, or a name that the same function gave one."""
+    """Line and text of every finding and error that is given a bare text, or a name that the same function
+    gave one."""
     tree = ast.parse(source)
     functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
     for function in [tree, *functions]:
         given = {}
         for node in ast.walk(function):
-            if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and function is not tree:
+            if (
+                isinstance(node, ast.Assign)
+                and isinstance(node.targets[0], ast.Name)
+                and function is not tree
+            ):
                 given.setdefault(node.targets[0].id, []).append(node.value)
         for node in ast.walk(function):
             if isinstance(node, ast.Call) and (message := message_of(node)) is not None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""No text that the user reads is missed by the translators; the compiled files hold what the edited ones say."""
+"""No text that the user reads is missed by the translators; the compiled files hold what the edited ones
+say."""
 
 import ast
 import re
@@ -39,7 +40,9 @@ def messages_of(qm):
             parts[tag], place = records[place + 5 : place + 5 + size], place + 5 + size
         source = parts[translations.SOURCE]
         assert found == translations.elf_hash(source)
-        made[parts[translations.CONTEXT].decode(), source.decode()] = parts[translations.TRANSLATION].decode("utf-16-be")
+        made[parts[translations.CONTEXT].decode(), source.decode()] = parts[translations.TRANSLATION].decode(
+            "utf-16-be"
+        )
     return made
 
 
@@ -50,25 +53,35 @@ def test_german_is_there():
 @pytest.mark.parametrize("path", LANGUAGES, ids=lambda path: path.stem)
 def test_no_text_is_missed_and_no_file_is_out_of_date(path):
     ts, qm, missing = translations.update(path)
-    assert not missing, "without translation (run scripts/translations, then translate): " + "; ".join(map(str, missing))
+    assert not missing, "without translation (run scripts/translations, then translate): " + "; ".join(
+        map(str, missing)
+    )
     assert path.read_text(encoding="utf-8") == ts, "out of date: run scripts/translations"
     assert path.with_suffix(".qm").read_bytes() == qm, "out of date: run scripts/translations"
 
 
 def test_the_texts_are_those_of_every_floor():
     contexts = {context for context, _ in translations.texts()}
-    commands = {f"FiveAxis_{name}" for name in ("Tessellate", "Toolpath", "PostProcess", "Annotate", "Audit", "Play")}
+    commands = {
+        f"FiveAxis_{name}" for name in ("Tessellate", "Toolpath", "PostProcess", "Annotate", "Audit", "Play")
+    }
     assert {"FiveAxis", "App::Property", "Workbench", "FiveAxisPreferences"} | commands <= contexts
 
 
 @pytest.mark.parametrize("task", ["mill", "audit"])
 def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
-    known, seen, named = german(), 0, translations.literal_of(translations.PROPERTIES.read_text(encoding="utf-8"), "_NAMED")
+    known, seen, named = (
+        german(),
+        0,
+        translations.literal_of(translations.PROPERTIES.read_text(encoding="utf-8"), "_NAMED"),
+    )
     for cls, leaf in option_fields(task):
         if cls is not OutputSettings and leaf.metadata["kind"] not in ("path", "paths"):
             name = named.get(leaf.name) or "".join(part.capitalize() for part in leaf.name.split("_"))
             shown = (
-                [name] if leaf.name != "cutter" else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]
+                [name]
+                if leaf.name != "cutter"
+                else [f"Cutter{one}" for one in ("Kind", "Diameter", "Corner", "Taper", "Length")]
             )
             for text in [text_of(leaf), *map(translations.shown_name, shown)]:
                 assert known.get(("App::Property", text)), text
@@ -77,26 +90,36 @@ def test_every_setting_that_is_shown_has_its_help_and_its_name_translated(task):
 
 
 INNER = re.compile(
-    r"--[a-z]|`|\[|KIND:|DIAMETERx|\bdeform\b|\bcur(e|es|ed|ing)\b|\bled\b|\blead the\b|\brotary words\b|metadata", re.I
+    r"--[a-z]|`|\[|KIND:|DIAMETERx|\bdeform\b|\bcur(e|es|ed|ing)\b|\bled\b|\blead the\b|\brotary words\b|metadata",
+    re.I,
 )
 """Words of the command line and of the core's own, which no machinist knows."""
 
 
 def test_no_text_of_the_window_speaks_the_language_of_the_command_line_or_of_the_core():
-    inner = sorted(text for context, text in translations.texts() if context != CONTEXT and INNER.search(text))
+    inner = sorted(
+        text for context, text in translations.texts() if context != CONTEXT and INNER.search(text)
+    )
     assert not inner, inner
-    assert INNER.search("the tolerance of --blend") and INNER.search("pass it (deform)") and INNER.search("`minimax`")
+    assert (
+        INNER.search("the tolerance of --blend")
+        and INNER.search("pass it (deform)")
+        and INNER.search("`minimax`")
+    )
 
 
 COMMANDS = re.compile(
     r"--[a-z]|`|KIND:|DIAMETERx|\bdeform\b|\bcur(e|es|ed|ing)\b|\b(be|is|are|was|were) led\b|\blead the\b|minimax|facet_mean|"
     r"\b[Ll]inearize\b|\bgouge (lift|tilt|leave-out|report)\b|\b(setup|recover) finds\b|\bmax-tilt\b|\brtcp\b"
 )
-"""Words that a sentence of the core says by Option, Choice or Task, so that a window names its own fields and commands."""
+"""Words that a sentence of the core says by Option, Choice or Task, so that a window names its own fields and
+commands."""
 
 
 def test_no_sentence_of_the_core_speaks_the_language_of_the_command_line():
-    said = {text: re.sub(r"\{\w*\}", "", text) for context, text in translations.texts() if context == CONTEXT}
+    said = {
+        text: re.sub(r"\{\w*\}", "", text) for context, text in translations.texts() if context == CONTEXT
+    }
     inner = sorted(text for text, words in said.items() if COMMANDS.search(words))
     assert not inner, inner
 
@@ -111,8 +134,13 @@ def test_a_word_of_the_command_line_would_be_noticed(text):
 
 
 def named_in(source):
-    """What the sentences of a source name: ("Option" | "Choice" | "Task", name), and the choices as ("choice", name)."""
-    for call in (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)):
+    """What the sentences of a source name: ("Option" | "Choice" | "Task", name), and the choices as
+    ("choice", name)."""
+    for call in (
+        node
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    ):
         if call.func.id in ("Option", "Choice", "Task") and isinstance(call.args[0], ast.Constant):
             yield call.func.id, call.args[0].value
             chosen = call.args[1].elts if len(call.args) > 1 and isinstance(call.args[1], ast.Tuple) else []
@@ -120,9 +148,19 @@ def named_in(source):
 
 
 def test_all_that_a_sentence_names_has_a_name_in_the_window():
-    labels = {node.name: node for node in ast.parse(LABELS.read_text("utf-8")).body if isinstance(node, ast.FunctionDef)}
+    labels = {
+        node.name: node
+        for node in ast.parse(LABELS.read_text("utf-8")).body
+        if isinstance(node, ast.FunctionDef)
+    }
     known = {
-        kind: {key.value for name in names for node in ast.walk(labels[name]) if isinstance(node, ast.Dict) for key in node.keys}
+        kind: {
+            key.value
+            for name in names
+            for node in ast.walk(labels[name])
+            if isinstance(node, ast.Dict)
+            for key in node.keys
+        }
         for kind, names in NAMING.items()
     }
     core = ROOT / "freecad_fiveaxis" / "core"
@@ -147,7 +185,8 @@ def test_every_option_of_a_panel_is_explained_for_the_window():
 
 
 def test_a_forgotten_text_would_be_noticed(tmp_path):
-    """The same check fails on a copy of the German file that lacks one translation, and on one that lacks a text."""
+    """The same check fails on a copy of the German file that lacks one translation, and on one that lacks a
+    text."""
     messages = german()
     text = next(iter(sorted(messages)))
     path = tmp_path / "FiveAxis_de.ts"
@@ -173,7 +212,8 @@ def has_words(text):
 
 
 def bare_texts(source):
-    """Words that a call of SHOWING gets without ``translate``, and helps of settings that are shown as they stand."""
+    """Words that a call of SHOWING gets without ``translate``, and helps of settings that are shown as they
+    stand."""
     tree = ast.parse(source)
     translated = {
         id(one)
@@ -182,7 +222,11 @@ def bare_texts(source):
         for one in ast.walk(call)
     }
     for node in ast.walk(tree):
-        if isinstance(node, ast.Subscript) and ast.unparse(node).endswith("metadata['text']") and id(node) not in translated:
+        if (
+            isinstance(node, ast.Subscript)
+            and ast.unparse(node).endswith("metadata['text']")
+            and id(node) not in translated
+        ):
             yield node.lineno, ast.unparse(node)
         if isinstance(node, ast.Call) and ast.unparse(node.func).rsplit(".", 1)[-1] in SHOWING:
             for given in node.args:
@@ -202,7 +246,11 @@ def test_the_window_shows_no_text_that_nobody_can_translate():
 
 @pytest.mark.parametrize(
     "source",
-    ['box.setText("Proven below")', 'QtWidgets.QLabel(f"Line {3}")', "Field(leaf.name, leaf.metadata['text'])"],
+    [
+        'box.setText("Proven below")',
+        'QtWidgets.QLabel(f"Line {3}")',
+        "Field(leaf.name, leaf.metadata['text'])",
+    ],
 )
 def test_a_bare_text_would_be_noticed(source):
     assert list(bare_texts(source))
@@ -275,7 +323,13 @@ def test_forms_give_their_strings_under_their_class():
 
 @pytest.mark.parametrize(
     ("name", "shown"),
-    [("WorkZero", "Work Zero"), ("NCFile", "NCFile"), ("MaxBound", "Max Bound"), ("NC file", "NC file"), ("Tool", "Tool")],
+    [
+        ("WorkZero", "Work Zero"),
+        ("NCFile", "NCFile"),
+        ("MaxBound", "Max Bound"),
+        ("NC file", "NC file"),
+        ("Tool", "Tool"),
+    ],
 )
 def test_property_names_are_looked_up_as_the_editor_shows_them(name, shown):
     assert translations.shown_name(name) == shown
@@ -287,7 +341,9 @@ def test_ts_and_qm_hold_any_text():
         ("A", "two\nlines"): "zwei\nZeilen", ("A", "clef"): "𝄞", ("A", "not yet"): "",
     }  # fmt: skip
     assert translations.read_ts(translations.write_ts("de", messages)) == messages
-    assert messages_of(translations.write_qm("de", messages)) == {text: told for text, told in messages.items() if told}
+    assert messages_of(translations.write_qm("de", messages)) == {
+        text: told for text, told in messages.items() if told
+    }
 
 
 def test_unfinished_and_vanished_messages_do_not_count():

@@ -42,11 +42,25 @@ def run(*words):
 @pytest.mark.thorough
 def test_setup_prints_the_origin_that_makes_mill_reach_the_deviation_of_the_map(part, tmp_path, capsys):
     words = ("--machine", "trunnion_ac", *QUICK)
-    assert run("setup", part, *words, *SMALL, "--origin", "100,0,-40", "--report", tmp_path / "s.json") == cli.DONE
+    assert (
+        run("setup", part, *words, *SMALL, "--origin", "100,0,-40", "--report", tmp_path / "s.json")
+        == cli.DONE
+    )
     option = re.search(r"--origin=\S+", capsys.readouterr().out).group()
     record = json.loads((tmp_path / "s.json").read_text())
     uncured = ("--linearize", "off", "--gouge", "off")  # as the map drives the path
-    code = run("mill", part, *words, *uncured, option, "-o", tmp_path / "a.ngc", "--report", tmp_path / "m.json", "--quiet")
+    code = run(
+        "mill",
+        part,
+        *words,
+        *uncured,
+        option,
+        "-o",
+        tmp_path / "a.ngc",
+        "--report",
+        tmp_path / "m.json",
+        "--quiet",
+    )
     assert code in (cli.DONE, cli.DONE_WITH_ERRORS)
     summary = json.loads((tmp_path / "m.json").read_text())["summary"]
     best = record["setups"][record["best"]]
@@ -68,7 +82,9 @@ def test_every_report_is_written_and_its_inputs_are_a_job_file(task, part, tmp_p
     words = ("--machine", "trunnion_ac", *QUICK, *(SMALL if task == "setup" else ()), "--quiet")
     assert run(task, part, *words, *(word for name in names for word in ("--report", name))) == cli.DONE
     record = json.loads(names[0].read_text())
-    assert record["inputs"]["task"] == task and names[1].read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    assert record["inputs"]["task"] == task and names[1].read_text(encoding="utf-8").startswith(
+        "<!DOCTYPE html>"
+    )
     again = tmp_path / "again.json"
     (tmp_path / "job.json").write_text(json.dumps(record["inputs"] | {"report": str(again)}))
     assert run("run", tmp_path / "job.json", "--quiet") == cli.DONE
@@ -79,7 +95,8 @@ def test_every_report_is_written_and_its_inputs_are_a_job_file(task, part, tmp_p
 
 
 @pytest.mark.parametrize(
-    "words", [("--machine", "trunnion_ac", "--machine", "trunnion_bc"), ("--machines", "trunnion_ac,trunnion_bc")]
+    "words",
+    [("--machine", "trunnion_ac", "--machine", "trunnion_bc"), ("--machines", "trunnion_ac,trunnion_bc")],
 )
 def test_machines_are_named_one_by_one_or_with_commas(words, path, capsys):
     assert run("compare", path, *words) == cli.DONE
@@ -90,7 +107,10 @@ def test_machines_are_named_one_by_one_or_with_commas(words, path, capsys):
 
 
 def test_a_cl_file_has_a_best_setup_too(path, tmp_path):
-    assert run("setup", path, "--machine", "trunnion_ac", *SMALL, "--quiet", "--report", tmp_path / "s.txt") == cli.DONE
+    assert (
+        run("setup", path, "--machine", "trunnion_ac", *SMALL, "--quiet", "--report", tmp_path / "s.txt")
+        == cli.DONE
+    )
     assert "--origin=" in (tmp_path / "s.txt").read_text()
 
 
@@ -115,7 +135,9 @@ def refused(capsys, tmp_path, *words):
      (("--tolerance", "0"), ("tolerance 0", "at least 0.000001 mm"))],
 )  # fmt: skip
 def test_a_setup_that_cannot_be_is_refused_with_value_and_remedy(words, named, part, tmp_path, capsys):
-    error = refused(capsys, tmp_path, "setup", part, "--machine", "trunnion_ac", *QUICK, "--grid", "2,1,1", *words)
+    error = refused(
+        capsys, tmp_path, "setup", part, "--machine", "trunnion_ac", *QUICK, "--grid", "2,1,1", *words
+    )
     for word in named:
         assert word in error
 
@@ -132,8 +154,12 @@ def test_a_comparison_that_cannot_be_is_refused_and_named(words, named, path, tm
 
 
 def test_the_source_is_not_overwritten_and_an_unknown_report_is_refused(part, tmp_path, capsys):
-    assert "is the file that is read" in refused(capsys, tmp_path, "setup", part, "--machine", "trunnion_ac", "--report", part)
-    assert ".pdf" in refused(capsys, tmp_path, "compare", part, "--machines", "trunnion_ac", "--report", tmp_path / "a.pdf")
+    assert "is the file that is read" in refused(
+        capsys, tmp_path, "setup", part, "--machine", "trunnion_ac", "--report", part
+    )
+    assert ".pdf" in refused(
+        capsys, tmp_path, "compare", part, "--machines", "trunnion_ac", "--report", tmp_path / "a.pdf"
+    )
     assert "gone.stl" in refused(capsys, tmp_path, "setup", tmp_path / "gone.stl", "--machine", "trunnion_ac")
 
 
@@ -182,6 +208,11 @@ def test_z_stays_where_nobody_says_how_high_the_table_is(table, given, moves):
 
 
 def test_the_height_of_the_table_is_the_machine_s_unless_given():
-    assert build_settings("setup", "x.stl", {"machine": "trunnion_ac", "table_height": "-2in"}).setup.table_height == -50.8
+    assert (
+        build_settings(
+            "setup", "x.stl", {"machine": "trunnion_ac", "table_height": "-2in"}
+        ).setup.table_height
+        == -50.8
+    )
     assert build_settings("setup", "x.stl", {"machine": "trunnion_ac"}).setup.table_height is None
     assert load_machine("trunnion_ac").table == -100.0

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facets that look down are cut, and cutter, shank and holder get there and away again: by the check of the program, and by points
-of the tool's skin set on the forward kinematics of interpolated words."""
+"""Facets that look down are cut, and cutter, shank and holder get there and away again: by the check of the
+program, and by points of the tool's skin set on the forward kinematics of interpolated words."""
 
 import json
 from pathlib import Path
@@ -40,17 +40,27 @@ def milled(part, name, **options):
 
 
 def skin(body, step=3.0):
-    """Points (k, 3) mm of the tool's skin about z, tip at 0: of every piece the rims, the side and both ends."""
+    """Points (k, 3) mm of the tool's skin about z, tip at 0: of every piece the rims, the side and both
+    ends."""
     points = []
     for low, low_radius, high, high_radius, corner, _ in body.pieces:
         up = np.linspace(0.0, 1.0, int(np.ceil((high - low) / step)) + 2)
-        outline = [np.column_stack([low_radius + up * (high_radius - low_radius) + corner, low + up * (high - low)])]
-        outline += [np.column_stack([np.linspace(0.0, r, 6), np.full(6, z)]) for r, z in ((low_radius, low), (high_radius, high))]
+        outline = [
+            np.column_stack([low_radius + up * (high_radius - low_radius) + corner, low + up * (high - low)])
+        ]
+        outline += [
+            np.column_stack([np.linspace(0.0, r, 6), np.full(6, z)])
+            for r, z in ((low_radius, low), (high_radius, high))
+        ]
         bend = np.linspace(-np.pi / 2, 0.0, 5)
         outline.append(np.column_stack([low_radius + corner * np.cos(bend), low + corner * np.sin(bend)]))
         radius, height = np.concatenate(outline).T
         turn = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)[:, None]
-        points.append(np.stack([radius * np.cos(turn), radius * np.sin(turn), height + 0.0 * turn], axis=-1).reshape(-1, 3))
+        points.append(
+            np.stack([radius * np.cos(turn), radius * np.sin(turn), height + 0.0 * turn], axis=-1).reshape(
+                -1, 3
+            )
+        )
     return np.concatenate(points)
 
 
@@ -65,23 +75,31 @@ def sampled(made, motion):
     block, u = gouge_judge.spread(blocks, count)
     points = skin(tool_body(made.settings))
     for some in np.array_split(np.arange(len(block)), len(block) // 500 + 1):
-        yield gouge_judge.placed(points, *gouge_judge.poses(made.kinematics, words, block[some], u[some], back))
+        yield gouge_judge.placed(
+            points, *gouge_judge.poses(made.kinematics, words, block[some], u[some], back)
+        )
 
 
 def nearest_to_box(made):
-    """How far (mm) the tool keeps off the part's box on rapids; negative inside, by so much as it is in from the nearest side."""
+    """How far (mm) the tool keeps off the part's box on rapids; negative inside, by so much as it is in from
+    the nearest side."""
     low, high = made.mesh.box
     return min(np.maximum(low - at, at - high).max(axis=2).min() for at in sampled(made, Motion.RAPID))
 
 
 def deepest_link(made):
     """How deep (mm) the tool's skin is in the part on links, by libigl's distances to the mesh."""
-    return max(-gouge_judge.distances(made.mesh, at.reshape(-1, 3), signed=True).min() for at in sampled(made, Motion.LINK))
+    return max(
+        -gouge_judge.distances(made.mesh, at.reshape(-1, 3), signed=True).min()
+        for at in sampled(made, Motion.LINK)
+    )
 
 
 def gouges(made):
     """Codes of the errors of a program that say where the tool enters the part."""
-    return {one.code for one in job.prove(made).findings if one.severity == Severity.ERROR and one.code in GOUGES}
+    return {
+        one.code for one in job.prove(made).findings if one.severity == Severity.ERROR and one.code in GOUGES
+    }
 
 
 def starts(made):
@@ -114,7 +132,9 @@ def machine_file(folder, name, **limits):
 @some_in_core("name, letter", [("trunnion_ac", "A"), ("fork_head_bc", "B")])
 def test_a_machine_that_turns_right_round_cuts_the_underside(tmp_path, name, letter, passes):
     machine = machine_file(tmp_path, name, **{letter: (-180.0, 180.0)})
-    made = milled("mushroom", name, machine=machine, max_axis_angle=180, passes=passes, scallop=0.3, stepover=None)
+    made = milled(
+        "mushroom", name, machine=machine, max_axis_angle=180, passes=passes, scallop=0.3, stepover=None
+    )
     assert made.path.axis[:, 2].min() == pytest.approx(-1.0) and made.keep.all()
     assert not gouges(made) and not starts(made)
     assert nearest_to_box(made) > made.settings.links.clearance - 2.5
@@ -152,7 +172,12 @@ def ball_only(low, high, radius, clearance, body, axis):
 @pytest.mark.thorough
 @some_in_core(
     "part, name",
-    [("tee", "trunnion_ac"), ("block", "fork_head_bc"), ("tee", "fork_head_bc"), ("mushroom", "fork_head_bc")],
+    [
+        ("tee", "trunnion_ac"),
+        ("block", "fork_head_bc"),
+        ("tee", "fork_head_bc"),
+        ("mushroom", "fork_head_bc"),
+    ],
     kept=(0, 1),
 )
 def test_both_judges_see_a_holder_that_only_the_ball_looks_after(part, name, monkeypatch):

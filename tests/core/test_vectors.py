@@ -15,8 +15,8 @@ def unit_rows(rng, *shape):
 
 
 def turned(start, about, angle):
-    """``start`` (n, 3) turned by ``angle`` (n,) rad about unit rows ``about`` square to it, by Rodrigues: the closed form that slerp
-    is held against. (Older scipy's rotations round more.)"""
+    """``start`` (n, 3) turned by ``angle`` (n,) rad about unit rows ``about`` square to it, by Rodrigues: the
+    closed form that slerp is held against. (Older scipy's rotations round more.)"""
     cosine, sine = (np.asarray(one)[:, None] for one in (np.cos(angle), np.sin(angle)))
     return cosine * start + sine * np.cross(about, start)
 

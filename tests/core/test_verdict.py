@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict: one light over everything, errors first; and what the defaults of ``mill`` and ``post`` make of a part."""
+"""The verdict: one light over everything, errors first; and what the defaults of ``mill`` and ``post`` make
+of a part."""
 
 import json
 from dataclasses import replace
@@ -27,7 +28,8 @@ MACHINE = {"machine": "trunnion_ac", "stepover": 3}
 
 
 def filleted():
-    """A block of 40 x 40 x 20 mm whose long upper edges are rounded by 8 mm: in the middle of a pass the tool leans over."""
+    """A block of 40 x 40 x 20 mm whose long upper edges are rounded by 8 mm: in the middle of a pass the tool
+    leans over."""
     turn = np.radians(np.linspace(0.0, 90.0, 13))
     round_ = 8.0 * np.column_stack([np.cos(turn), np.sin(turn)])
     left = (-round_[::-1] * (1, -1)) + (-12.0, 12.0)
@@ -50,12 +52,15 @@ def made():
 
 
 def told(result_or_figures):
-    figures = job.figures(result_or_figures) if isinstance(result_or_figures, job.Result) else result_or_figures
+    figures = (
+        job.figures(result_or_figures) if isinstance(result_or_figures, job.Result) else result_or_figures
+    )
     return verdict(figures, summary(figures))
 
 
 def test_entering_the_part_comes_before_every_proof(made):
-    """A ball that is held upright cuts into the wall of a step: the machine keeps its path, and the part is scrap."""
+    """A ball that is held upright cuts into the wall of a step: the machine keeps its path, and the part is
+    scrap."""
     result = made(step, tool_axis="fixed", stepover=1, gouge="report")
     numbers, said = summary(job.figures(result)), told(result)
     assert numbers["proven"], "the path alone is proven"
@@ -63,7 +68,9 @@ def test_entering_the_part_comes_before_every_proof(made):
     places = int(((depth > 0) & ~np.append(False, depth[:-1] > 0)).sum())
     assert said.light is Light.RED and numbers["overcut_places"] == places > 1
     line = int(result.draft.program.line[depth.argmax() + 1])
-    assert said.text.startswith(f"NOT SAFE: enters the part at {places} places, {depth.max():.3g} mm deep (NC line {line})")
+    assert said.text.startswith(
+        f"NOT SAFE: enters the part at {places} places, {depth.max():.3g} mm deep (NC line {line})"
+    )
     assert not any(line.lstrip().startswith("Proven") for line in as_text(job.figures(result)).splitlines())
 
 
@@ -74,7 +81,9 @@ def test_every_report_says_the_same_verdict(made, monkeypatch):
     record = json.loads(as_json(figures))["summary"]
     assert (record["light"], record["verdict"], record["reasons"]) == ("red", said.text, list(said.reasons))
     assert f'<p class="verdict bad">{said.text}</p>' in as_html(figures)
-    assert " ".join(as_text(figures).split("\n\n")[0].splitlines()[1:]) == said.text and record["proven"] is True
+    assert (
+        " ".join(as_text(figures).split("\n\n")[0].splitlines()[1:]) == said.text and record["proven"] is True
+    )
 
 
 def test_the_defaults_keep_the_tolerance_and_stay_out_of_the_part(made):
@@ -85,16 +94,22 @@ def test_the_defaults_keep_the_tolerance_and_stay_out_of_the_part(made):
         assert told(cured).light is not Light.RED, told(cured).text
         numbers = summary(job.figures(cured))
         assert numbers["proven"] and numbers["overcut_blocks"] == numbers["rapid_collision_blocks"] == 0
-    assert summary(job.figures(made(filleted, direction=90, lead=5, **UNCURED)))["max_segment_deviation"] > 0.1
+    assert (
+        summary(job.figures(made(filleted, direction=90, lead=5, **UNCURED)))["max_segment_deviation"] > 0.1
+    )
 
 
 @pytest.mark.thorough
 def test_the_step_by_default_is_entered_nowhere_by_dense_sampling(made):
-    """A judge without trees: how deep densely set points of the part lie in the cutter, on all its real way."""
+    """A judge without trees: how deep densely set points of the part lie in the cutter, on all its real
+    way."""
     result, points = made(step, tool_axis="fixed"), dense_points(step(), 0.5)
     uncured = made(step, tool_axis="fixed", **{**UNCURED, "gouge": "report"})
     for one, most in ((result, 0.0101), (uncured, np.inf)):
-        course, body = program_motion(one.draft.kinematics, one.draft.program), body_of(one.draft.settings.cutter.cutter)
+        course, body = (
+            program_motion(one.draft.kinematics, one.draft.program),
+            body_of(one.draft.settings.cutter.cutter),
+        )
         deepest = max(sampled_depth(body, points, course, block, 9) for block in range(0, len(course), 5))
         assert deepest <= most
     assert deepest > 1.0, "the judge sees what the cure has cured"
@@ -141,9 +156,15 @@ def test_what_is_open_is_amber_and_what_is_wrong_is_red_whatever_else_is_said():
         told(calm(findings=(found(Severity.WARNING),))).text
         == "CHECK: a rotary axis turns back inside a cut, with the tool retracted."
     )
-    wrong = calm(gouge=None, findings=(found(Severity.WARNING), found(Severity.ERROR, "limit", value=40.0, unit="deg", line=3)))
+    wrong = calm(
+        gouge=None,
+        findings=(found(Severity.WARNING), found(Severity.ERROR, "limit", value=40.0, unit="deg", line=3)),
+    )
     assert told(wrong).text == "NOT SAFE: an axis leaves its limits (40 deg, NC line 3)."
-    assert told(table2()).text == "NOT SAFE: 1 of 1 feed blocks leaves the path by up to 2.13 mm, 0.01 mm allowed (NC line 4)."
+    assert (
+        told(table2()).text
+        == "NOT SAFE: 1 of 1 feed blocks leaves the path by up to 2.13 mm, 0.01 mm allowed (NC line 4)."
+    )
     assert told(by_hand(0.0301)).light is Light.AMBER and "not proven in 1 of 5" in told(by_hand(0.0301)).text
     assert "nothing is proven" in told(empty()).text
 
@@ -159,14 +180,20 @@ def test_what_has_no_words_of_its_own_is_told_by_its_code_with_value_and_line_an
         "the file changes tools, and the program cuts all of it with one",
         "the rows are off the best machine by more than rounding (0.5 mm)",
     )
-    of_cl = of_cl_file(found(Severity.ERROR, "several-tools", say("The file changes tools: choose one."), line=11))
+    of_cl = of_cl_file(
+        found(Severity.ERROR, "several-tools", say("The file changes tools: choose one."), line=11)
+    )
     assert of_cl.text == "CL file, line 11: The file changes tools: choose one."
-    assert told(calm(findings=(of_cl,))).text == "NOT SAFE: the file changes tools, and the program cuts all of it with one."
+    assert (
+        told(calm(findings=(of_cl,))).text
+        == "NOT SAFE: the file changes tools, and the program cuts all of it with one."
+    )
 
 
 @pytest.mark.parametrize("code", [code for code in Code if code is not Code.BOUND_OVER_TOLERANCE])
 def test_every_kind_of_finding_has_its_words(code):
-    """As one clause of the verdict: of small letters, without a full stop, and not divided as the verdict divides its reasons."""
+    """As one clause of the verdict: of small letters, without a full stop, and not divided as the verdict
+    divides its reasons."""
     (reason,) = told(calm(findings=(found(Severity.WARNING, code),))).reasons
     assert reason and not reason.endswith(".")
     assert code.severity is Severity.NOTE or not set(reason) & set(":;") or code is Code.SINGULAR_BLOCK
@@ -177,11 +204,13 @@ def test_errors_are_named_by_what_they_do_to_the_part_and_counted_beyond_three()
     errors = tuple(found(Severity.ERROR, code, f"It is {code}. Help.", value=0.5, line=7) for code in codes)
     said = told(replace(by_hand(), findings=errors))
     assert said.reasons[0] == "enters the part at 1 place, 0.5 mm deep (NC line 7)"
-    assert said.reasons[1].startswith("hits the part between passes") and said.reasons[2].startswith("2 of 5 feed blocks leave")
+    assert said.reasons[1].startswith("hits the part between passes") and said.reasons[2].startswith(
+        "2 of 5 feed blocks leave"
+    )
     assert said.text.endswith("; and 2 more.") and len(said.reasons) == 5
 
 
-# ------------------------------------------------------------------------------------------------ what stays, and what is settled
+# ---------------------------------------------------------------------------- what stays, and what is settled
 
 
 def tiny():
@@ -193,7 +222,12 @@ def test_a_part_smaller_than_the_cutter_may_be_in_another_unit():
     settings = build_settings("mill", "part.stl", {**MACHINE, "cutter": "ball:6", "stepover": 0.02})
     result = job.prove(job.make(settings, mesh=tiny()))
     (found,) = [one for one in result.findings if one.code == "unit-suspected"]
-    assert (found.severity, found.value, found.limit, found.unit) == (Severity.WARNING, pytest.approx(0.09), 6.0, "mm")
+    assert (found.severity, found.value, found.limit, found.unit) == (
+        Severity.WARNING,
+        pytest.approx(0.09),
+        6.0,
+        "mm",
+    )
     assert "metres (90 mm)" in found.text and "inches (2.286 mm)" in found.text
     assert told(result).light is Light.AMBER and "in another unit (0.09 mm)" in told(result).text
     assert "unit-suspected" in {one["code"] for one in json.loads(as_json(job.figures(result)))["findings"]}
@@ -206,8 +240,9 @@ def test_a_part_larger_than_the_cutter_is_not_suspected(made):
 
 @pytest.mark.parametrize(("how", "told_of"), [("off", True), ("report", False), ("lift", False)])
 def test_what_the_check_has_settled_is_withdrawn(how, told_of, monkeypatch):
-    """A groove of 3 mm radius under a ball of 4. What the closing of co-edges can only suspect, the check of the program knows:
-    after it nothing says any more that the tool may cut into the part; and without it no depth is told, for none is known."""
+    """A groove of 3 mm radius under a ball of 4. What the closing of co-edges can only suspect, the check of
+    the program knows: after it nothing says any more that the tool may cut into the part; and without it no
+    depth is told, for none is known."""
     monkeypatch.setattr(trimming, "ROUNDS", 1)
     given = {"cutter": "ball:8", "direction": 90, "tool_axis": "fixed", "max_axis_angle": 85}
     settings = build_settings("mill", "part.stl", {**MACHINE, **given, "gouge": how})
@@ -218,7 +253,8 @@ def test_what_the_check_has_settled_is_withdrawn(how, told_of, monkeypatch):
 
 
 def test_the_share_that_stays_unfinished_comes_first(made):
-    """Walls of a block, 20 deg at most from Z: of the top, 40 x 40, and the four sides, 40 x 20 each, only the top is cut."""
+    """Walls of a block, 20 deg at most from Z: of the top, 40 x 40, and the four sides, 40 x 20 each, only
+    the top is cut."""
     result = made(block, max_axis_angle=20)
     said, numbers = told(result), summary(job.figures(result))
     assert numbers["unfinished_share"] == pytest.approx(3200.0 / 4800.0)
@@ -230,7 +266,9 @@ def block():
 
 
 def sheet():
-    return from_faces(np.array([(-9.0, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)]), np.array([(0, 1, 2), (0, 2, 3)]))
+    return from_faces(
+        np.array([(-9.0, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)]), np.array([(0, 1, 2), (0, 2, 3)])
+    )
 
 
 def test_of_a_part_that_is_finished_no_share_is_told(made):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool in all places of its way out at once: the same as looking at each of them, and what `auto` makes of that."""
+"""The tool in all places of its way out at once: the same as looking at each of them, and what `auto` makes
+of that."""
 
 import math
 from types import SimpleNamespace
@@ -42,7 +43,10 @@ def on_way(body, point, far):
 def test_a_body_drawn_out_holds_the_points_that_it_holds_anywhere_on_its_way(name):
     body, random = BODIES[name], np.random.default_rng(5)
     point = random.uniform((-20, -20, -5), (20, 20, 60), (3000, 3))
-    at_once, one_by_one = depth_of(extend_way_out(body, 50.0), np.zeros(3), UP, point), on_way(body, point, 50.0)
+    at_once, one_by_one = (
+        depth_of(extend_way_out(body, 50.0), np.zeros(3), UP, point),
+        on_way(body, point, 50.0),
+    )
     clear = np.abs(one_by_one) > 0.05
     assert ((at_once > 0.0) == (one_by_one > 0.0))[clear].all()
     assert (at_once > 0.0).any() and (at_once < 0.0).any()
@@ -50,7 +54,9 @@ def test_a_body_drawn_out_holds_the_points_that_it_holds_anywhere_on_its_way(nam
     assert ((standing > 0.0) != (one_by_one > 0.0)).any(), "a body that stays where it is would be noticed"
 
 
-@pytest.mark.parametrize("part", [lambda: step(6.0), lambda: bowl_block(11.0, cells=16), lambda: blade_beside_hub(cells=16)])
+@pytest.mark.parametrize(
+    "part", [lambda: step(6.0), lambda: bowl_block(11.0, cells=16), lambda: blade_beside_hub(cells=16)]
+)
 def test_what_is_under_the_part_is_what_enters_on_its_way_up(part):
     mesh, random = part(), np.random.default_rng(2)
     tree, cutter = facet_tree(mesh), body_of(Cutter(4.0, 12.0))
@@ -85,7 +91,8 @@ def t_slot():
 @pytest.mark.thorough
 @some_in_core("nodes", [FEW, NODES], others=OTHERS_ONCE)
 def test_what_lies_under_a_lip_is_left_out_and_not_lifted_over_the_part(nodes, monkeypatch):
-    """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out within 25 deg."""
+    """The ball stands freely at the sides of the slot's floor, under its lips, but nothing can be drawn out
+    within 25 deg."""
     take_nodes(monkeypatch, nodes)
     made = milled(t_slot(), cutter="ball:6:8", max_axis_angle=25, passes="planes", stepover=3.0)
     codes = {one.code: one for one in made.findings}
@@ -107,7 +114,9 @@ def test_only_what_lies_between_ways_out_is_kept():
 
 def test_a_contact_is_free_where_all_its_rows_are_and_none_is_asked_in_vain(monkeypatch):
     random, asked_rows = np.random.default_rng(3), []
-    contact = np.append(np.repeat(np.arange(200), random.integers(1, 5, 200)), 0)  # the end of a closed pass is its start
+    contact = np.append(
+        np.repeat(np.arange(200), random.integers(1, 5, 200)), 0
+    )  # the end of a closed pass is its start
     n, first = len(contact), np.unique(contact, return_index=True)[1]
     stand, normal, fits = random.normal(size=(n, 3)), np.tile(UP, (n, 1)), random.random(n) < 0.95
     normal[random.random(n) < 0.1] = -UP

@@ -15,7 +15,18 @@ from freecad_fiveaxis.core.geometry.mesh import from_faces, write_stl
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 RUN = "import windows_integers\nfrom freecad_fiveaxis.core.cli import main\nsys.exit(main(sys.argv[1:]))"
-MILL = ["mill", "dome.stl", "--machine", "trunnion_ac", "--stepover", "12", "--max-axis-angle", "50", "--tolerance", "0.1"]
+MILL = [
+    "mill",
+    "dome.stl",
+    "--machine",
+    "trunnion_ac",
+    "--stepover",
+    "12",
+    "--max-axis-angle",
+    "50",
+    "--tolerance",
+    "0.1",
+]
 FILES = ["-o", "a.ngc", "--cl", "a.apt", "--blocks", "a.csv", "--report", "a.json"]
 
 
@@ -36,7 +47,10 @@ def files(folder):
 
 @some_in_core(
     "options",
-    [["--tool-axis", "minimax", "--gouge", "off"], ["--singularity", "deform", "--rest", "on", "--cutter", "bull:10:2"]],
+    [
+        ["--tool-axis", "minimax", "--gouge", "off"],
+        ["--singularity", "deform", "--rest", "on", "--cutter", "bull:10:2"],
+    ],
     kept=(1,),
 )
 def test_a_part_is_milled_to_the_same_bytes(folder, options, monkeypatch):

@@ -13,7 +13,20 @@ ROOT = Path(__file__).parents[2]
 SCRIPTS = ("scripts", ".ci", "tests/freecad", "tests/sitting")
 BOTH = ("lint", "core", "headless", "sitting")
 SHORT = (*BOTH, "interpreter", "window-short")
-ALL = (*BOTH, "slow", "window", "linuxcnc", "runner", "large", "oldest", "docs", "demo", "chroots", "trixie", "forky")
+ALL = (
+    *BOTH,
+    "slow",
+    "window",
+    "linuxcnc",
+    "runner",
+    "large",
+    "oldest",
+    "docs",
+    "demo",
+    "chroots",
+    "trixie",
+    "forky",
+)
 TARGETS = (
     "demo",
     "test",
@@ -29,13 +42,17 @@ TARGETS = (
 
 pytestmark = [
     pytest.mark.texts,
-    pytest.mark.skipif(os.name != "posix" or not shutil.which("make") or not shutil.which("bash"), reason="needs make and bash"),
+    pytest.mark.skipif(
+        os.name != "posix" or not shutil.which("make") or not shutil.which("bash"),
+        reason="needs make and bash",
+    ),
 ]
 
 
 @pytest.fixture
 def unpacked(tmp_path):
-    """Makefile and scripts, none of them executable, with a Python, a pip and a make that only tell how they were called."""
+    """Makefile and scripts, none of them executable, with a Python, a pip and a make that only tell how they
+    were called."""
     folder = tmp_path / "unpacked"
     for part in SCRIPTS:
         shutil.copytree(ROOT / part, folder / part, ignore=shutil.ignore_patterns("__pycache__"))
@@ -93,7 +110,20 @@ def without_freecad(folder):
     """A PATH on which there is no FreeCAD to be asked where its folder is."""
     bare = folder / "bare"
     bare.mkdir()
-    for tool in ("bash", "sh", "dirname", "mkdir", "ln", "find", "readlink", "sed", "sort", "head", "cat", "rm"):
+    for tool in (
+        "bash",
+        "sh",
+        "dirname",
+        "mkdir",
+        "ln",
+        "find",
+        "readlink",
+        "sed",
+        "sort",
+        "head",
+        "cat",
+        "rm",
+    ):
         (bare / tool).symlink_to(shutil.which(tool))
     return str(bare)
 
@@ -109,7 +139,9 @@ def test_each_ring_is_run_once(unpacked, target, rings):
     """What ``test`` has in short, LinuxCNC's interpreter and the way of a user, ``test-all`` has whole."""
     done = run(unpacked, shutil.which("make"), target, PATH=f"{unpacked}/tools:/usr/bin:/bin")
     assert done.returncode == 0, done.stdout + done.stderr
-    assert sorted(re.findall(r"^make --no-print-directory (\S+)$", done.stdout, re.MULTILINE)) == sorted(rings)
+    assert sorted(re.findall(r"^make --no-print-directory (\S+)$", done.stdout, re.MULTILINE)) == sorted(
+        rings
+    )
 
 
 @pytest.mark.parametrize("script", ["tests/freecad/run", "tests/sitting/run"])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pythons that are started to work beside this one: what they give, how they end, and what happens where they die."""
+"""Pythons that are started to work beside this one: what they give, how they end, and what happens where they
+die."""
 
 import os
 import subprocess
@@ -24,7 +25,9 @@ LIMIT = 60.0
 
 def command():
     """This Python, which finds the functions below."""
-    return workers.Command((sys.executable, "-c", workers.python_code("serve")), {"PYTHONPATH": str(Path(__file__).parent)})
+    return workers.Command(
+        (sys.executable, "-c", workers.python_code("serve")), {"PYTHONPATH": str(Path(__file__).parent)}
+    )
 
 
 @pytest.fixture
@@ -123,7 +126,9 @@ def test_libraries_keep_to_one_thread(pool):
 @pytest.mark.parametrize("task", [die_elsewhere, out_of_memory_elsewhere])
 def test_the_task_of_a_worker_that_dies_is_done_here(pool, started, task):
     assert pool.submit(task, os.getpid()).result(LIMIT) == "done here" and pool.died == 1
-    assert spread(tell_place, "common", [1, 2], pool, silent, "") == [("common", task, os.getpid()) for task in (1, 2)]
+    assert spread(tell_place, "common", [1, 2], pool, silent, "") == [
+        ("common", task, os.getpid()) for task in (1, 2)
+    ]
     assert started[0].wait(LIMIT)
 
 
@@ -136,16 +141,22 @@ def test_what_cannot_be_sent_is_done_here(pool):
 def test_short_work_starts_no_process(started):
     asked = []
     pool = beside(find=lambda: asked.append(1), patience=600.0)
-    assert spread(tell_place, "common", [1, 2], pool, silent, "") == [("common", task, os.getpid()) for task in (1, 2)]
+    assert spread(tell_place, "common", [1, 2], pool, silent, "") == [
+        ("common", task, os.getpid()) for task in (1, 2)
+    ]
     pool.stop()
     assert not asked and not started
 
 
-@pytest.mark.parametrize("words", [None, ("no-such-program",), (sys.executable, "-c", "print('something else')")])
+@pytest.mark.parametrize(
+    "words", [None, ("no-such-program",), (sys.executable, "-c", "print('something else')")]
+)
 def test_without_a_worker_the_work_is_done_here(words, started):
     find = (lambda: None) if words is None else lambda: workers.Command(words)
     with beside(2, find) as pool:
-        assert spread(tell_place, "common", range(50), pool, silent, "") == [("common", at, os.getpid()) for at in range(50)]
+        assert spread(tell_place, "common", range(50), pool, silent, "") == [
+            ("common", at, os.getpid()) for at in range(50)
+        ]
     assert all(process.returncode is not None for process in started)
 
 
@@ -162,11 +173,18 @@ def test_a_stop_reaches_what_runs_here_and_there_and_what_waits(tmp_path, starte
     pool = beside()
     futures = [pool.submit(work_on, tmp_path, name) for name in range(4)]
     end = time.monotonic() + LIMIT
-    while len(os.listdir(tmp_path)) < 2 and time.monotonic() < end:  # the first is done here, the second in a worker
+    while (
+        len(os.listdir(tmp_path)) < 2 and time.monotonic() < end
+    ):  # the first is done here, the second in a worker
         time.sleep(0.02)
     pool.stop()
     assert [process.returncode is not None for process in started] == [True]
-    assert sorted(os.listdir(tmp_path)) == ["0", "1"] and [future.cancelled() for future in futures] == [False, False, True, True]
+    assert sorted(os.listdir(tmp_path)) == ["0", "1"] and [future.cancelled() for future in futures] == [
+        False,
+        False,
+        True,
+        True,
+    ]
     for future in futures[:2]:
         with pytest.raises(Cancelled):
             future.result(LIMIT)
@@ -224,7 +242,10 @@ for one in pool._workers:
 print(pool.submit(operator.add, 2, 3).result(60), pool.died)"""
     path = os.pathsep.join((str(ROOT), str(Path(__file__).parent)))
     done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, timeout=LIMIT, env={**os.environ, "PYTHONPATH": path}
+        [sys.executable, "-c", code],
+        capture_output=True,
+        timeout=LIMIT,
+        env={**os.environ, "PYTHONPATH": path},
     )
     assert (done.returncode, done.stdout.split()) == (0, [b"5", b"1"]), done.stderr
 
@@ -235,11 +256,15 @@ def test_a_package_in_a_zip_is_found(tmp_path):
         for folder in ("freecad_fiveaxis", "freecad_fiveaxis/core", "freecad_fiveaxis/core/base"):
             for file in (ROOT / folder).glob("*.py"):
                 made.write(file, file.relative_to(ROOT))
-    code = f"import sys\nsys.path.insert(0, {str(archive)!r})\nfrom freecad_fiveaxis.core.base import workers\n"
+    code = (
+        f"import sys\nsys.path.insert(0, {str(archive)!r})\nfrom freecad_fiveaxis.core.base import workers\n"
+    )
     code += "print(workers.python_code('show_identity'))"
     boot = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, timeout=LIMIT, cwd=tmp_path, check=True
     ).stdout
-    assert "add-on.zip" in boot and repr(str(ROOT)) not in boot, "the package of this folder would be another one"
+    assert "add-on.zip" in boot and repr(str(ROOT)) not in boot, (
+        "the package of this folder would be another one"
+    )
     done = subprocess.run([sys.executable, "-c", boot], capture_output=True, timeout=LIMIT, cwd=tmp_path)
     assert done.stdout == worker.MARK + worker.identity().encode() + worker.MARK

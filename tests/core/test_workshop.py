@@ -33,13 +33,18 @@ PLACE = ("--origin", "12,-7,5", "--tool-length", "90")
 
 def test_a_posted_path_gives_the_machine_back(files, tmp_path, capsys):
     out, report = tmp_path / "m.fcm", tmp_path / "r.json"
-    assert run("recover", *files, *PLACE, "-o", out, "--report", report, "--report", tmp_path / "r.html") == cli.DONE
+    assert (
+        run("recover", *files, *PLACE, "-o", out, "--report", report, "--report", tmp_path / "r.html")
+        == cli.DONE
+    )
     said = capsys.readouterr().out
     assert "head-table, C nearer to the work turning about Z, B about Y" in said and f"wrote {out}" in said
     found, truth = load_machine(out), load_machine("head_b_table_c")
     assert line_errors(found, truth, Setup((12.0, -7.0, 5.0), 90.0)).max() < 1e-4
     record = json.loads(report.read_text())
-    assert record["layout"]["kind"] == "head-table" and len(record["parameters"]) == 9 and not record["others"]
+    assert (
+        record["layout"]["kind"] == "head-table" and len(record["parameters"]) == 9 and not record["others"]
+    )
     assert record["points"]["B"] == pytest.approx([0, 0, 120], abs=1e-4)
     assert "certain within" in (tmp_path / "r.html").read_text(encoding="utf-8")
     assert found.name == "m" and "cap.apt and cap.ngc" in found.description
@@ -55,7 +60,10 @@ def test_the_report_s_inputs_are_a_job(files, tmp_path, capsys):
 
 
 def test_another_machine_is_named_and_the_exit_code_says_so(files, tmp_path, capsys):
-    assert run("recover", *files, *PLACE, "--machine", "fork_head_bc", "-o", tmp_path / "m.fcm") == cli.DONE_WITH_ERRORS
+    assert (
+        run("recover", *files, *PLACE, "--machine", "fork_head_bc", "-o", tmp_path / "m.fcm")
+        == cli.DONE_WITH_ERRORS
+    )
     said = " ".join(capsys.readouterr().out.split())
     assert "The machine that the post had in mind is head-table, fork_head_bc is head-head" in said
     assert (tmp_path / "m.fcm").exists()
@@ -87,8 +95,21 @@ def test_a_program_without_two_rotary_letters_is_refused(files, tmp_path, capsys
 @pytest.mark.parametrize("controller", ["linuxcnc", "fanuc"])
 def test_prove_signs_writes_a_program_and_a_sheet(controller, tmp_path, capsys):
     nc, sheet = tmp_path / "p.ngc", tmp_path / "sheet.html"
-    words = ("--machine", "trunnion_bc", "--controller", controller, "--origin", "0,0,20", "--mark", "40,25,10", "--tool", "7")
-    assert run("prove-signs", *words, "-o", nc, "--report", sheet, "--report", tmp_path / "s.json") == cli.DONE
+    words = (
+        "--machine",
+        "trunnion_bc",
+        "--controller",
+        controller,
+        "--origin",
+        "0,0,20",
+        "--mark",
+        "40,25,10",
+        "--tool",
+        "7",
+    )
+    assert (
+        run("prove-signs", *words, "-o", nc, "--report", sheet, "--report", tmp_path / "s.json") == cli.DONE
+    )
     assert "stop 8" in capsys.readouterr().out and "Proving the signs" in sheet.read_text(encoding="utf-8")
     record = json.loads((tmp_path / "s.json").read_text())
     kinematics = milled("trunnion_bc", stepover=12.0, rings=8).kinematics

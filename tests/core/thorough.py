@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameters of which some stand for all in the core ring; the others are tried too where there is time: in `make slow`.
+"""Parameters of which some stand for all in the core ring; the others are tried too where there is time: in
+`make slow`.
 
-OTHERS_ONCE: larger ones of the same kind, to which it is nothing which numpy is there: not in `make oldest` too."""
+OTHERS_ONCE: larger ones of the same kind, to which it is nothing which numpy is there: not in `make oldest`
+too."""
 
 import pytest
 from _pytest.mark import ParameterSet
@@ -10,11 +12,14 @@ OTHERS_ONCE = pytest.mark.slow
 
 
 def some_in_core(names, kinds, *, kept=(0,), others=pytest.mark.thorough, **more):
-    """As ``pytest.mark.parametrize``; the kinds at other places than those ``kept`` are ``others``, unless they are ``slow``."""
+    """As ``pytest.mark.parametrize``; the kinds at other places than those ``kept`` are ``others``, unless
+    they are ``slow``."""
     several = not isinstance(names, str) or "," in names
     made = []
     for place, kind in enumerate(kinds):
-        one = kind if isinstance(kind, ParameterSet) else pytest.param(*kind) if several else pytest.param(kind)
+        one = (
+            kind if isinstance(kind, ParameterSet) else pytest.param(*kind) if several else pytest.param(kind)
+        )
         slow = any(mark.name == "slow" for mark in one.marks)
         made.append(one if place in kept or slow else one._replace(marks=(*one.marks, others)))
     return pytest.mark.parametrize(names, made, **more)

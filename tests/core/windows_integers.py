@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""numpy before 2.0 on Windows, as far as one can have it elsewhere: integers without a type of their own have 32 bits there.
+"""numpy before 2.0 on Windows, as far as one can have it elsewhere: integers without a type of their own have
+32 bits there.
 
-Imported by a process of its own, it lets the functions of numpy that the core calls give such integers where Windows does: those that
-make an array of Python's integers, and sums of what is narrower. FreeCAD up to 1.0 brings that numpy. Indices (flatnonzero,
-argsort, searchsorted, bincount) have 64 bits there too. Methods of arrays stay as they are: nothing of C can be exchanged.
+Imported by a process of its own, it lets the functions of numpy that the core calls give such integers where
+Windows does: those that make an array of Python's integers, and sums of what is narrower. FreeCAD up to 1.0
+brings that numpy. Indices (flatnonzero, argsort, searchsorted, bincount) have 64 bits there too. Methods of
+arrays stay as they are: nothing of C can be exchanged.
 """
 
 import sys
@@ -20,12 +22,20 @@ def of_the_core():
 
 def narrow(array):
     """With 32 bits; what needs more has 64 there too."""
-    return array.astype(np.int32) if array.dtype == np.int64 and (array == array.astype(np.int32)).all() else array
+    return (
+        array.astype(np.int32)
+        if array.dtype == np.int64 and (array == array.astype(np.int32)).all()
+        else array
+    )
 
 
 def typed(given):
     """Whether the values bring a type of their own."""
-    return any(map(typed, given)) if isinstance(given, list | tuple) else isinstance(given, np.ndarray | np.generic)
+    return (
+        any(map(typed, given))
+        if isinstance(given, list | tuple)
+        else isinstance(given, np.ndarray | np.generic)
+    )
 
 
 def made_of_values(function):
@@ -33,7 +43,9 @@ def made_of_values(function):
         array, ours = function(*given, **how), of_the_core()
         asked = how.get("dtype", given[1] if len(given) > 1 and function is not arange else None)
         values = given if function is arange else given[:1]
-        return narrow(array) if ours and (asked is int or (asked is None and not typed(list(values)))) else array
+        return (
+            narrow(array) if ours and (asked is int or (asked is None and not typed(list(values)))) else array
+        )
 
     return made
 
@@ -56,5 +68,7 @@ def summed(values, *given, **how):
 
 arange, cumsum, full = np.arange, np.cumsum, np.full
 np.arange, np.array, np.asarray = (made_of_values(function) for function in (np.arange, np.array, np.asarray))
-np.zeros, np.ones, np.empty, np.full = (filled(*one) for one in ((np.zeros, 1), (np.ones, 1), (np.empty, 1), (np.full, 2)))
+np.zeros, np.ones, np.empty, np.full = (
+    filled(*one) for one in ((np.zeros, 1), (np.ones, 1), (np.empty, 1), (np.full, 2))
+)
 np.cumsum = summed

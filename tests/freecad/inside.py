@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Given to freecadcmd or freecad as its start file: runs pytest inside it and leaves with pytest's own exit code.
+"""Given to freecadcmd or freecad as its start file: runs pytest inside it and leaves with pytest's own exit
+code.
 
-FreeCAD exits with 0 after an uncaught exception and may run this file twice; its window replaces sys.stdout. So the code is
-written to ``$FIVEAXIS_FINISHED`` and given to os._exit, which also spares the dialogs and crashes of a shut-down.
-A test that does not end within ``$FIVEAXIS_TEST_LIMIT`` seconds is photographed and its stack printed; then the process ends.
-The test that runs is named in ``$FIVEAXIS_AT``; with ``$FIVEAXIS_FROM`` the tests before the one of that name are left out.
-``$FIVEAXIS_AGAIN``: see SecondTry. ``$FIVEAXIS_PART``, as 2/3: of the tests in their order, the second of three equal parts.
+FreeCAD exits with 0 after an uncaught exception and may run this file twice; its window replaces sys.stdout.
+So the code is written to ``$FIVEAXIS_FINISHED`` and given to os._exit, which also spares the dialogs and
+crashes of a shut-down. A test that does not end within ``$FIVEAXIS_TEST_LIMIT`` seconds is photographed and
+its stack printed; then the process ends. The test that runs is named in ``$FIVEAXIS_AT``; with
+``$FIVEAXIS_FROM`` the tests before the one of that name are left out. ``$FIVEAXIS_AGAIN``: see SecondTry.
+``$FIVEAXIS_PART``, as 2/3: of the tests in their order, the second of three equal parts.
 """
 
 import faulthandler
@@ -24,7 +26,8 @@ HUNG = 70
 
 
 class Watch:
-    """pytest plugin: ends the process, with picture and stack, when one test takes longer than LIMIT seconds."""
+    """pytest plugin: ends the process, with picture and stack, when one test takes longer than LIMIT
+    seconds."""
 
     def __init__(self, out, folder):
         self._out, self._folder = out, folder
@@ -53,7 +56,9 @@ class Watch:
         self._timer = threading.Timer(LIMIT, self._end, [nodeid])
         self._timer.daemon = True
         self._timer.start()
-        faulthandler.dump_traceback_later(LIMIT + 30, exit=True, file=self._out)  # for code that keeps Python's lock
+        faulthandler.dump_traceback_later(
+            LIMIT + 30, exit=True, file=self._out
+        )  # for code that keeps Python's lock
 
     def stop(self):
         """Whoever came to an end is not watched any longer."""
@@ -73,8 +78,9 @@ def leave(code):
 class SecondTry:
     """pytest plugin for the window: a test that fails is tried once more, and said so.
 
-    Real clicks in a real window race with redraws; on a busy machine one may come too early. What fails twice has failed.
-    Where ``$FIVEAXIS_AGAIN`` names a file the test's name goes there instead: whoever reads it tries again, on a quieter machine.
+    Real clicks in a real window race with redraws; on a busy machine one may come too early. What fails twice
+    has failed. Where ``$FIVEAXIS_AGAIN`` names a file the test's name goes there instead: whoever reads it
+    tries again, on a quieter machine.
     """
 
     def __init__(self, out):
@@ -91,7 +97,11 @@ class SecondTry:
                 file.write("::".join([os.path.relpath(item.path, ROOT), *item.nodeid.split("::")[1:]]) + "\n")
         elif failed:
             first = next(report for report in reports if report.failed)
-            print(f"\nfreecad: {item.nodeid} failed, tried once more\n{first.longreprtext[-2000:]}", file=self._out, flush=True)
+            print(
+                f"\nfreecad: {item.nodeid} failed, tried once more\n{first.longreprtext[-2000:]}",
+                file=self._out,
+                flush=True,
+            )
             item._initrequest()
             reports = runtestprotocol(item, nextitem=nextitem, log=False)
         for report in reports:
@@ -139,7 +149,11 @@ def main():
     out = os.fdopen(os.dup(1), "w", buffering=1)
     sys.stdout = sys.stderr = sys.__stdout__ = sys.__stderr__ = out
     print(
-        "freecad:", ".".join(FreeCAD.Version()[:2]), "Python", sys.version.split()[0], "window" if FreeCAD.GuiUp else "headless"
+        "freecad:",
+        ".".join(FreeCAD.Version()[:2]),
+        "Python",
+        sys.version.split()[0],
+        "window" if FreeCAD.GuiUp else "headless",
     )
     code = HUNG
     faulthandler.enable(file=out)  # where the process was when something inside FreeCAD or Qt aborts it
@@ -151,7 +165,9 @@ def main():
 
 
 if not hasattr(FreeCAD, "fiveaxis_modules_at_start"):
-    FreeCAD.fiveaxis_modules_at_start = frozenset(sys.modules)  # the workbench is open; what it imports later is not start-up
+    FreeCAD.fiveaxis_modules_at_start = frozenset(
+        sys.modules
+    )  # the workbench is open; what it imports later is not start-up
     if FreeCAD.GuiUp:
         from PySide import QtCore
 

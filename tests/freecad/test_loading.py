@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD finds the add-on as a user's add-on is found, and its start-up stays light: neither the core nor numpy is imported."""
+"""FreeCAD finds the add-on as a user's add-on is found, and its start-up stays light: neither the core nor
+numpy is imported."""
 
 import os
 import sys
@@ -11,7 +12,8 @@ import pytest
 
 in_window = pytest.mark.skipif(not FreeCAD.GuiUp, reason="needs FreeCAD's window")
 late_imports = []
-"""What the first panel of the session imported: once for all, because a second one has nothing left to import."""
+"""What the first panel of the session imported: once for all, because a second one has nothing left to
+import."""
 
 pytestmark = pytest.mark.short
 
@@ -21,7 +23,11 @@ def test_freecad_found_this_add_on():
 
     folder = os.path.dirname(os.path.dirname(freecad_fiveaxis.__file__))
     assert os.path.realpath(folder) == os.path.realpath(os.environ["FIVEAXIS_ROOT"])
-    assert any(path.startswith(os.environ["FREECAD_USER_HOME"]) for path in sys.path if path.rstrip("/").endswith("FiveAxis"))
+    assert any(
+        path.startswith(os.environ["FREECAD_USER_HOME"])
+        for path in sys.path
+        if path.rstrip("/").endswith("FiveAxis")
+    )
 
 
 def test_starting_up_imported_neither_the_core_nor_numpy():
@@ -84,7 +90,9 @@ def imported_by_a_panel():
     before = set(sys.modules)
     toolpath.create(part)
     try:
-        return {name for name in set(sys.modules) - before if name.startswith(("freecad_fiveaxis", "MeshPart"))}
+        return {
+            name for name in set(sys.modules) - before if name.startswith(("freecad_fiveaxis", "MeshPart"))
+        }
     finally:
         FreeCADGui.Control.closeDialog()
         FreeCAD.closeDocument(doc.Name)

@@ -35,7 +35,8 @@ class Flaw:
 
 @contextlib.contextmanager
 def limited(seconds: float) -> Iterator[None]:
-    """Raise TooLong after so many seconds; only in the main thread. Windows has no such alarm: there nothing is limited."""
+    """Raise TooLong after so many seconds; only in the main thread. Windows has no such alarm: there nothing
+    is limited."""
     if not hasattr(signal, "SIGALRM"):
         yield
         return

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Spoilt copies of files: what a hand, a wrong post or a broken transfer does to them. All by a seeded random generator."""
+"""Spoilt copies of files: what a hand, a wrong post or a broken transfer does to them. All by a seeded random
+generator."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fuzz for as long as is asked for: ``python tests/fuzz/run.py [--minutes 5] [--seed 1] [TARGET...]``.
 
-Files that are neither taken nor refused go to out/fuzz, each with what was said beside it; exit code 1 where there is one.
+Files that are neither taken nor refused go to out/fuzz, each with what was said beside it; exit code 1 where
+there is one.
 """
 
 from __future__ import annotations
@@ -26,8 +27,12 @@ def main() -> int:
     """Every target gets its share of the time."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--minutes", type=float, default=5.0, help="for all targets together [5]")
-    parser.add_argument("--seed", type=int, default=int(time.time()), help="of the random changes [the clock]")
-    parser.add_argument("target", nargs="*", default=sorted(TARGETS), help=f"of {', '.join(sorted(TARGETS))} [all]")
+    parser.add_argument(
+        "--seed", type=int, default=int(time.time()), help="of the random changes [the clock]"
+    )
+    parser.add_argument(
+        "target", nargs="*", default=sorted(TARGETS), help=f"of {', '.join(sorted(TARGETS))} [all]"
+    )
     asked = parser.parse_args()
     share = 60.0 * asked.minutes / len(asked.target)
     return int(sum(_fuzz(name, asked.seed, share) for name in asked.target) > 0)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is fuzzed: each target has seeds, whole files that work, and a function that reads one as a user's command would.
+"""What is fuzzed: each target has seeds, whole files that work, and a function that reads one as a user's
+command would.
 
-A target may take the file or refuse it with an error of ours in one line. Anything else is a flaw: another exception, a warning
-of numpy's, a message of several lines, or more than the time that a small file may take.
+A target may take the file or refuse it with an error of ours in one line. Anything else is a flaw: another
+exception, a warning of numpy's, a message of several lines, or more than the time that a small file may take.
 """
 
 from __future__ import annotations
@@ -42,7 +43,9 @@ def _short(path: Path) -> bytes:
 
 
 def _audit(controller: str) -> Callable[[Path], object]:
-    return lambda path: job.run(build_settings("audit", str(path), {"machine": "trunnion_ac", "controller": controller}))
+    return lambda path: job.run(
+        build_settings("audit", str(path), {"machine": "trunnion_ac", "controller": controller})
+    )
 
 
 FOREIGN = {
@@ -142,7 +145,12 @@ def _command(path: Path) -> object:
     os.chdir(path.parent)  # for a spoilt name of an output has no folder of its own
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said:
         try:
-            code = main([str(path.parent / word) if "." in word and not word.startswith("-") else word for word in words])
+            code = main(
+                [
+                    str(path.parent / word) if "." in word and not word.startswith("-") else word
+                    for word in words
+                ]
+            )
         except SystemExit as left:  # argparse
             code = left.code
         finally:
@@ -162,7 +170,9 @@ TARGETS = {
     **{f"nc-{controller}": _programs(controller) for controller in sorted(DIALECTS)},
     "cl": Target(CL, _post, ".apt"),
     "job": Target(JOBS, lambda path: read_job(str(path)), ".json"),
-    "machine": Target(tuple(path.read_bytes() for path in sorted(machine_folder().glob("*.fcm"))), _machine, ".fcm"),
+    "machine": Target(
+        tuple(path.read_bytes() for path in sorted(machine_folder().glob("*.fcm"))), _machine, ".fcm"
+    ),
     "ini": Target(INI, _ini, ".ini"),
     "stl": Target(STL, _mill, ".stl"),
     "command": Target(ARGUMENTS, _command, ".txt"),

@@ -19,7 +19,9 @@ RUNS = {"stl": 10, "command": 60, "machine": 60, "job": 150, "ini": 100}
 def test_seeds_and_spoilt_copies_are_taken_or_refused_in_one_line(name, tmp_path):
     target = TARGETS[name]
     assert target.seeds
-    flaws = [tried(target, seed, tmp_path) for seed in target.seeds] + list(hunt(target, 7, RUNS.get(name, 25), tmp_path))
+    flaws = [tried(target, seed, tmp_path) for seed in target.seeds] + list(
+        hunt(target, 7, RUNS.get(name, 25), tmp_path)
+    )
     found = [flaw for flaw in flaws if flaw is not None]
     assert not found, f"{len(found)}: {found[0].said}\n{found[0].data!r}"
 
@@ -40,7 +42,9 @@ def test_what_is_neither_taken_nor_refused_is_seen(tmp_path):
             pass
 
     assert said(lambda path: path.read_bytes()) is None and said(raises(FileError("no", "p"))) is None
-    assert "ZeroDivisionError" in said(lambda _path: 1 / 0) and "several lines" in said(raises(FileError("a\nb", "p")))
+    assert "ZeroDivisionError" in said(lambda _path: 1 / 0) and "several lines" in said(
+        raises(FileError("a\nb", "p"))
+    )
     assert "SystemExit" in said(raises(SystemExit(3))) and "more than 0.1 s" in said(hangs, 0.1)
 
 

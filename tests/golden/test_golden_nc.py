@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """NC files that must not change by one byte unless somebody means it.
 
-To renew them after a wanted change: ``python tests/golden/test_golden_nc.py`` and read the difference before it is committed.
+To renew them after a wanted change: ``python tests/golden/test_golden_nc.py`` and read the difference before
+it is committed.
 """
 
 from __future__ import annotations
@@ -23,10 +24,18 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
 HERE = Path(__file__).parent
 CASES = [
-    (name, mode, "", "") for name, dialect in DIALECTS.items() for mode in ("g93", "g94") if mode == "g94" or dialect.inverse_time
+    (name, mode, "", "")
+    for name, dialect in DIALECTS.items()
+    for mode in ("g93", "g94")
+    if mode == "g94" or dialect.inverse_time
 ]
 CASES += [(name, "g94", how, "") for name, dialect in DIALECTS.items() for how in dialect.guides]
-CASES += [(name, "g93", how, "") for name, dialect in DIALECTS.items() if dialect.inverse_time for how in dialect.guides]
+CASES += [
+    (name, "g93", how, "")
+    for name, dialect in DIALECTS.items()
+    if dialect.inverse_time
+    for how in dialect.guides
+]
 CASES += [(name, "g94", "", retract) for name in DIALECTS for retract in (BY_REFERENCE, BY_CLEARANCE)]
 CASES += [(name, "g94", "angles", BY_CLEARANCE) for name, dialect in DIALECTS.items() if dialect.guides]
 """Name of the dialect, feed mode, guide, and how Z retracts where that is not to a machine coordinate."""
@@ -38,8 +47,12 @@ def golden_file(name: str, mode: str, how: str = "", retract: str = "") -> Path:
 
 
 def golden_text(name: str, mode: str, how: str = "", retract: str = "") -> bytes:
-    """A retract, an approach, a cut with both table axes, a turn about the tip, a block of nothing, and a rapid away."""
-    linear = [Axis(letter, False, "head", tuple(row), max_rate=8000.0) for letter, row in zip("XYZ", np.eye(3), strict=True)]
+    """A retract, an approach, a cut with both table axes, a turn about the tip, a block of nothing, and a
+    rapid away."""
+    linear = [
+        Axis(letter, False, "head", tuple(row), max_rate=8000.0)
+        for letter, row in zip("XYZ", np.eye(3), strict=True)
+    ]
     c = Axis("C", True, "table", (0, 0, 1), max_rate=float(np.radians(7200.0)))
     a = Axis("A", True, "table", (1, 0, 0), (0, 0, -50), max_rate=float(np.radians(3600.0)))
     kinematics = chain(Machine("trunnion", (c, a, *linear)), Setup())

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hands and eyes for tests inside FreeCAD's window: they press what a user presses and look at the screen he sees.
+"""Hands and eyes for tests inside FreeCAD's window: they press what a user presses and look at the screen he
+sees.
 
-press: a click on a command's button in a tool bar. row: a line of the model tree. modal: whoever answers the next message box.
-A click is refused where the widget is hidden, covered or disabled, as it would be for a hand. Screen coordinates are pixels from
-the top left; pictures go to ``$FIVEAXIS_OUT/NAME.png``.
+press: a click on a command's button in a tool bar. row: a line of the model tree. modal: whoever answers the
+next message box. A click is refused where the widget is hidden, covered or disabled, as it would be for a
+hand. Screen coordinates are pixels from the top left; pictures go to ``$FIVEAXIS_OUT/NAME.png``.
 """
 
 import ctypes
@@ -31,7 +32,9 @@ QUICKLY = 85  # of 0 to 100: Qt's "quality" of a PNG is how little it is packed;
 SETTLED = 15000  # ms until a layout has settled, also on a machine that is busy with other FreeCADs
 TAKEN = 2000  # ms until what was clicked shows that; then it is clicked once more, where that does no harm
 READY = 20000  # ms until a command, a panel or a button of it is there to be pressed
-FRAME = 200  # ms between two pictures of the window: Mesa puts all of it together on the processor, whatever little changed
+# ms between two pictures of the window: Mesa puts all of it together on the processor, whatever little
+# changed
+FRAME = 200
 
 
 def _pump(ms=100):
@@ -40,11 +43,14 @@ def _pump(ms=100):
     end.setSingleShot(True)
     end.start(ms)
     while end.isActive():
-        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents | QtCore.QEventLoop.WaitForMoreEvents)
+        QtWidgets.QApplication.processEvents(
+            QtCore.QEventLoop.AllEvents | QtCore.QEventLoop.WaitForMoreEvents
+        )
 
 
 def _until(condition, ms, what):
-    """Let the window work until the condition gives something, and return it; TimeoutError (naming `what`) after so many ms."""
+    """Let the window work until the condition gives something, and return it; TimeoutError (naming `what`)
+    after so many ms."""
     end = time.monotonic() + ms / 1000
     while True:
         found = condition()
@@ -64,14 +70,16 @@ def _within(ms, condition):
 
 
 def _out():
-    folder = os.environ.get("FIVEAXIS_OUT") or os.environ.get("OUT") or os.path.join(os.getcwd(), "out", "freecad")
+    folder = (
+        os.environ.get("FIVEAXIS_OUT") or os.environ.get("OUT") or os.path.join(os.getcwd(), "out", "freecad")
+    )
     os.makedirs(folder, exist_ok=True)
     return folder
 
 
 def _shoot(name):
-    """The screen as far as windows reach on it, from its top left on, as a PNG, packed quickly; its path. (The X server's picture: a
-    widget's grab() would leave the 3D view blank.)"""
+    """The screen as far as windows reach on it, from its top left on, as a PNG, packed quickly; its path.
+    (The X server's picture: a widget's grab() would leave the 3D view blank.)"""
     _pump(300)
     path = os.path.join(_out(), f"{name}.png")
     screen, end = QtGui.QGuiApplication.primaryScreen(), QtCore.QRect(*SMALL)
@@ -103,8 +111,9 @@ def _scroll_to(widget):
 
 
 def _hit(widget, point):
-    """The widget under the mouse, scrolled into sight, and where in it (without a point: in the middle of the given one). Fails
-    unless a hand could click it within SETTLED ms: what was just unfolded is laid out first."""
+    """The widget under the mouse, scrolled into sight, and where in it (without a point: in the middle of the
+    given one). Fails unless a hand could click it within SETTLED ms: what was just unfolded is laid out
+    first."""
     name = f"{type(widget).__name__} {widget.objectName()!r}"
     end = time.monotonic() + SETTLED / 1000
     while True:
@@ -131,7 +140,9 @@ def _click(widget, point=None, double=False):
     kinds = QtCore.QEvent
     if target.focusPolicy() in (QtCore.Qt.ClickFocus, QtCore.Qt.StrongFocus, QtCore.Qt.WheelFocus):
         target.setFocus(QtCore.Qt.MouseFocusReason)  # Qt does that for events of the server only
-    _mouse(target, kinds.MouseMove, point, NONE, NONE, ms=0)  # handled with the press: painted once, not twice
+    _mouse(
+        target, kinds.MouseMove, point, NONE, NONE, ms=0
+    )  # handled with the press: painted once, not twice
     _mouse(target, kinds.MouseButtonPress, point, LEFT, LEFT)
     _mouse(target, kinds.MouseButtonRelease, point, LEFT, NONE)
     if double:
@@ -158,7 +169,8 @@ class _XKeyEvent(ctypes.Structure):
 
 
 def _real_key(widget, name):
-    """Send a key to the widget's window by the X server, so that Qt looks for shortcuts too; posted events never reach those."""
+    """Send a key to the widget's window by the X server, so that Qt looks for shortcuts too; posted events
+    never reach those."""
     x = ctypes.CDLL("libX11.so.6")
     x.XOpenDisplay.restype = ctypes.c_void_p
     x.XStringToKeysym.restype = x.XDefaultRootWindow.restype = ctypes.c_ulong
@@ -172,11 +184,14 @@ def _real_key(widget, name):
 
 
 def _type(widget, text):
-    """Click into a field, replace what stands there by the text, key by key, and leave it with Enter's effect."""
+    """Click into a field, replace what stands there by the text, key by key, and leave it with Enter's
+    effect."""
     _click(widget)
     line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
     line.setFocus()
-    _within(TAKEN, line.hasFocus)  # a window gets the keys late where a list or a dialog over it has just closed
+    _within(
+        TAKEN, line.hasFocus
+    )  # a window gets the keys late where a list or a dialog over it has just closed
     line.selectAll()
     for letter in text:  # one after the other, and the window painted once: that costs more than all letters
         _key(line, 0, letter, ms=0)
@@ -208,8 +223,8 @@ def _main():
 
 
 def _tool_button(command):
-    """The button of a command in a tool bar that is shown, or None. Undo and Redo have menus at their buttons, which FreeCAD
-    leaves without a name: those are known by their text."""
+    """The button of a command in a tool bar that is shown, or None. Undo and Redo have menus at their
+    buttons, which FreeCAD leaves without a name: those are known by their text."""
     text = FreeCADGui.Command.get(command).getInfo()["menuText"]
     bars = [bar for bar in _main().findChildren(QtWidgets.QToolBar) if bar.isVisible()]
     actions = [(bar, action) for bar in bars for action in bar.actions()]
@@ -219,7 +234,8 @@ def _tool_button(command):
 
 
 def _ready_button(command):
-    """The button of a command, once it can be pressed: FreeCAD renews by a timer which of them are enabled."""
+    """The button of a command, once it can be pressed: FreeCAD renews by a timer which of them are
+    enabled."""
     button = _tool_button(command)
     return button if button and button.isEnabled() and FreeCADGui.Command.get(command).isActive() else None
 
@@ -228,7 +244,9 @@ def _tree():
     """The model tree, brought to the front where the task panel hides it."""
     _pump(200)
     (tree, *_) = [
-        tree for tree in _main().findChildren(QtWidgets.QTreeWidget) if tree.metaObject().className() == "Gui::TreeWidget"
+        tree
+        for tree in _main().findChildren(QtWidgets.QTreeWidget)
+        if tree.metaObject().className() == "Gui::TreeWidget"
     ]
     outer = tree.parentWidget()
     while outer is not None:
@@ -243,14 +261,16 @@ def _tree():
 
 
 def _viewport():
-    """The widget that draws the 3D view of the active document. (There is no *active* one while the window lacks the focus.)"""
+    """The widget that draws the 3D view of the active document. (There is no *active* one while the window
+    lacks the focus.)"""
     area = _main().findChild(QtWidgets.QMdiArea)
     return _until(area.currentSubWindow, SETTLED, "a 3D view").findChild(QtWidgets.QGraphicsView).viewport()
 
 
 class _Frames(QtCore.QObject):
-    """Paints a window at most once in so many ms, as a slow screen does: what changes meanwhile is painted together. Nothing else
-    waits: events, layouts and the work behind them go on, and the last change is always painted.
+    """Paints a window at most once in so many ms, as a slow screen does: what changes meanwhile is painted
+    together. Nothing else waits: events, layouts and the work behind them go on, and the last change is
+    always painted.
 
     `between`: ms; with 0 whatever Qt asks for is painted at once. `painted`: how many pictures there were.
     """
@@ -285,8 +305,8 @@ _frames = []
 
 @pytest.fixture
 def every_frame(window):
-    """The window painted whenever Qt asks for it, for tests that are about pictures that follow one another, and about how lively the
-    window is."""
+    """The window painted whenever Qt asks for it, for tests that are about pictures that follow one another,
+    and about how lively the window is."""
     _frames[0].between = 0
     yield
     _frames[0].between = FRAME
@@ -300,11 +320,12 @@ def frames(window):
 
 @pytest.fixture(scope="session")
 def window():
-    """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most tests need, and painted
-    five times a second: each change of any widget paints all of it, on the processor.
+    """FreeCAD's main window with tree and task panel shown and the workbench active. It is as small as most
+    tests need, and painted five times a second: each change of any widget paints all of it, on the processor.
 
-    The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks. It has no cube to
-    turn it by: FreeCAD paints that anew for every view, in most of the time that a new document takes.
+    The view jumps where it is sent: an animation (FreeCAD 1.1) would still be under way when the test looks.
+    It has no cube to turn it by: FreeCAD paints that anew for every view, in most of the time that a new
+    document takes.
     """
     main = _main()
     view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
@@ -359,7 +380,8 @@ def close_all(*names):
 
 @pytest.fixture
 def german(window):
-    """The window in German; afterwards in English. (The locale that FreeCAD says it started with cannot always be set again.)"""
+    """The window in German; afterwards in English. (The locale that FreeCAD says it started with cannot
+    always be set again.)"""
     FreeCADGui.setLocale("German")
     yield
     FreeCADGui.setLocale("English")
@@ -385,7 +407,8 @@ def screenshot():
 
 @pytest.fixture
 def click():
-    """click(widget, point=None, double=False): by mouse events; fails where the widget is hidden, covered or disabled."""
+    """click(widget, point=None, double=False): by mouse events; fails where the widget is hidden, covered or
+    disabled."""
     return _click
 
 
@@ -405,7 +428,11 @@ def _unfold(form, name):
     """Click the header of each folded group of the panel in which a widget of that name stands."""
     for header in form.findChildren(QtWidgets.QToolButton):
         group = header.parentWidget()
-        if header.objectName().startswith("fold_") and not header.isChecked() and group.findChild(QtWidgets.QWidget, name):
+        if (
+            header.objectName().startswith("fold_")
+            and not header.isChecked()
+            and group.findChild(QtWidgets.QWidget, name)
+        ):
             _click(header)
             _pump(50)
 
@@ -426,16 +453,23 @@ def unfold():
 
 @pytest.fixture
 def field():
-    """field(name, ms=10000): the visible widget of that name in the task panel that is open, or that opens within so many ms; a
-    folded group around it is clicked open."""
+    """field(name, ms=10000): the visible widget of that name in the task panel that is open, or that opens
+    within so many ms; a folded group around it is clicked open."""
 
     def shown(name):
         forms = [form for panel in PANELS for form in _main().findChildren(QtWidgets.QWidget, panel)]
         for form in forms:
             _unfold(form, name)
-        return [one for form in forms for one in form.findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(form)]
+        return [
+            one
+            for form in forms
+            for one in form.findChildren(QtWidgets.QWidget, name)
+            if one.isVisibleTo(form)
+        ]
 
-    return lambda name, ms=10000: _until(lambda: shown(name), ms, f"widget {name!r} shown in the task panel")[-1]
+    return lambda name, ms=10000: _until(lambda: shown(name), ms, f"widget {name!r} shown in the task panel")[
+        -1
+    ]
 
 
 @pytest.fixture
@@ -446,13 +480,15 @@ def key():
 
 @pytest.fixture
 def real_key():
-    """real_key(widget, "Escape"): as if the keyboard had sent it to the widget's window, shortcuts included."""
+    """real_key(widget, "Escape"): as if the keyboard had sent it to the widget's window, shortcuts
+    included."""
     return _real_key
 
 
 @pytest.fixture
 def tool_button():
-    """tool_button(command id, wait=REFRESH): its QToolButton in a visible tool bar, its state renewed within so many ms."""
+    """tool_button(command id, wait=REFRESH): its QToolButton in a visible tool bar, its state renewed within
+    so many ms."""
 
     def find(command, wait=REFRESH):
         _pump(wait)
@@ -463,7 +499,8 @@ def tool_button():
 
 @pytest.fixture
 def press():
-    """press(command id, wait=300): a click on its tool bar button once that is enabled, then so many ms for the window."""
+    """press(command id, wait=300): a click on its tool bar button once that is enabled, then so many ms for
+    the window."""
 
     def press_button(command, wait=300):
         _pump(50)
@@ -488,13 +525,16 @@ def select():
 
 @pytest.fixture
 def panel_button():
-    """panel_button("OK" | "Cancel" | "Apply" | "Close", wait=300): click that button of the task panel that is open."""
+    """panel_button("OK" | "Cancel" | "Apply" | "Close", wait=300): click that button of the task panel that
+    is open."""
     box_type = QtWidgets.QDialogButtonBox
     buttons = {"OK": box_type.Ok, "Cancel": box_type.Cancel, "Apply": box_type.Apply, "Close": box_type.Close}
 
     def press_button(name, wait=300):
         def found():
-            return [box for box in _main().findChildren(box_type) if box.isVisible() and box.button(buttons[name])]
+            return [
+                box for box in _main().findChildren(box_type) if box.isVisible() and box.button(buttons[name])
+            ]
 
         _click(_until(found, READY, f"a task panel with a button {name}")[-1].button(buttons[name]))
         _pump(wait)
@@ -512,8 +552,9 @@ def panel_closed():
 def tree_row():
     """tree_row(label, double=False): click that row of the model tree (parents are unfolded).
 
-    The tree is read through its model: PySide keeps what it hands out of FreeCAD's own QTreeWidgetItems after FreeCAD has deleted
-    them, takes the next widget made at such an address for an item, and in the end deletes it a second time.
+    The tree is read through its model: PySide keeps what it hands out of FreeCAD's own QTreeWidgetItems after
+    FreeCAD has deleted them, takes the next widget made at such an address for an item, and in the end
+    deletes it a second time.
     """
 
     def rows(model, parent):
@@ -526,13 +567,24 @@ def tree_row():
         tree = _tree()
 
         def row():
-            return next((index for index in rows(tree.model(), QtCore.QModelIndex()) if index.data() == label), None)
+            return next(
+                (index for index in rows(tree.model(), QtCore.QModelIndex()) if index.data() == label), None
+            )
 
-        for _ in range(5):  # a tree that is just being laid out again takes its selection back: whoever sees that clicks again
+        for _ in range(
+            5
+            # a tree that is just being laid out again takes its selection back: whoever sees that clicks again
+        ):
             tree.scrollTo(_until(row, SETTLED, f"row {label!r} in the tree"))
             _pump(100)
-            _click(tree.viewport(), tree.visualRect(_until(row, SETTLED, f"row {label!r} in the tree")).center(), double)
-            if double or _within(TAKEN, lambda: label in [one.Label for one in FreeCADGui.Selection.getSelection()]):
+            _click(
+                tree.viewport(),
+                tree.visualRect(_until(row, SETTLED, f"row {label!r} in the tree")).center(),
+                double,
+            )
+            if double or _within(
+                TAKEN, lambda: label in [one.Label for one in FreeCADGui.Selection.getSelection()]
+            ):
                 return
         raise AssertionError(f"a click on row {label!r} of the tree does not select it")
 
@@ -586,7 +638,8 @@ def _click_text(dialog, text):
 
 @pytest.fixture
 def modal():
-    """modal(answer, limit=60): before what opens a dialog: who will click the button so named, or call answer(dialog).
+    """modal(answer, limit=60): before what opens a dialog: who will click the button so named, or call
+    answer(dialog).
 
     Gives an Answer whose `said` holds the text of the dialog it met (empty: none came).
     """
@@ -604,12 +657,15 @@ def modal():
 
 @pytest.fixture(autouse=True)
 def _nobody_left_waiting(request):
-    """A message box that no test answers would stop everything: it is closed after 10 s, and the test fails with its text."""
+    """A message box that no test answers would stop everything: it is closed after 10 s, and the test fails
+    with its text."""
     seen, unexpected = {}, []
 
     def look():
         dialog = QtWidgets.QApplication.activeModalWidget()
-        armed = "modal" in request.fixturenames and any(a.waiting for a in request.getfixturevalue("modal").made)
+        armed = "modal" in request.fixturenames and any(
+            a.waiting for a in request.getfixturevalue("modal").made
+        )
         if not isinstance(dialog, QtWidgets.QMessageBox) or armed:
             seen.clear()
         elif time.monotonic() - seen.setdefault("since", time.monotonic()) > 10:
@@ -626,9 +682,11 @@ def _nobody_left_waiting(request):
 
 @pytest.fixture
 def pixels():
-    """pixels(path, rgb, tolerance=12, box=None): how many pixels differ from rgb (0 to 255) by no more than the tolerance.
+    """pixels(path, rgb, tolerance=12, box=None): how many pixels differ from rgb (0 to 255) by no more than
+    the tolerance.
 
-    box: (left, top, width, height) in pixels, the part of the picture that counts; `view_box` gives that of the 3D view.
+    box: (left, top, width, height) in pixels, the part of the picture that counts; `view_box` gives that of
+    the 3D view.
     """
 
     def count(path, rgb, tolerance=12, box=None):
@@ -664,7 +722,8 @@ CELL = 12, 24  # pixels of the screen, width and height, for one letter
 
 @pytest.hookimpl(hookwrapper=True)
 def pytest_runtest_makereport(item, call):
-    """What failed shows the screen in letters, the darker the denser: where the rings run far away, nobody sees the pictures."""
+    """What failed shows the screen in letters, the darker the denser: where the rings run far away, nobody
+    sees the pictures."""
     report = (yield).get_result()
     if report.when == "call" and report.failed:
         report.sections.append(("the screen when it failed", _in_letters(_shoot("failed"))))
@@ -676,7 +735,9 @@ def _in_letters(path):
     rows, columns = seen.shape[0] // height, seen.shape[1] // width
     mean = seen[: rows * height, : columns * width].reshape(rows, height, columns, width).mean(axis=(1, 3))
     level = ((255.0 - mean) / 256.0 * len(SHADES)).astype(int)
-    return "\n".join("".join(SHADES[one] for one in row) for row in level[: SMALL[3] // height, : SMALL[2] // width])
+    return "\n".join(
+        "".join(SHADES[one] for one in row) for row in level[: SMALL[3] // height, : SMALL[2] // width]
+    )
 
 
 @pytest.fixture
@@ -699,15 +760,18 @@ def view_point():
         view, viewport = FreeCADGui.ActiveDocument.ActiveView, _viewport()
         x, y = view.getPointOnScreen(*place)
         width, height = view.getSize()  # device pixels; where Qt scales, the widget has fewer
-        return QtCore.QPoint(round(x * viewport.width() / width), round((height - 1 - y) * viewport.height() / height))
+        return QtCore.QPoint(
+            round(x * viewport.width() / width), round((height - 1 - y) * viewport.height() / height)
+        )
 
     return point
 
 
 @pytest.fixture
 def view_click(whole_screen, view_point):
-    """view_click((x, y, z)): move the mouse in the 3D view to where that point is drawn (mm, document), and click there, once the
-    view stands still. On the whole screen: in a small window FreeCAD 1.1 lays its panels over the view."""
+    """view_click((x, y, z)): move the mouse in the 3D view to where that point is drawn (mm, document), and
+    click there, once the view stands still. On the whole screen: in a small window FreeCAD 1.1 lays its
+    panels over the view."""
 
     def still(place):
         before = view_point(place)

@@ -15,8 +15,8 @@ from freecad_fiveaxis.gui.scene import marks, nodes, path_nodes, words
 
 
 class Frames:
-    """Counts how often the view is really drawn while its ``node`` is in it: Coin comes once for the scene, and where something is
-    drawn over everything else, once more."""
+    """Counts how often the view is really drawn while its ``node`` is in it: Coin comes once for the scene,
+    and where something is drawn over everything else, once more."""
 
     def __init__(self):
         self.node, self.count = nodes.coin.SoCallback(), 0
@@ -24,13 +24,17 @@ class Frames:
 
     def _drawn(self, _data, action):
         if action.isOfType(nodes.coin.SoGLRenderAction.getClassTypeId()):
-            drawing = action if hasattr(action, "isRenderingDelayedPaths") else nodes.coin.cast(action, "SoGLRenderAction")
+            drawing = (
+                action
+                if hasattr(action, "isRenderingDelayedPaths")
+                else nodes.coin.cast(action, "SoGLRenderAction")
+            )
             self.count += not drawing.isRenderingDelayedPaths()
 
 
 def long_path(count):
-    """The strokes of a path of so many blocks, as the core thins them, and their levels: a spiral, every thousandth block over the
-    tolerance."""
+    """The strokes of a path of so many blocks, as the core thins them, and their levels: a spiral, every
+    thousandth block over the tolerance."""
     turn = np.linspace(0.0, 400.0 * np.pi, count + 1)
     radius = 60.0 * np.linspace(1.0, 0.02, count + 1)
     points = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), 0.01 * (60.0**2 - radius**2)])
@@ -47,7 +51,14 @@ def _all_cut(level):
 
 def picture_of_long(figures, look, pairs, level):
     """The whole picture of these strokes: with the axes, curves and legend of the figures, and 1000 marks."""
-    drawing = replace(draw(figures), stroke=pairs, level=level, block=np.arange(len(level)), deviation=level, **_all_cut(level))
+    drawing = replace(
+        draw(figures),
+        stroke=pairs,
+        level=level,
+        block=np.arange(len(level)),
+        deviation=level,
+        **_all_cut(level),
+    )
     picture = path_nodes.PathNodes()
     picture.show(drawing, look)
     places = np.resize(pairs, (1000, 3))
@@ -65,4 +76,6 @@ def surface(side):
     mesh = from_triangles(vertex[face])
     middle = vertex[face].mean(axis=1)
     height = 0.2 * np.sin(middle[:, 0] / 5.0)
-    return mesh, RestMaterial(middle, np.arange(len(face)), np.ones(len(face)), height, np.zeros(len(face), np.int64), 1e3)
+    return mesh, RestMaterial(
+        middle, np.arange(len(face)), np.ones(len(face)), height, np.zeros(len(face), np.int64), 1e3
+    )

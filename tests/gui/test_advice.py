@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""*What would finish more?* in the panel of a path: offered where something stays, tried, told, taken over, stopped by Esc."""
+"""*What would finish more?* in the panel of a path: offered where something stays, tried, told, taken over,
+stopped by Esc."""
 
 import FreeCADGui
 import Part
@@ -38,7 +39,11 @@ def test_it_is_offered_tried_told_and_taken_over(doc, panel, field, click, pump,
     objects = len(doc.Objects)
     click(offer.ask)
     until(lambda: offer.line.text(), 60000, "the advice")
-    assert "constant scallop" in offer.line.text() and "would finish" in offer.line.text() and "mm" in offer.line.text()
+    assert (
+        "constant scallop" in offer.line.text()
+        and "would finish" in offer.line.text()
+        and "mm" in offer.line.text()
+    )
     assert len(doc.Objects) == objects and not panel.stale
     pump(300)
     screenshot("advice_told")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of an audit proposes what was posted from the document, and compares it with the solid on the screen."""
+"""The panel of an audit proposes what was posted from the document, and compares it with the solid on the
+screen."""
 
 import os
 
@@ -11,7 +12,13 @@ from freecad_fiveaxis.gui.panels import audit
 
 pytestmark = pytest.mark.usefixtures("kept")
 COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0, "spindle": 9000}
-MACHINE = {"machine": "trunnion_bc", "controller": "fanuc", "tolerance": 0.02, "origin": (0, 0, 50), "work_zero": (0, 0, 20)}
+MACHINE = {
+    "machine": "trunnion_bc",
+    "controller": "fanuc",
+    "tolerance": 0.02,
+    "origin": (0, 0, 50),
+    "work_zero": (0, 0, 20),
+}
 
 
 @pytest.fixture
@@ -56,13 +63,21 @@ def test_the_newest_posted_program_its_machine_its_tool_and_its_solid_are_propos
     assert (made.Machine, made.Controller, made.Tolerance.Value) == ("trunnion_bc", "fanuc", 0.02)
     assert tuple(made.Origin) == (0, 0, 50) and tuple(made.WorkZero) == (0, 0, 20)
     assert made.CutterDiameter.Value == 6 and made.Holder == "30x40"
-    assert not any("too deep" in text for text in made.Findings), "where it is milled, the program fits the solid"
+    assert not any("too deep" in text for text in made.Findings), (
+        "where it is milled, the program fits the solid"
+    )
 
 
-def test_of_a_selected_path_its_own_file_is_proposed(posted, tmp_path, tree_row, press, field, until, panel_button):
+def test_of_a_selected_path_its_own_file_is_proposed(
+    posted, tmp_path, tree_row, press, field, until, panel_button
+):
     tree_row(posted[1].Label)
     press("FiveAxis_Audit")
-    until(lambda: field("nc_file").text() == str(tmp_path / "second.ngc"), 20000, "the file of the selected path")
+    until(
+        lambda: field("nc_file").text() == str(tmp_path / "second.ngc"),
+        20000,
+        "the file of the selected path",
+    )
     assert field("machine").currentText() == "trunnion_ac"
     panel_button("Cancel")
 
@@ -77,11 +92,15 @@ def test_a_file_that_is_gone_is_not_proposed(posted, doc, tmp_path):
     assert said(panel)["nc_file"] == "" and said(panel)["part"] is None
     panel.reject()
     panel = audit.create(doc, [posted[0]])
-    assert said(panel)["nc_file"] == "" and said(panel)["machine"] == "trunnion_bc", "what the path says without a file"
+    assert said(panel)["nc_file"] == "" and said(panel)["machine"] == "trunnion_bc", (
+        "what the path says without a file"
+    )
     panel.reject()
 
 
-def test_what_the_user_typed_stays_whatever_he_chooses_next(posted, doc, dome, tmp_path, field, type_into, choose, until, pump):
+def test_what_the_user_typed_stays_whatever_he_chooses_next(
+    posted, doc, dome, tmp_path, field, type_into, choose, until, pump
+):
     (tmp_path / "own.nc").write_text("G21 G90 G94\nG1 X0 Y0 Z0 A0 C0 F500\nM2\n")
     panel = audit.create(doc)
     pump(300)
@@ -94,7 +113,9 @@ def test_what_the_user_typed_stays_whatever_he_chooses_next(posted, doc, dome, t
     panel.reject()
 
 
-def test_solids_and_meshes_can_be_chosen_and_a_part_in_place_of_a_file(doc, dome, posted, pump, until, field, choose):
+def test_solids_and_meshes_can_be_chosen_and_a_part_in_place_of_a_file(
+    doc, dome, posted, pump, until, field, choose
+):
     panel = audit.create(doc)
     pump(300)
     listed = [field("part").itemText(at) for at in range(field("part").count())]
@@ -105,9 +126,17 @@ def test_solids_and_meshes_can_be_chosen_and_a_part_in_place_of_a_file(doc, dome
     panel.reject()
 
 
-def test_another_solid_puts_the_audit_out_of_date_and_its_panel_keeps_the_part(doc, dome, posted, pump, until, field):
+def test_another_solid_puts_the_audit_out_of_date_and_its_panel_keeps_the_part(
+    doc, dome, posted, pump, until, field
+):
     made = app.audit(
-        doc, doc.NCOutput.File, "trunnion_bc", part=dome, controller="fanuc", work_zero=(0, 0, 20), cutter="ball:6:30"
+        doc,
+        doc.NCOutput.File,
+        "trunnion_bc",
+        part=dome,
+        controller="fanuc",
+        work_zero=(0, 0, 20),
+        cutter="ball:6:30",
     )
     before = made.Fingerprint
     dome.Radius = 22

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Faces to leave alone in the panel of a tool path: clicked in the 3D view, added and removed, kept by the path, taken back by undo."""
+"""Faces to leave alone in the panel of a tool path: clicked in the 3D view, added and removed, kept by the
+path, taken back by undo."""
 
 import FreeCADGui
 import Mesh
@@ -30,7 +31,10 @@ def step(doc):
 
 
 def face_at(obj, **middle):
-    rows = [all(abs(getattr(one.CenterOfMass, axis) - at) < 1e-6 for axis, at in middle.items()) for one in obj.Shape.Faces]
+    rows = [
+        all(abs(getattr(one.CenterOfMass, axis) - at) < 1e-6 for axis, at in middle.items())
+        for one in obj.Shape.Faces
+    ]
     return f"Face{rows.index(True) + 1}"
 
 
@@ -56,7 +60,8 @@ def lit():
 
 
 def pick_until_lit(field, row, click, pump, until):
-    """Click the row until its face is selected: while other panels are still being laid out, FreeCAD's tree takes a selection back."""
+    """Click the row until its face is selected: while other panels are still being laid out, FreeCAD's tree
+    takes a selection back."""
     wanted = [(field.base.Name, (field.list.item(row).text(),))]
 
     def clicked():
@@ -106,7 +111,8 @@ def test_a_face_is_clicked_added_and_not_milled(
 def test_the_tool_keeps_off_by_what_its_field_says(
     doc, step, panel, field, type_into, pump, until, screenshot, panel_button, panel_closed
 ):
-    """The wall between the floors: the field is there with the first face to avoid, and the way ends so far beside it."""
+    """The wall between the floors: the field is there with the first face to avoid, and the way ends so far
+    beside it."""
     panel.options.show_options({"avoid": [face_at(step, x=10, z=7.5)]})
     type_into(field("avoid_allowance"), "1 mm")
     screenshot("avoid_allowance_field")
@@ -146,7 +152,11 @@ def test_what_is_selected_wrongly_is_told_and_the_list_stays(doc, step, panel, f
         select(*chosen)
         click(field("avoid_add"))
         pump(50)
-        assert said in avoid.error.text() and avoid.error.isVisibleTo(avoid.error.parentWidget()) and avoid.value() == ("Face1",)
+        assert (
+            said in avoid.error.text()
+            and avoid.error.isVisibleTo(avoid.error.parentWidget())
+            and avoid.value() == ("Face1",)
+        )
     FreeCADGui.Selection.clearSelection()
     click(field("avoid_add"))
     assert "Nothing is selected" in avoid.error.text()
@@ -192,7 +202,10 @@ def test_all_faces_and_a_face_that_is_gone_are_told_in_the_panel(doc, step, pane
     every = [f"Face{at + 1}" for at in range(len(step.Shape.Faces))]
     panel.options.show_options({"avoid": every})
     assert not panel.calculate()
-    assert "Face1, Face2" in panel.options.error.text() and "out of Faces to leave alone" in panel.options.error.text()
+    assert (
+        "Face1, Face2" in panel.options.error.text()
+        and "out of Faces to leave alone" in panel.options.error.text()
+    )
     panel.options.show_options({"avoid": every[-1:]})
     assert panel.calculate() and panel.accept()
     pump(200)
@@ -250,5 +263,7 @@ def test_a_face_of_a_body_is_picked_as_one_of_the_body(doc, field, view_click, c
     view_click((10, 10, 20))
     assert FreeCADGui.Selection.getSelectionEx()
     click(field("avoid_add"))
-    assert panel.options.fields["avoid"].value() == (face_at(body, z=20),), panel.options.fields["avoid"].error.text()
+    assert panel.options.fields["avoid"].value() == (face_at(body, z=20),), panel.options.fields[
+        "avoid"
+    ].error.text()
     panel.reject()

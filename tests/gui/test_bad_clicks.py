@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a user does wrong, by clicks: each time a sentence says what to do, and the document stays as it was."""
+"""What a user does wrong, by clicks: each time a sentence says what to do, and the document stays as it
+was."""
 
 import FreeCAD
 import FreeCADGui
@@ -35,12 +36,17 @@ def planned(box, doc):
 
 
 def state(doc):
-    """What saving would keep of each object: name, label, links and values (a shape by what it measures), sorted lines."""
+    """What saving would keep of each object: name, label, links and values (a shape by what it measures),
+    sorted lines."""
 
     def text(value):
         return str((value.Volume, value.Area) if hasattr(value, "Volume") else value).split(" at 0x")[0]
 
-    return sorted(f"{obj.Name}.{name} = {text(getattr(obj, name))}" for obj in doc.Objects for name in obj.PropertiesList)
+    return sorted(
+        f"{obj.Name}.{name} = {text(getattr(obj, name))}"
+        for obj in doc.Objects
+        for name in obj.PropertiesList
+    )
 
 
 def test_without_a_part_the_buttons_cannot_be_pressed(doc, tool_button, until):
@@ -55,7 +61,9 @@ def test_nothing_selected_says_what_to_select(command, box, doc, press, modal, u
     answer = modal("OK")
     press(command)
     until(lambda: answer.said, 20000, "what to select")
-    assert answer.said == ["Nothing is selected: select a solid, faces of a solid, a body, a compound of solids, or a mesh."]
+    assert answer.said == [
+        "Nothing is selected: select a solid, faces of a solid, a body, a compound of solids, or a mesh."
+    ]
     assert [obj.Name for obj in doc.Objects] == ["Box"]
     assert not FreeCADGui.Control.activeDialog()
 
@@ -146,7 +154,9 @@ def test_escape_halfway_through_the_work_leaves_the_document_as_it_was(doc, sele
     assert state(doc) == before
 
 
-def test_a_deleted_base_is_said_and_breaks_nothing(planned, box, doc, press, select, screenshot, pump, tree_row, until):
+def test_a_deleted_base_is_said_and_breaks_nothing(
+    planned, box, doc, press, select, screenshot, pump, tree_row, until
+):
     doc.removeObject(box.Name)
     doc.recompute()
     until(lambda: "Invalid" in planned.Mesh.State, 20000, "an invalid mesh")
@@ -193,7 +203,9 @@ def test_a_folder_that_cannot_be_written_is_said_in_the_panel(
     panel_button("Cancel")
 
 
-def test_a_machine_file_that_vanished_marks_the_path(planned, doc, tmp_path, pump, tree_row, screenshot, until):
+def test_a_machine_file_that_vanished_marks_the_path(
+    planned, doc, tmp_path, pump, tree_row, screenshot, until
+):
     import shutil
 
     from freecad_fiveaxis.gui.qt import resource
@@ -213,7 +225,9 @@ def test_a_machine_file_that_vanished_marks_the_path(planned, doc, tmp_path, pum
     assert "mine.fcm" in planned.getStatusString()
 
 
-def test_an_nc_file_that_is_none_is_said_in_the_panel(doc, press, field, type_into, panel_button, tmp_path, screenshot, until):
+def test_an_nc_file_that_is_none_is_said_in_the_panel(
+    doc, press, field, type_into, panel_button, tmp_path, screenshot, until
+):
     poem = tmp_path / "poem.ngc"
     poem.write_text("roses are red\n")
     press("FiveAxis_Audit")

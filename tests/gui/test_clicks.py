@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The whole way as a user goes it: a part, every button, panels filled by mouse and keys, and what the screen then shows.
+"""The whole way as a user goes it: a part, every button, panels filled by mouse and keys, and what the screen
+then shows.
 
 shown: pixels of the 3D view that have the colours of a drawn path, counted in a picture of the screen.
 """
@@ -46,11 +47,14 @@ def look(doc):
 
 @pytest.fixture
 def shown(pixels, screenshot, view_box):
-    """shown(name, obj, colour): take the picture `name`; how many pixels of the view have that colour of the object's view."""
+    """shown(name, obj, colour): take the picture `name`; how many pixels of the view have that colour of the
+    object's view."""
 
     def count(name, obj, *colours):
         box, picture = view_box(), screenshot(name)
-        wanted = [[round(255 * part) for part in tuple(getattr(obj.ViewObject, colour))[:3]] for colour in colours]
+        wanted = [
+            [round(255 * part) for part in tuple(getattr(obj.ViewObject, colour))[:3]] for colour in colours
+        ]
         return [pixels(picture, rgb, 24, box) for rgb in wanted]
 
     return count
@@ -58,8 +62,8 @@ def shown(pixels, screenshot, view_box):
 
 @pytest.fixture
 def plan(press, panel_button, panel_closed, field, choose, type_into, until, click):
-    """plan(doc, stepover, passes): press Toolpath, fill the panel, calculate, accept; the new Toolpath object. ``passes`` None: as
-    the panel has them."""
+    """plan(doc, stepover, passes): press Toolpath, fill the panel, calculate, accept; the new Toolpath
+    object. ``passes`` None: as the panel has them."""
 
     def make(doc, stepover="1.5 mm", tolerance="0.05 mm", passes="parallel planes"):
         before = {obj.Name for obj in doc.Objects}
@@ -110,7 +114,9 @@ def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, do
                                                                 annotate, panel_button, panel_closed, field, type_into, until):  # fmt: skip
     tree_row("Dome")
     press("FiveAxis_Tessellate", 500)
-    (mesh,) = until(lambda: [obj for obj in doc.Objects if obj.isDerivedFrom("Mesh::Feature")], 20000, "a mesh")
+    (mesh,) = until(
+        lambda: [obj for obj in doc.Objects if obj.isDerivedFrom("Mesh::Feature")], 20000, "a mesh"
+    )
     until(lambda: mesh.Mesh.CountFacets > 500, 20000, "its facets")
     press("Std_Undo")
     until(lambda: names(doc) == ["Dome"], 20000, "undone")
@@ -134,7 +140,11 @@ def test_a_solid_made_by_clicks_gets_passes_markers_nc_and_play(window, dome, do
     FreeCADGui.Selection.clearSelection()
     view = markers.ViewObject  # in one colour whatever the largest deviation is, and not in one of the path's
     view.ColourGood = view.ColourBad = view.ColourSingular
-    until(lambda: shown("markers", markers, "ColourSingular")[0] > 40, 30000, "the marker of the largest deviation")
+    until(
+        lambda: shown("markers", markers, "ColourSingular")[0] > 40,
+        30000,
+        "the marker of the largest deviation",
+    )
 
     tree_row(path.Label)
     press("FiveAxis_PostProcess")
@@ -166,7 +176,9 @@ def test_a_marker_picked_in_the_view_shows_its_finding(
     pump(300)
     largest = report.markers(results.figures_of(path))[0]
     view_click(markers.Places[0])
-    table = until(lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable"), 20000, "a list of findings")
+    table = until(
+        lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable"), 20000, "a list of findings"
+    )
     text = window.findChild(QtWidgets.QTextBrowser, "FiveAxisFindingsText")
     until(table.isVisible, 20000, "a list of findings that is shown")
     until(lambda: table.selectionModel().selectedRows(), 20000, "a row that is chosen")
@@ -175,32 +187,45 @@ def test_a_marker_picked_in_the_view_shows_its_finding(
     screenshot("picked")
 
 
-def test_a_row_of_the_findings_moves_the_view(dome, doc, plan, tree_row, press, window, click, pump, screenshot, until):
+def test_a_row_of_the_findings_moves_the_view(
+    dome, doc, plan, tree_row, press, window, click, pump, screenshot, until
+):
     from freecad_fiveaxis.gui import findings_panel
 
     tree_row("Dome")
     path = plan(doc)
     panel = findings_panel.show(path)
     text = window.findChild(QtWidgets.QTextBrowser, "FiveAxisFindingsText")
-    until(lambda: all(said in text.toPlainText() for said in ("Proven:", "Assumed:", "Not known:")), 20000, "what that rests on")
+    until(
+        lambda: all(said in text.toPlainText() for said in ("Proven:", "Assumed:", "Not known:")),
+        20000,
+        "what that rests on",
+    )
     pump(300)
     screenshot("findings-scope")
     view = FreeCADGui.getDocument(doc.Name).ActiveView
     before = view.getCamera()
     table = window.findChild(QtWidgets.QTableWidget, "FiveAxisFindingsTable")
-    row, place = next((at, row.finding.place) for at, row in enumerate(panel.rows) if row.finding.place is not None)
+    row, place = next(
+        (at, row.finding.place) for at, row in enumerate(panel.rows) if row.finding.place is not None
+    )
     click(table.viewport(), table.visualItemRect(table.item(row, 0)).center())
     until(lambda: view.getCamera() != before, 20000, "the view moved")
 
     def in_the_middle():
-        return all(abs(at - size / 2) < size / 4 for at, size in zip(view.getPointOnScreen(*place), view.getSize(), strict=True))
+        return all(
+            abs(at - size / 2) < size / 4
+            for at, size in zip(view.getPointOnScreen(*place), view.getSize(), strict=True)
+        )
 
     until(in_the_middle, 20000, "the finding in the middle of the view")
     screenshot("findings-row")
 
 
 @pytest.mark.short
-def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, shown, pump, tmp_path, anew, until):
+def test_undo_redo_and_a_document_reopened(
+    dome, doc, plan, tree_row, press, shown, pump, tmp_path, anew, until
+):
     tree_row("Dome")
     path = plan(doc)
     label, blocks, nc = path.Label, path.Blocks, results.nc_of(path)
@@ -233,7 +258,11 @@ def test_undo_redo_and_a_document_reopened(dome, doc, plan, tree_row, press, sho
         again.getObject("Dome").Radius = 9
         assert "Touched" in again.getObject("Dome").State
         press("Std_Refresh", 500)
-        until(lambda: 0 < path.Blocks < blocks and "Up-to-date" in path.State, 60000, "a path over the smaller ball")
+        until(
+            lambda: 0 < path.Blocks < blocks and "Up-to-date" in path.State,
+            60000,
+            "a path over the smaller ball",
+        )
     finally:
         close_all(again.Name)
 
@@ -267,7 +296,9 @@ def _mesh(doc):
     import Part
 
     mesh = doc.addObject("Mesh::Feature", "Loose")
-    mesh.Mesh = MeshPart.meshFromShape(Shape=Part.makeBox(20, 20, 5), LinearDeflection=0.1, AngularDeflection=0.3)
+    mesh.Mesh = MeshPart.meshFromShape(
+        Shape=Part.makeBox(20, 20, 5), LinearDeflection=0.1, AngularDeflection=0.3
+    )
     doc.recompute()
     return mesh, ()
 
@@ -283,7 +314,9 @@ def test_what_can_be_selected_gets_a_path_that_is_seen(make, doc, select, plan, 
         if obj is not path and obj.Name != path.Name:
             obj.ViewObject.hide()
     FreeCADGui.Selection.clearSelection()
-    until(lambda: sum(shown(f"from-{make.__name__[1:]}", path, "ColourGood", "ColourBad")) > 150, 30000, HIDDEN)
+    until(
+        lambda: sum(shown(f"from-{make.__name__[1:]}", path, "ColourGood", "ColourBad")) > 150, 30000, HIDDEN
+    )
 
 
 def test_inches_in_the_panel_and_in_the_summary(dome, doc, tree_row, press, field, choose, type_into, click, until, panel_button,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands: on the tool bar, with icon and tool tip, enabled when they can apply, and saying what to select when not."""
+"""The commands: on the tool bar, with icon and tool tip, enabled when they can apply, and saying what to
+select when not."""
 
 import subprocess
 import sys
@@ -16,7 +17,13 @@ from freecad_fiveaxis.gui import commands, selected
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
 ROOT = Path(__file__).parents[2]
-COARSE = {"passes": "planes", "cutter": "ball:6", "stepover": 6.0, "linear_deflection": 0.5, "angular_deflection": 45.0}
+COARSE = {
+    "passes": "planes",
+    "cutter": "ball:6",
+    "stepover": 6.0,
+    "linear_deflection": 0.5,
+    "angular_deflection": 45.0,
+}
 
 pytestmark = pytest.mark.usefixtures("kept")
 
@@ -83,7 +90,9 @@ def groups_of(actions):
 def test_tool_bars_and_menu_follow_the_order_of_the_work(window):
     bars = {bar.objectName(): groups_of(bar.actions()) for bar in window.findChildren(QtWidgets.QToolBar)}
     assert bars["Five-axis"] == ORDER[:-1] and bars["Five-axis machines"] == ORDER[-1:]
-    menu = next(menu for menu in window.findChildren(QtWidgets.QMenu) if menu.title().replace("&", "") == "Five-axis")
+    menu = next(
+        menu for menu in window.findChildren(QtWidgets.QMenu) if menu.title().replace("&", "") == "Five-axis"
+    )
     assert groups_of(menu.actions()) == ORDER
 
 
@@ -180,7 +189,9 @@ def test_compound_body_and_mesh_can_be_milled(box, make, select, press, panel_bu
     doc.recompute()
     select(base)
     press("FiveAxis_Toolpath")
-    form = until(lambda: FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel"), 20000, "the panel")
+    form = until(
+        lambda: FreeCADGui.getMainWindow().findChild(QtWidgets.QWidget, "FiveAxisPanel"), 20000, "the panel"
+    )
     kind = form.findChild(QtWidgets.QComboBox, "spacing_kind")
     kind.setCurrentIndex(kind.findData("stepover"))
     form.findChild(QtWidgets.QWidget, "stepover").show_measured(6.0)
@@ -236,7 +247,11 @@ def test_stopped_work_leaves_the_document_as_it_was(box, select, press, monkeypa
     monkeypatch.setattr(waiting.Waiting, "__call__", stopped)
     select(box)
     press("FiveAxis_Tessellate")
-    until(lambda: "Stopped" in FreeCADGui.getMainWindow().statusBar().currentMessage(), 20000, "that it was stopped")
+    until(
+        lambda: "Stopped" in FreeCADGui.getMainWindow().statusBar().currentMessage(),
+        20000,
+        "that it was stopped",
+    )
     assert names(box.Document) == ["Box"] and box.Document.UndoCount == 0
 
 
@@ -253,7 +268,8 @@ def test_two_documents_keep_apart(box, select, press, until):
 
 
 def test_the_workbench_opens_without_numpy_and_scipy():
-    """In a process of its own, with stand-ins for FreeCAD: start-up, and what FreeCAD asks of the commands meanwhile."""
+    """In a process of its own, with stand-ins for FreeCAD: start-up, and what FreeCAD asks of the commands
+    meanwhile."""
     code = """
 import sys, types
 from unittest.mock import MagicMock
@@ -296,7 +312,9 @@ def pointers(monkeypatch):
 
 
 @pytest.mark.parametrize("name", ["Toolpath", "Audit", "Setup", "Reach"])
-def test_the_pointer_is_busy_while_a_panel_gets_its_fields(name, box, select, press, pointers, panel_button, panel_closed):
+def test_the_pointer_is_busy_while_a_panel_gets_its_fields(
+    name, box, select, press, pointers, panel_button, panel_closed
+):
     select(box)
     press(f"FiveAxis_{name}")
     assert pointers and set(pointers) == {QtCore.Qt.WaitCursor}

@@ -13,7 +13,16 @@ from test_clicks import look
 from freecad_fiveaxis import app
 from freecad_fiveaxis.app import comparing
 
-COLUMNS = {"machine": 0, "cure": 1, "guided": 2, "deviation": 3, "blocks": 5, "time": 6, "linear": 7, "first": 8}
+COLUMNS = {
+    "machine": 0,
+    "cure": 1,
+    "guided": 2,
+    "deviation": 3,
+    "blocks": 5,
+    "time": 6,
+    "linear": 7,
+    "first": 8,
+}
 
 pytestmark = pytest.mark.usefixtures("kept")
 
@@ -25,7 +34,9 @@ def path(doc, pump):
     ball.Radius, ball.Angle1 = 20, 0
     doc.recompute()
     look(doc)
-    made = app.create_toolpath(doc, ball, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.1)
+    made = app.create_toolpath(
+        doc, ball, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.1
+    )
     pump(500)
     return made
 
@@ -39,7 +50,11 @@ def tick(until, box, click, *values):
             spot = box.visualItemRect(line)
             click(box.viewport(), QtCore.QPoint(spot.left() + 10, spot.center().y()))
         wanted = line.data(QtCore.Qt.UserRole) in values
-        until(lambda: (line.checkState() == QtCore.Qt.Checked) == wanted, 10000, f"{line.text()} ticked: {wanted}")  # noqa: B023
+        until(
+            lambda: (line.checkState() == QtCore.Qt.Checked) == wanted,  # noqa: B023
+            10000,
+            f"{line.text()} ticked: {wanted}",
+        )
 
 
 def field_text(window, name):
@@ -61,11 +76,17 @@ def test_the_table_says_what_the_core_says_and_is_sorted_by_a_click(path, doc, t
     tick(until, field("machines"), click, "trunnion_ac", "trunnion_bc", "head_b_table_c")
     tick(until, field("cures"), click, "none", "linearize")
     click(field("calculate"))
-    until(lambda: "give the tool length" in field("compare_error").text(), 20000, "that one of them has a head that turns")
+    until(
+        lambda: "give the tool length" in field("compare_error").text(),
+        20000,
+        "that one of them has a head that turns",
+    )
     tick(until, field("machines"), click, "trunnion_ac", "trunnion_bc")
     click(field("calculate"))
     until(lambda: not field_text(window, "compare_error"), 20000, "nothing wrong")
-    table = until(lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisComparisonTable"), 60000, "a table")
+    table = until(
+        lambda: window.findChild(QtWidgets.QTableWidget, "FiveAxisComparisonTable"), 60000, "a table"
+    )
     pump(300)
     screenshot("compare")
     expected = comparing.compare(path, ["trunnion_ac", "trunnion_bc"], ["none", "linearize"]).rows
@@ -74,11 +95,21 @@ def test_the_table_says_what_the_core_says_and_is_sorted_by_a_click(path, doc, t
     for cells, row in zip(shown, expected, strict=True):
         number = {name: cells[at].data(QtCore.Qt.UserRole) for name, at in COLUMNS.items()}
         assert cells[0].text() == row.machine
-        assert number["deviation"] == row.deviation and number["blocks"] == row.blocks and number["time"] == row.time
+        assert (
+            number["deviation"] == row.deviation
+            and number["blocks"] == row.blocks
+            and number["time"] == row.time
+        )
         assert number["linear"] == max(row.peak_rate[:3]) and number["first"] == row.peak_rate[3]
         assert f"{math.degrees(row.peak_rate[3]):.0f}°" in cells[COLUMNS["first"]].text()
-    (same,) = [row for row in expected if (row.machine, row.cure, row.tool_centre) == ("trunnion_ac", "linearize", False)]
-    assert same.deviation == pytest.approx(path.MaxSurfaceDeviation.Value, abs=1e-12), "the path as it is, its blocks divided"
+    (same,) = [
+        row
+        for row in expected
+        if (row.machine, row.cure, row.tool_centre) == ("trunnion_ac", "linearize", False)
+    ]
+    assert same.deviation == pytest.approx(path.MaxSurfaceDeviation.Value, abs=1e-12), (
+        "the path as it is, its blocks divided"
+    )
     head = table.horizontalHeader()
     spot = QtCore.QPoint(head.sectionViewportPosition(COLUMNS["blocks"]) + 15, head.height() // 2)
     click(head.viewport(), spot)
@@ -116,7 +147,9 @@ def test_nothing_ticked_and_a_stop_leave_no_table_and_esc_closes(path, tree_row,
     until(lambda: not FreeCADGui.Control.activeDialog(), 20000, "Esc to close the panel")
 
 
-def test_the_table_is_saved_where_the_user_says_and_replaces_nothing_unasked(path, monkeypatch, modal, tmp_path):
+def test_the_table_is_saved_where_the_user_says_and_replaces_nothing_unasked(
+    path, monkeypatch, modal, tmp_path
+):
     from freecad_fiveaxis.gui import comparison_table
     from freecad_fiveaxis.gui.panels import setup
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Controllers in the panels: all of them by their names, what one lacks idle with the reason, guided output not called proven."""
+"""Controllers in the panels: all of them by their names, what one lacks idle with the reason, guided output
+not called proven."""
 
 import dataclasses
 
@@ -40,7 +41,10 @@ def dome(doc):
 
 def items(combo):
     model = combo.model()
-    return {combo.itemData(at): bool(model.index(at, 0).flags() & QtCore.Qt.ItemIsEnabled) for at in range(combo.count())}
+    return {
+        combo.itemData(at): bool(model.index(at, 0).flags() & QtCore.Qt.ItemIsEnabled)
+        for at in range(combo.count())
+    }
 
 
 def test_every_controller_is_offered_by_a_name_of_its_own(dome, press, tree_row, field, panel_button):
@@ -60,11 +64,21 @@ def test_what_a_controller_lacks_is_idle_with_the_reason(dome, press, tree_row, 
     choose(field("controller"), "Siemens 840D")
     choose(field("rtcp"), "by tool vectors")
     choose(field("high_speed"), "on")
-    until(lambda: all(items(field("rtcp")).values()) and field("feed_mode").isEnabled(), 10000, "all that Siemens has")
+    until(
+        lambda: all(items(field("rtcp")).values()) and field("feed_mode").isEnabled(),
+        10000,
+        "all that Siemens has",
+    )
     choose(field("controller"), "grbl with five axes")
     for name in ("rtcp", "high_speed"):
-        until(lambda: not field(name).isEnabled() and field(name).currentData() == "off", 10000, f"{name} idle")  # noqa: B023
-    until(lambda: "grbl with five axes does not guide the tip" in field("rtcp_note").text(), 10000, "the reason")
+        until(
+            lambda name=name: not field(name).isEnabled() and field(name).currentData() == "off",
+            10000,
+            f"{name} idle",
+        )
+    until(
+        lambda: "grbl with five axes does not guide the tip" in field("rtcp_note").text(), 10000, "the reason"
+    )
     screenshot("controller-lacks")
     choose(field("controller"), "Heidenhain TNC (TCPM)")
     for name, wished in (("rtcp", "vectors"), ("high_speed", "on")):
@@ -72,13 +86,19 @@ def test_what_a_controller_lacks_is_idle_with_the_reason(dome, press, tree_row, 
     until(lambda: not field("feed_mode").isEnabled(), 10000, "the mode of feeds idle")
     until(lambda: "no inverse time" in field("feed_mode_note").text(), 10000, "the reason")
     choose(field("controller"), "Haas")
-    until(lambda: items(field("rtcp")) == {"off": True, "angles": True, "vectors": False}, 10000, "no choice of vectors")
+    until(
+        lambda: items(field("rtcp")) == {"off": True, "angles": True, "vectors": False},
+        10000,
+        "no choice of vectors",
+    )
     until(lambda: "no RTCP by vectors" in field("rtcp_error").text(), 10000, "the reason")
     choose(field("rtcp"), "by rotary axes")
     until(lambda: "the number of the tool" in field("rtcp_error").text(), 10000, "what is missing")
     click(field("calculate"))
     pump(300)
-    assert "Press Calculate" in field("summary").text() and [obj.Name for obj in dome.Document.Objects] == ["Dome"]
+    assert "Press Calculate" in field("summary").text() and [obj.Name for obj in dome.Document.Objects] == [
+        "Dome"
+    ]
     panel_button("Cancel")
 
 
@@ -111,10 +131,18 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
     nc = (tmp_path / "Toolpath.h").read_bytes()
     assert nc == results.nc_of(path) and b"FUNCTION TCPM" in nc
     press("FiveAxis_Audit")
-    until(lambda: field("nc_file").text() == str(tmp_path / "Toolpath.h"), 20000, "the audit's panel, and the file proposed")
+    until(
+        lambda: field("nc_file").text() == str(tmp_path / "Toolpath.h"),
+        20000,
+        "the audit's panel, and the file proposed",
+    )
     choose(field("controller"), "by the text itself")
     click(field("calculate"))
-    until(lambda: "verified at their end points only" in field("summary").text(), 60000, "a summary of the audit")
+    until(
+        lambda: "verified at their end points only" in field("summary").text(),
+        60000,
+        "a summary of the audit",
+    )
     pump(300)
     screenshot("rtcp-audit")
     panel_button("OK", 500)
@@ -123,7 +151,12 @@ def test_guided_output_is_not_called_proven_and_its_file_is_read_again(dome, doc
 
 
 def shown_of(*names):
-    return {name for name in names for one in panel_form().findChildren(QtWidgets.QWidget, name) if one.isVisibleTo(panel_form())}
+    return {
+        name
+        for name in names
+        for one in panel_form().findChildren(QtWidgets.QWidget, name)
+        if one.isVisibleTo(panel_form())
+    }
 
 
 def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, choose, type_into, click, until, panel_button,
@@ -142,22 +175,33 @@ def test_an_audit_is_compared_with_a_cl_path_or_a_part(dome, doc, press, field, 
     choose(field("part"), "none, or a file")
     until(lambda: shown_of("axis_tolerance", "cutter_diameter") == set(), 10000, "neither field")
     type_into(field("against"), files["a.apt"])
-    until(lambda: shown_of("axis_tolerance", "cutter_diameter") == {"axis_tolerance"}, 10000, "the field of a CL path")
+    until(
+        lambda: shown_of("axis_tolerance", "cutter_diameter") == {"axis_tolerance"},
+        10000,
+        "the field of a CL path",
+    )
     click(field("calculate"))
     until(lambda: "<table>" in field("summary").text(), 60000, "a summary")
     assert "CL path" not in field("summary").text()
     pump(500)
     type_into(field("against"), files["a.stl"])
-    until(lambda: shown_of("axis_tolerance", "cutter_diameter") == {"cutter_diameter"}, 10000, "the field of a part")
+    until(
+        lambda: shown_of("axis_tolerance", "cutter_diameter") == {"cutter_diameter"},
+        10000,
+        "the field of a part",
+    )
     type_into(field("cutter_diameter"), "14 mm")  # the tip stands as before: 2 mm (1 - cos 20 deg) too deep
     click(field("calculate"))
-    # the summary names the first error: the tip of a ball, by which audits are judged, leaves its line where the centre is led straight
+    # the summary names the first error: the tip of a ball, by which audits are judged, leaves its line where
+    # the centre is led straight
     until(lambda: "enters the part" in field("verdict").text(), 60000, "that the larger ball enters the part")
     pump(300)
     screenshot("audit-against")
     panel_button("OK", 500)
     panel_closed()
-    assert doc.Audit.Against == files["a.stl"] and any("too deep into the part" in text for text in doc.Audit.Findings)
+    assert doc.Audit.Against == files["a.stl"] and any(
+        "too deep into the part" in text for text in doc.Audit.Findings
+    )
 
 
 def test_a_path_with_a_wish_that_its_controller_lacks_opens_and_is_mended(dome, doc, pump):
@@ -188,7 +232,11 @@ def test_play_claims_nothing_of_guided_blocks(dome, doc, press, tree_row, window
     for _ in range(5):
         steps[0].click()
         pump(100)
-    until(lambda: [said[name].text() for name in ("gap", "most", "bound")] == ["–", "–", "–"], 20000, "no numbers")
+    until(
+        lambda: [said[name].text() for name in ("gap", "most", "bound")] == ["–", "–", "–"],
+        20000,
+        "no numbers",
+    )
     until(lambda: "guides the tip" in said["note"].text(), 20000, "why there are none")
     screenshot("play-guided")
 
@@ -208,7 +256,9 @@ def more_settings(monkeypatch):
 
     def fields(task=None):
         yield from known(task)
-        yield from ((SurfaceSettings, leaf) for leaf in dataclasses.fields(SurfaceSettings) if task in (None, AUDIT))
+        yield from (
+            (SurfaceSettings, leaf) for leaf in dataclasses.fields(SurfaceSettings) if task in (None, AUDIT)
+        )
 
     monkeypatch.setattr(properties, "option_fields", fields)
     properties.setting_properties.cache_clear()
@@ -221,9 +271,17 @@ def test_a_new_group_of_settings_gets_its_section_its_fields_and_its_properties(
 ):
     audit.create(doc)
     pump(300)
-    box = until(lambda: panel_form() and panel_form().findChild(QtWidgets.QWidget, "section_surface"), 20000, "a section")
+    box = until(
+        lambda: panel_form() and panel_form().findChild(QtWidgets.QWidget, "section_surface"),
+        20000,
+        "a section",
+    )
     assert box.title == "Surface"
-    until(lambda: field("surface_browse").isVisible() and field("sideways").measured() == 0.5, 20000, "its fields")
+    until(
+        lambda: field("surface_browse").isVisible() and field("sideways").measured() == 0.5,
+        20000,
+        "its fields",
+    )
     field("surface").setText(str(tmp_path / "gone.stl"))
     until(lambda: "does not exist" in field("surface_error").text(), 20000, "what is wrong")
     kinds = {one.name: one.kind for one in properties.setting_properties(AUDIT)}

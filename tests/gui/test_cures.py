@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Trajectory control in the tool path's panel: choices made by mouse and keys, and what the program then is."""
+"""Trajectory control in the tool path's panel: choices made by mouse and keys, and what the program then
+is."""
 
 import pytest
 from conftest import picture
@@ -51,7 +52,11 @@ def test_minimax_and_deform_by_clicks_give_the_bytes_of_the_command_line(panel, 
     type_into(field("tolerance"), "0.05 mm")
     assert not shown(field, "max_tilt") and not shown(field, "max_axis_change") and shown(field, "lead")
     choose(field("tool_axis"), "least deviation (minimax)")
-    until(lambda: shown(field, "max_tilt") and not shown(field, "lead") and not shown(field, "tilt"), 10000, "fields of minimax")
+    until(
+        lambda: shown(field, "max_tilt") and not shown(field, "lead") and not shown(field, "tilt"),
+        10000,
+        "fields of minimax",
+    )
     type_into(field("max_tilt"), "3 deg")
     choose(field("singularity"), "turn the axis past it")
     type_into(field("max_axis_change"), "1.5 deg")
@@ -93,7 +98,11 @@ def test_an_angle_out_of_range_says_so_in_place_and_not_where_it_does_not_count(
     until(lambda: "out of range" in field("max_axis_change_error").text(), 10000, "what is wrong")
     screenshot("panel_out_of_range")
     choose(field("singularity"), "only report")
-    until(lambda: not shown(field, "max_axis_change") and not shown(field, "max_axis_change_error"), 10000, "the field gone")
+    until(
+        lambda: not shown(field, "max_axis_change") and not shown(field, "max_axis_change_error"),
+        10000,
+        "the field gone",
+    )
     type_into(field("lead"), "5 deg")
     choose(field("tool_axis"), "least deviation (minimax)")  # has no lead: what was typed does not count
     assert not shown(field, "form_error")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nothing fails silently: an error in a slot of ours is seen in the panel that is open, or in a message box. And nothing of ours
-dies or changes by itself: fields live on while garbage is collected, and the wheel scrolls."""
+"""Nothing fails silently: an error in a slot of ours is seen in the panel that is open, or in a message box.
+And nothing of ours dies or changes by itself: fields live on while garbage is collected, and the wheel
+scrolls."""
 
 import gc
 
@@ -12,7 +13,13 @@ from freecad_fiveaxis.gui import commands, comparison_table, failures, findings_
 from freecad_fiveaxis.gui.panels import toolpath, work_panel
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
-COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {
+    "passes": "planes",
+    "cutter": "ball:6:30",
+    "stepover": 4.0,
+    "linear_deflection": 0.3,
+    "angular_deflection": 30.0,
+}
 
 
 @pytest.fixture
@@ -45,7 +52,9 @@ def printed(monkeypatch):
     """What goes to the report view as an error."""
     said = []
     before = FreeCAD.Console.PrintError
-    monkeypatch.setattr(failures.FreeCAD.Console, "PrintError", lambda text: (said.append(text), before(text)))
+    monkeypatch.setattr(
+        failures.FreeCAD.Console, "PrintError", lambda text: (said.append(text), before(text))
+    )
     return said
 
 
@@ -54,7 +63,9 @@ def red(panel):
     return line.text() if line.isVisible() else ""
 
 
-def test_an_error_in_calculate_stands_red_in_the_panel_and_the_document_is_as_before(panel, field, click, pump, doc, until):
+def test_an_error_in_calculate_stands_red_in_the_panel_and_the_document_is_as_before(
+    panel, field, click, pump, doc, until
+):
     panel.compute = ours(fails)
     click(panel.calculate_button)
     until(lambda: "one by nought" in red(panel), 20000, "the error")
@@ -140,7 +151,8 @@ def test_an_error_of_an_observer_is_told(doc, until, pump, monkeypatch):
 
 
 def turn(editor, notches, pump):
-    """The wheel over an editor, as the server sends it: Qt offers it to the widgets around where the editor leaves it."""
+    """The wheel over an editor, as the server sends it: Qt offers it to the widgets around where the editor
+    leaves it."""
     middle = editor.rect().center()
     event = QtGui.QWheelEvent(
         QtCore.QPointF(middle), QtCore.QPointF(editor.mapToGlobal(middle)), QtCore.QPoint(), QtCore.QPoint(0, -120 * notches),
@@ -185,7 +197,9 @@ def test_fields_live_while_garbage_is_collected_and_windows_of_ours_open(panel, 
     assert panel.accept()
 
 
-def test_the_table_of_a_comparison_outlives_collected_garbage_and_has_the_whole_width(doc, pump, monkeypatch, until):
+def test_the_table_of_a_comparison_outlives_collected_garbage_and_has_the_whole_width(
+    doc, pump, monkeypatch, until
+):
     monkeypatch.setattr(comparison_table.Table, "show_rows", lambda *_: None)
     shown = comparison_table.show(None, None)
     for _ in range(3):

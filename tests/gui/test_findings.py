@@ -48,7 +48,10 @@ def test_a_marker_that_is_clicked_tells_its_finding(audit, view_click, pump, scr
 
 
 def test_a_marker_of_the_path_itself_can_be_clicked_too(audit, view_click, pump, until):
-    place = [a + b for a, b in zip(report.markers(results.figures_of(audit))[0].place, (10.0, 20.0, 30.0), strict=True)]
+    place = [
+        a + b
+        for a, b in zip(report.markers(results.figures_of(audit))[0].place, (10.0, 20.0, 30.0), strict=True)
+    ]
     view_click(place)
     panel = until(lambda: findings_panel._docks.get("panel"), 20000, "a list of findings")
     until(lambda: panel.path is audit, 20000, "the list of the audit's findings")
@@ -79,7 +82,9 @@ def test_every_finding_and_every_marker_has_a_row(audit):
     assert {row.finding for row in rows} >= set(figures.findings)
     for mark, at in zip(report.markers(figures), of_marker, strict=True):
         assert rows[at].finding.block == mark.block and rows[at].kind == mark.kind
-    assert [row.finding.severity for row in rows] == sorted((row.finding.severity for row in rows), reverse=True)
+    assert [row.finding.severity for row in rows] == sorted(
+        (row.finding.severity for row in rows), reverse=True
+    )
     panel = findings_panel.show(audit)
     assert panel.table.rowCount() == len(rows)
 
@@ -97,7 +102,11 @@ def test_the_list_follows_a_recompute_and_goes_with_its_document(audit, doc, pum
     assert panel.table.rowCount() > 1
     audit.Tolerance = 5.0
     doc.recompute()
-    until(lambda: "deviation-over-tolerance" not in [row.kind for row in panel.rows], 20000, "the list of the new result")
+    until(
+        lambda: "deviation-over-tolerance" not in [row.kind for row in panel.rows],
+        20000,
+        "the list of the new result",
+    )
     doc.removeObject(audit.Name)
     until(lambda: panel.path is None and not panel.dock.isVisible(), 20000, "the list gone")
 
@@ -118,7 +127,11 @@ def test_where_the_tool_enters_the_part_is_listed_with_its_place(doc, pump, scre
     path = app.create_toolpath(doc, ball, **given, holder="100x25", gouge="report")
     findings_panel.show(path)
     panel = findings_panel._docks["panel"]
-    until(lambda: {"overcut", "holder-collision"} <= {row.finding.code for row in panel.rows}, 20000, "both findings")
+    until(
+        lambda: {"overcut", "holder-collision"} <= {row.finding.code for row in panel.rows},
+        20000,
+        "both findings",
+    )
     codes = [row.finding.code for row in panel.rows]
     at = codes.index("holder-collision")
     cells = [panel.table.item(at, column).text() for column in range(panel.table.columnCount())]

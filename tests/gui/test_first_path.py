@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a panel shows before and after the first Calculate: no error that nobody has made, and a path that is in sight."""
+"""What a panel shows before and after the first Calculate: no error that nobody has made, and a path that is
+in sight."""
 
 import FreeCAD
 import FreeCADGui
@@ -11,7 +12,13 @@ from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.gui.panels import audit, path_panel, post, recover, toolpath
 from freecad_fiveaxis.gui.scene import on_screen
 
-COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {
+    "passes": "planes",
+    "cutter": "ball:6:30",
+    "stepover": 6.0,
+    "linear_deflection": 0.3,
+    "angular_deflection": 30.0,
+}
 
 
 @pytest.fixture
@@ -31,7 +38,8 @@ def block(doc):
 
 
 def spot(view, place):
-    """A place of the document in the view: 0 to 1 from left to right and from bottom to top where it is seen."""
+    """A place of the document in the view: 0 to 1 from left to right and from bottom to top where it is
+    seen."""
     return [at / size for at, size in zip(view.getPointOnScreen(*place), view.getSize(), strict=True)]
 
 
@@ -100,7 +108,11 @@ def test_the_path_over_a_hidden_part_is_brought_into_view(dome, pump, until):
     height.setValue(70.0)
     dome.ViewObject.Visibility = False
     panel = calculated(dome, pump)
-    until(lambda: height.getValue() != 70.0 and all(0.0 < at < 1.0 for at in spot(view, (0, 0, 20))), 20000, "the path in view")
+    until(
+        lambda: height.getValue() != 70.0 and all(0.0 < at < 1.0 for at in spot(view, (0, 0, 20))),
+        20000,
+        "the path in view",
+    )
     panel.reject()
 
 
@@ -124,7 +136,9 @@ def test_recover_asks_for_its_files_before_it_complains(window, pump, click, unt
     pump(300)
     files = [one for one in panel.options.fields.values() if getattr(one, "missing", "")]
     assert len(files) > 1 and not any(one.error.text() for one in files)
-    assert panel.options.error.text() == "" and panel.options.error.isHidden(), "nobody has done anything wrong yet"
+    assert panel.options.error.text() == "" and panel.options.error.isHidden(), (
+        "nobody has done anything wrong yet"
+    )
     click(panel.calculate_button)
     until(lambda: panel.cl_file.error.text() == panel.cl_file.missing, 20000, "what is missing")
     panel.reject()
@@ -150,7 +164,9 @@ def wheel(box):
 
 def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold, until):
     setup = app.create_setup(
-        doc, machine="trunnion_bc", tools=["T3 ball:5:20 Small ball", "T7 flat:12:40", "T8 cone:3 Odd", "Nine"]
+        doc,
+        machine="trunnion_bc",
+        tools=["T3 ball:5:20 Small ball", "T7 flat:12:40", "T8 cone:3 Odd", "Nine"],
     )
     panel = toolpath.create(dome)
     pump(300)
@@ -168,7 +184,10 @@ def test_the_cutters_of_the_setup_are_offered(doc, dome, pump, unfold, until):
     box.clearFocus()
     panel.calculate_button.setFocus()
     wheel(box)
-    assert cutter.value() == "ball:5.0:20.0" and box.focusPolicy() == QtCore.Qt.StrongFocus == cutter.job.box.focusPolicy()
+    assert (
+        cutter.value() == "ball:5.0:20.0"
+        and box.focusPolicy() == QtCore.Qt.StrongFocus == cutter.job.box.focusPolicy()
+    )
     panel.setup.editor.setCurrentIndex(0)
     until(lambda: not box.isVisible(), 20000, "no cutters of a setup")
     assert setup.Tools[0] == "T3 ball:5:20 Small ball"
@@ -181,10 +200,18 @@ def test_what_is_shared_can_be_edited_again_where_calculate_takes_the_setup_back
     panel = toolpath.create(dome)
     panel.options.show_options(COARSE | {"machine": "trunnion_bc"})
     pump(300)
-    modal(lambda dialog: dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Ok).click())
+    modal(
+        lambda dialog: (
+            dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Ok).click()
+        )
+    )
     click(panel.setup.browse)
     machine = panel.options.fields["machine"]
-    until(lambda: doc.getObject("Setup") is not None and not machine.editor.isEnabled(), 20000, "a setup with the machine")
+    until(
+        lambda: doc.getObject("Setup") is not None and not machine.editor.isEnabled(),
+        20000,
+        "a setup with the machine",
+    )
 
     def refused(*_):
         raise SettingsError("no such path", "")
@@ -195,19 +222,29 @@ def test_what_is_shared_can_be_edited_again_where_calculate_takes_the_setup_back
     pump(50)
     assert panel.options.error.text() == "no such path"
     assert doc.getObject("Setup") is None and panel.setup.value() is None and panel.setup.editor.count() == 1
-    assert machine.editor.isEnabled() and machine.value() == "trunnion_bc" and panel.options.fields["origin"].note.text() == ""
+    assert (
+        machine.editor.isEnabled()
+        and machine.value() == "trunnion_bc"
+        and panel.options.fields["origin"].note.text() == ""
+    )
     assert panel.calculate() and panel.obj.Setup is None
     panel.reject()
 
 
 def test_a_side_that_is_not_machined_is_marked_with_its_area(doc, block, until, monkeypatch, screenshot):
     shown, show = [], on_screen.Labels.show
-    monkeypatch.setattr(on_screen.Labels, "show", lambda self, labels: shown.append(labels) or show(self, labels))
-    path = app.create_toolpath(doc, block, cutter="ball:8:40", stepover=3.0, passes="planes", gouge="off", linear_deflection=0.3)
+    monkeypatch.setattr(
+        on_screen.Labels, "show", lambda self, labels: shown.append(labels) or show(self, labels)
+    )
+    path = app.create_toolpath(
+        doc, block, cutter="ball:8:40", stepover=3.0, passes="planes", gouge="off", linear_deflection=0.3
+    )
     made = app.annotate(path)
     until(lambda: shown and len(shown[-1]) > 1, 20000, "the labels drawn")
     sides = [at for at, kind in enumerate(made.Kinds) if kind == "side-not-machined"]
-    assert [made.Areas[at] for at in sides] == pytest.approx([60.0 * 20.0] * 2) and not any(made.Depths[at] for at in sides)
+    assert [made.Areas[at] for at in sides] == pytest.approx([60.0 * 20.0] * 2) and not any(
+        made.Depths[at] for at in sides
+    )
     assert not any(area for at, area in enumerate(made.Areas) if made.Kinds[at] == "largest-deviation")
     assert [label.text for label in shown[-1]].count("Not machined: 1200 mm²") == 2
     screenshot("side_label")

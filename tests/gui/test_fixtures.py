@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of fixtures in the panels of a tool path and an audit: ticked by mouse, kept, shown when it is edited, taken back by undo."""
+"""The list of fixtures in the panels of a tool path and an audit: ticked by mouse, kept, shown when it is
+edited, taken back by undo."""
 
 import contextlib
 
@@ -9,7 +10,13 @@ from conftest import QtCore
 
 from freecad_fiveaxis.gui.panels import audit, toolpath
 
-COARSE = {"passes": "planes", "cutter": "ball:6", "stepover": 2.0, "max_axis_angle": 30.0, "tool_length": 120.0}
+COARSE = {
+    "passes": "planes",
+    "cutter": "ball:6",
+    "stepover": 2.0,
+    "max_axis_angle": 30.0,
+    "tool_length": 120.0,
+}
 
 
 @pytest.fixture
@@ -23,7 +30,8 @@ def parts(doc):
 
 
 def tick(editor, row, click, until):
-    """Click the square of a row once it stands still, for the groups that were unfolded move it; wait until it is turned."""
+    """Click the square of a row once it stands still, for the groups that were unfolded move it; wait until
+    it is turned."""
     before, seen = editor.item(row).checkState(), []
 
     def at_rest():
@@ -89,12 +97,16 @@ def test_without_another_solid_the_list_says_so(doc, parts, pump, unfold):
     panel.reject()
 
 
-def test_an_audit_has_a_clamp_ticked_and_says_what_hits_it(doc, parts, tmp_path, pump, click, unfold, screenshot, until):
+def test_an_audit_has_a_clamp_ticked_and_says_what_hits_it(
+    doc, parts, tmp_path, pump, click, unfold, screenshot, until
+):
     _, clamp = parts
     program = tmp_path / "given.ngc"
     program.write_text("G21 G90 G94\nG1 X15 Y-30 Z40 A0 C0 F2000\nG1 X15 Y-30 Z20\nG1 X15 Y20 Z20\nM2\n")
     panel = audit.create(doc)
-    panel.options.show_options({"nc_file": str(program), "machine": "trunnion_ac", "cutter": "flat:6:30", "part": clamp})
+    panel.options.show_options(
+        {"nc_file": str(program), "machine": "trunnion_ac", "cutter": "flat:6:30", "part": clamp}
+    )
     pump(300)
     unfold()
     field = panel.options.fields["fixtures"]

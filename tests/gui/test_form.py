@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The forms of the panels: groups that fold and say their state, narrow, found by keys and by screen readers."""
+"""The forms of the panels: groups that fold and say their state, narrow, found by keys and by screen
+readers."""
 
 import FreeCADGui
 import pytest
@@ -69,7 +70,11 @@ def language(request, window):
 def test_nothing_is_cut_where_the_panel_is_narrow(name, language, open_panel, pump, screenshot, until):
     panel = open_panel(name)
     fields = panel.options.fields
-    for choice, value in (("machine", "fork_head_bc"), ("controller", "heidenhain_m128"), ("tool_axis", "minimax")):
+    for choice, value in (
+        ("machine", "fork_head_bc"),
+        ("controller", "heidenhain_m128"),
+        ("tool_axis", "minimax"),
+    ):
         if choice in fields:
             fields[choice].show_value(value)
     for group in panel.options.groups.values():
@@ -91,10 +96,14 @@ def test_at_its_narrowest_every_text_of_a_form_is_to_be_read(doc, dome, language
     panel.form.resize(NARROW - 30, 900)  # what FreeCAD 1.1's panel leaves of its width
     panel.form.show()
     try:
-        until(lambda: panel.form.width() == NARROW - 30 and cut(panel.form) == [], 20000, "no text that is cut")
+        until(
+            lambda: panel.form.width() == NARROW - 30 and cut(panel.form) == [], 20000, "no text that is cut"
+        )
     finally:
         panel.form.hide()
-    wide = [one.field.name for group in panel.options.groups.values() for one in group.body.rows if not one.above]
+    wide = [
+        one.field.name for group in panel.options.groups.values() for one in group.body.rows if not one.above
+    ]
     assert "tolerance" in wide, "short labels stand beside their editors"
 
 
@@ -102,8 +111,19 @@ def groups(panel):
     return {name for name, group in panel.options.groups.items() if group.is_open()}
 
 
-def test_a_novices_groups_are_open_and_the_panel_comes_again_as_it_was_left(panel, open_panel, click, pump, until):
-    assert list(panel.options.groups) == ["part", "machine", "tool", "passes", "axis", "safety", "output", "more"]
+def test_a_novices_groups_are_open_and_the_panel_comes_again_as_it_was_left(
+    panel, open_panel, click, pump, until
+):
+    assert list(panel.options.groups) == [
+        "part",
+        "machine",
+        "tool",
+        "passes",
+        "axis",
+        "safety",
+        "output",
+        "more",
+    ]
     assert groups(panel) == NOVICE
     click(panel.options.groups["passes"].header)
     click(panel.options.groups["axis"].header)
@@ -122,9 +142,15 @@ def test_the_keyboard_goes_from_header_to_field_and_folds(panel, key, pump, unti
     while following is not panel.options.groups["tool"].header:
         seen.append(following)
         following = following.nextInFocusChain()
-    assert panel.options.fields["machine"].editor in seen and panel.options.fields["controller"].editor in seen
+    assert (
+        panel.options.fields["machine"].editor in seen and panel.options.fields["controller"].editor in seen
+    )
     key(group.header, QtCore.Qt.Key_Space, " ")
-    until(lambda: not group.is_open() and not panel.options.fields["machine"].editor.isVisible(), 20000, "the group folded")
+    until(
+        lambda: not group.is_open() and not panel.options.fields["machine"].editor.isVisible(),
+        20000,
+        "the group folded",
+    )
     key(group.header, QtCore.Qt.Key_Space, " ")
     until(group.is_open, 20000, "the group open")
 
@@ -137,12 +163,23 @@ def test_titles_say_what_their_groups_hold(panel, field, choose, type_into, pump
     type_into(field("feed"), "1500")
     header = panel.options.groups["tool"].header
     assert header.toolTip().startswith("Tool — ball")
-    until(lambda: header.toolTip().endswith("6 mm, S 8000, F 1500 mm/min"), 20000, "spindle and feed in the title")
+    until(
+        lambda: header.toolTip().endswith("6 mm, S 8000, F 1500 mm/min"),
+        20000,
+        "spindle and feed in the title",
+    )
     choose(field("controller"), "Siemens 840D")
     header = panel.options.groups["machine"].header
-    until(lambda: header.toolTip() == "Machine — trunnion_ac, Siemens 840D", 20000, "the controller in the title")
+    until(
+        lambda: header.toolTip() == "Machine — trunnion_ac, Siemens 840D",
+        20000,
+        "the controller in the title",
+    )
     assert panel.options.groups["machine"].header.accessibleDescription() == "trunnion_ac, Siemens 840D"
-    widest = max(group.header.fontMetrics().boundingRect(group.header.text()).width() for group in panel.options.groups.values())
+    widest = max(
+        group.header.fontMetrics().boundingRect(group.header.text()).width()
+        for group in panel.options.groups.values()
+    )
     assert widest <= panel.form.width()
 
 
@@ -161,14 +198,20 @@ def test_every_field_has_a_name_and_every_label_leads_to_its_field(panel, unfold
     cutter, spacing = panel.options.fields["cutter"], panel.options.fields["spacing"]
     parts = [cutter.kind, *cutter.sizes.values(), spacing.kind, *spacing.lengths.values()]
     assert all(part.editor.accessibleName() == part.label for part in parts)
-    rows = [row for group in panel.options.groups.values() for row in group.body.rows if row.label is not None]
-    assert all(row.label.buddy() is row.field.focus_widget() and row.label.text() == row.field.label for row in rows)
+    rows = [
+        row for group in panel.options.groups.values() for row in group.body.rows if row.label is not None
+    ]
+    assert all(
+        row.label.buddy() is row.field.focus_widget() and row.label.text() == row.field.label for row in rows
+    )
     assert panel.options.fields["work_zero"].focus_widget().accessibleName() == "Work zero X"
     names = [editor.accessibleName() for editor in editors]
     assert len(names) == len(set(names)), "each field is found by its name"
 
 
-def test_the_spindle_is_asked_for_and_goes_into_the_program(panel, doc, field, type_into, panel_button, until, panel_closed):
+def test_the_spindle_is_asked_for_and_goes_into_the_program(
+    panel, doc, field, type_into, panel_button, until, panel_closed
+):
     spindle = panel.options.fields["spindle"]
     assert spindle.editor.text() == "not given" and spindle.warning.isVisible()
     assert spindle.warning.text() == "Spindle speed not given: the program will not start the spindle."
@@ -178,7 +221,9 @@ def test_the_spindle_is_asked_for_and_goes_into_the_program(panel, doc, field, t
     until(lambda: not spindle.warning.isVisible(), 20000, "no warning")
     panel_button("OK")
     panel_closed()
-    assert (doc.Toolpath.Spindle, doc.Toolpath.Tool) == (8000.0, 7) and b"S8000 M3" in results.nc_of(doc.Toolpath)
+    assert (doc.Toolpath.Spindle, doc.Toolpath.Tool) == (8000.0, 7) and b"S8000 M3" in results.nc_of(
+        doc.Toolpath
+    )
 
 
 def test_a_spindle_speed_that_is_no_whole_number_comes_back(doc, dome, pump):
@@ -211,10 +256,16 @@ def test_a_summary_too_long_for_the_screen_scrolls_and_none_of_it_is_cut(panel, 
     panel.summary.tell("<p>Some words that are told of the path.</p>" * 60)
     form_area = panel.form.findChild(QtWidgets.QScrollArea, "form_area")
     until(lambda: area.verticalScrollBar().maximum() > 0, 20000, "a scroll bar for many lines")
-    until(lambda: label.height() >= label.heightForWidth(label.width()) > area.height(), 20000, "none of them cut")
+    until(
+        lambda: label.height() >= label.heightForWidth(label.width()) > area.height(),
+        20000,
+        "none of them cut",
+    )
     screenshot("summary_long")
     assert form_area.height() >= LOW and panel.calculate_button.visibleRegion().boundingRect().height() > 15
-    assert panel.form.visibleRegion().boundingRect().height() == panel.form.height(), "the panel itself does not scroll"
+    assert panel.form.visibleRegion().boundingRect().height() == panel.form.height(), (
+        "the panel itself does not scroll"
+    )
     panel.summary.tell("<p>Some words that are told of the path.</p>" * 3)
     until(lambda: area.verticalScrollBar().maximum() == 0, 20000, "no scroll bar for a few lines")
     until(lambda: low < area.height() < form_area.height(), 20000, "as much room as they need")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How often the tests have the window painted: seldom, but the last change always; and at once where a test asks for that."""
+"""How often the tests have the window painted: seldom, but the last change always; and at once where a test
+asks for that."""
 
 import pytest
 from conftest import FRAME, QtWidgets

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes from guide to guide and about an axis, chosen in the panel: each choice asks for what it needs, and is computed."""
+"""Passes from guide to guide and about an axis, chosen in the panel: each choice asks for what it needs, and
+is computed."""
 
 from pathlib import Path
 
@@ -31,7 +32,9 @@ def test_each_choice_of_passes_asks_for_what_it_needs(ball, pump, unfold):
     for passes, wanted in ASKED.items():
         panel.options.show_options({"passes": passes})
         pump(100)
-        shown = {name for name in set().union(*ASKED.values()) if panel.options.fields[name].editor.isVisible()}
+        shown = {
+            name for name in set().union(*ASKED.values()) if panel.options.fields[name].editor.isVisible()
+        }
         assert shown == wanted, passes
     panel.reject()
 
@@ -63,7 +66,9 @@ def test_passes_that_are_led_are_computed_and_edited_again(ball, pump, unfold, s
     assert again.reject()
 
 
-def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(ball, pump, unfold, screenshot, tmp_path):
+def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(
+    ball, pump, unfold, screenshot, tmp_path
+):
     panel, more = toolpath.create(ball), ("boundary_axis", "boundary_by")
     panel.options.show_options({**COARSE, "passes": "planes"})
     pump(200)
@@ -78,7 +83,9 @@ def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(ball, pump,
     pump(600)
     screenshot("passes_boundary")
     path = panel.obj
-    assert path.Boundary == str(curve) and tuple(path.BoundaryAxis) == (0, 0, 1) and path.BoundaryBy == "contact"
+    assert (
+        path.Boundary == str(curve) and tuple(path.BoundaryAxis) == (0, 0, 1) and path.BoundaryBy == "contact"
+    )
     less = path.CutLength
     assert panel.accept()
     again = toolpath.edit(path)
@@ -92,7 +99,9 @@ def test_a_boundary_asks_along_what_and_by_what_and_holds_the_passes(ball, pump,
     assert again.reject()
 
 
-def test_steep_and_shallow_is_asked_for_but_for_level_planes_and_is_off_where_empty(ball, pump, unfold, screenshot):
+def test_steep_and_shallow_is_asked_for_but_for_level_planes_and_is_off_where_empty(
+    ball, pump, unfold, screenshot
+):
     panel = toolpath.create(ball)
     panel.options.show_options({**COARSE, "passes": "planes"})
     pump(200)
@@ -142,19 +151,24 @@ def test_frames_are_computed_with_as_many_as_may_be(ball, pump, unfold, screensh
     screenshot("passes_frames_planes")
     panel.options.show_options({"passes": "scallop"})
     pump(200)
-    assert not panel.options.fields["direction"].editor.isVisible(), "planes in frames count where there are frames"
+    assert not panel.options.fields["direction"].editor.isVisible(), (
+        "planes in frames count where there are frames"
+    )
     panel.options.show_options({"passes": "frames"})
     assert panel.accept()
 
 
 def test_rotary_passes_take_the_tool_axis_and_the_machines_axis(doc, pump, unfold, screenshot):
-    """On a machine of four axes the tool points at its rotary axis by itself, and spirals make one helix of the rings."""
+    """On a machine of four axes the tool points at its rotary axis by itself, and spirals make one helix of
+    the rings."""
     made = doc.addObject("Part::Cylinder", "Shaft")
     made.Radius, made.Height = 6, 20
     made.Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(0, 1, 0), 90)
     doc.recompute()
     panel = toolpath.create(made)
-    panel.options.show_options({"machine": FOUR_AXES, "cutter": "ball:6", "scallop": 0.1, "passes": "rotary", "spiral": "on"})
+    panel.options.show_options(
+        {"machine": FOUR_AXES, "cutter": "ball:6", "scallop": 0.1, "passes": "rotary", "spiral": "on"}
+    )
     pump(200)
     unfold()
     assert panel.options.fields["tool_axis"].value() == "from_axis"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Guides, boundary, centre and axis of passes picked in the 3D view: taken, named, lit up, let go, followed and missed."""
+"""Guides, boundary, centre and axis of passes picked in the 3D view: taken, named, lit up, let go, followed
+and missed."""
 
 import FreeCAD
 import FreeCADGui
@@ -37,7 +38,10 @@ def panel(disc, pump, unfold):
 
 
 def named(obj, kind, test):
-    rows = [test(one) for one in getattr(obj.Shape, {"Edge": "Edges", "Face": "Faces", "Vertex": "Vertexes"}[kind])]
+    rows = [
+        test(one)
+        for one in getattr(obj.Shape, {"Edge": "Edges", "Face": "Faces", "Vertex": "Vertexes"}[kind])
+    ]
     return f"{kind}{rows.index(True) + 1}"
 
 
@@ -56,19 +60,29 @@ def pick(panel, name, obj, element, click, field, until):
     until(lambda: not field(name + "_pick").isChecked(), 20000, "the pick")
 
 
-def test_centre_and_axis_are_picked_named_lit_up_and_kept(doc, disc, panel, click, field, until, pump, screenshot):
+def test_centre_and_axis_are_picked_named_lit_up_and_kept(
+    doc, disc, panel, click, field, until, pump, screenshot
+):
     fields = panel.options.fields
     pick(panel, "pass_centre", disc, rim(disc), click, field, until)
-    assert fields["pass_centre"].value() == "20,10,5" and field("pass_centre_picked").text() == f"{rim(disc)} of Disc"
+    assert (
+        fields["pass_centre"].value() == "20,10,5"
+        and field("pass_centre_picked").text() == f"{rim(disc)} of Disc"
+    )
     (lit,) = FreeCADGui.Selection.getSelectionEx()
     assert lit.Object is disc and lit.SubElementNames == (rim(disc),)
     pick(panel, "pass_axis", disc, wall(disc), click, field, until)
     assert [abs(part) for part in fields["pass_axis"].value()] == [0, 0, 1]
-    assert panel.options.read_values()["picked"] == {"pass_centre": (disc, rim(disc)), "pass_axis": (disc, wall(disc))}
+    assert panel.options.read_values()["picked"] == {
+        "pass_centre": (disc, rim(disc)),
+        "pass_axis": (disc, wall(disc)),
+    }
     pump(300)
     screenshot("guides_picked")
     panel.options.show_options({"work_zero": (1.0, 2.0, 3.0)})
-    assert fields["pass_centre"].value() == "19,8,2" and fields["pass_centre"].link, "about the work zero of the form"
+    assert fields["pass_centre"].value() == "19,8,2" and fields["pass_centre"].link, (
+        "about the work zero of the form"
+    )
     assert panel.preview_passes() and panel.calculate(), panel.options.error.text()
     path = panel.obj
     assert guides.links_of(path) == panel.options.read_values()["picked"] and path.Passes > 10
@@ -89,7 +103,9 @@ def test_where_passes_begin_and_end_is_picked_too(disc, panel, click, field, unt
     pump(200)
     for name in ("from_", "to"):
         pick(panel, name, disc, "Vertex1", click, field, until)
-        assert panel.options.fields[name].value() == ",".join(f"{at:.12g}" for at in disc.Shape.Vertexes[0].Point)
+        assert panel.options.fields[name].value() == ",".join(
+            f"{at:.12g}" for at in disc.Shape.Vertexes[0].Point
+        )
         assert field(name + "_picked").text() == "Vertex1 of Disc"
     assert set(panel.options.read_values()["picked"]) == {"from_", "to"}
     panel.options.show_options({"passes": "planes"})
@@ -104,12 +120,15 @@ def test_a_wrong_pick_says_what_is_needed_and_nothing_changes(disc, panel, click
     assert fields["pass_centre"].value() == before and fields["pass_centre"].link is None
     pick(panel, "pass_axis", disc, "Vertex1", click, field, until)
     assert (
-        "has no axis: pick a straight or circular edge" in fields["pass_axis"].error.text() and fields["pass_axis"].link is None
+        "has no axis: pick a straight or circular edge" in fields["pass_axis"].error.text()
+        and fields["pass_axis"].link is None
     )
     panel.reject()
 
 
-def test_the_mouse_picks_a_face_of_a_body_whose_axis_is_kept(doc, field, view_click, click, pump, until, unfold, screenshot):
+def test_the_mouse_picks_a_face_of_a_body_whose_axis_is_kept(
+    doc, field, view_click, click, pump, until, unfold, screenshot
+):
     body = doc.addObject("PartDesign::Body", "Body")
     round_ = doc.addObject("PartDesign::AdditiveCylinder", "Round")
     body.addObject(round_)
@@ -130,19 +149,25 @@ def test_the_mouse_picks_a_face_of_a_body_whose_axis_is_kept(doc, field, view_cl
     pump(300)
     screenshot("guides_clicked")
     panel.options.show_options({"pass_centre": "0,0,0"})
-    assert guides.options_of({"pass_centre": (link[0], "Vertex1")}, (5, 6, 0))["pass_centre"].split(",")[0] in ("12", "-12")
+    assert guides.options_of({"pass_centre": (link[0], "Vertex1")}, (5, 6, 0))["pass_centre"].split(",")[
+        0
+    ] in ("12", "-12")
     assert panel.calculate(), panel.options.error.text()
     assert guides.links_of(panel.obj) == {"pass_axis": link}
     panel.reject()
 
 
-def test_a_face_is_picked_as_boundary_and_an_edge_as_guide(doc, disc, panel, click, field, until, pump, screenshot):
+def test_a_face_is_picked_as_boundary_and_an_edge_as_guide(
+    doc, disc, panel, click, field, until, pump, screenshot
+):
     top = named(disc, "Face", lambda one: one.CenterOfMass.z > 4.9)
     panel.options.show_options({"passes": "scallop", "boundary": "missing.csv"})
     assert not panel.options.check() and "missing.csv" in panel.options.fields["boundary"].error.text()
     pick(panel, "boundary", disc, top, click, field, until)
     text = panel.options.fields["boundary"].value()
-    assert text.count(";") > 20 and field("boundary_picked").text() == f"{top} of Disc" and panel.options.check()
+    assert (
+        text.count(";") > 20 and field("boundary_picked").text() == f"{top} of Disc" and panel.options.check()
+    )
     pick(panel, "from_", disc, rim(disc), click, field, until)
     assert panel.options.read_values()["picked"] == {"boundary": (disc, top), "from_": (disc, rim(disc))}
     pump(300)
@@ -150,6 +175,9 @@ def test_a_face_is_picked_as_boundary_and_an_edge_as_guide(doc, disc, panel, cli
     assert panel.preview_passes() and panel.calculate(), panel.options.error.text()
     assert guides.links_of(panel.obj) == panel.options.read_values()["picked"] and panel.obj.Passes > 3
     pick(panel, "boundary", disc, "Vertex1", click, field, until)
-    assert "bounds nothing: pick a face, or an edge of a closed wire" in panel.options.fields["boundary"].error.text()
+    assert (
+        "bounds nothing: pick a face, or an edge of a closed wire"
+        in panel.options.fields["boundary"].error.text()
+    )
     assert panel.options.fields["boundary"].value() == text
     panel.reject()

@@ -7,7 +7,13 @@ from conftest import QtWidgets
 from freecad_fiveaxis import app
 from freecad_fiveaxis.gui.panels import job_setup, toolpath
 
-COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 6.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {
+    "passes": "planes",
+    "cutter": "ball:6:30",
+    "stepover": 6.0,
+    "linear_deflection": 0.3,
+    "angular_deflection": 30.0,
+}
 
 
 @pytest.fixture
@@ -24,7 +30,9 @@ def answer(values, button="Ok"):
 
     def fill(dialog):
         dialog.options.show_options(values)
-        dialog.findChild(QtWidgets.QDialogButtonBox).button(getattr(QtWidgets.QDialogButtonBox, button)).click()
+        dialog.findChild(QtWidgets.QDialogButtonBox).button(
+            getattr(QtWidgets.QDialogButtonBox, button)
+        ).click()
 
     return fill
 
@@ -36,7 +44,11 @@ def test_the_command_makes_a_setup_in_one_step_and_edits_it(doc, dome, press, mo
     assert (doc.Setup.Label, doc.Setup.Machine, doc.Setup.WorkZero.z) == ("Vice", "trunnion_bc", 20)
     told = modal(answer({"machine": "trunnion_ac"}))
     press("FiveAxis_JobSetup", 600)
-    until(lambda: doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2, 20000, "the setup edited in one step")
+    until(
+        lambda: doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2,
+        20000,
+        "the setup edited in one step",
+    )
     assert told.said == ["Edit setup Vice"]
     assert doc.Setup.WorkZero.z == 20
     told = modal(answer({"machine": "fork_head_bc", "tool_length": 100}, "Cancel"))
@@ -45,8 +57,12 @@ def test_the_command_makes_a_setup_in_one_step_and_edits_it(doc, dome, press, mo
     assert doc.Setup.Machine == "trunnion_ac" and doc.UndoCount == 2
 
 
-def test_a_new_path_takes_the_setup_and_follows_what_is_edited_from_its_panel(doc, dome, modal, click, pump, screenshot, until):
-    setup = app.create_setup(doc, machine="trunnion_bc", controller="fanuc", work_zero=(0, 0, 20), work_offset="G55")
+def test_a_new_path_takes_the_setup_and_follows_what_is_edited_from_its_panel(
+    doc, dome, modal, click, pump, screenshot, until
+):
+    setup = app.create_setup(
+        doc, machine="trunnion_bc", controller="fanuc", work_zero=(0, 0, 20), work_offset="G55"
+    )
     panel = toolpath.create(dome)
     panel.options.show_options(COARSE)
     pump(300)
@@ -58,7 +74,11 @@ def test_a_new_path_takes_the_setup_and_follows_what_is_edited_from_its_panel(do
     assert panel.calculate() and panel.obj.Setup is setup and panel.obj.WorkOffset == "G55"
     modal(answer({"work_offset": "G56"}))
     click(panel.setup.browse)
-    until(lambda: setup.WorkOffset == "G56" == fields["work_offset"].value() and panel.stale, 20000, "the setup edited")
+    until(
+        lambda: setup.WorkOffset == "G56" == fields["work_offset"].value() and panel.stale,
+        20000,
+        "the setup edited",
+    )
     assert panel.calculate() and panel.obj.WorkOffset == "G56" and not panel.stale
     panel.reject()
     assert setup.WorkOffset == "G55" and doc.getObject("Toolpath") is None
@@ -71,7 +91,11 @@ def test_the_values_of_a_path_are_shared(doc, dome, modal, click, pump, until):
     assert panel.setup.value() is None and panel.options.fields["machine"].editor.isEnabled()
     modal(answer({"setup_name": "Shared"}))
     click(panel.setup.browse)
-    until(lambda: doc.getObject("Setup") and panel.setup.value() is doc.Setup, 20000, "a setup of the panel's values")
+    until(
+        lambda: doc.getObject("Setup") and panel.setup.value() is doc.Setup,
+        20000,
+        "a setup of the panel's values",
+    )
     assert doc.Setup.Machine == "trunnion_bc"
     assert panel.calculate()
     panel.step.keep()
@@ -89,7 +113,9 @@ def test_boxes_that_count_for_nothing_are_not_shown(doc, dome, pump, screenshot,
     dialog.show()
     pump(300)
     origin = dialog.options.fields["origin"]
-    assert origin.none.isChecked() and not any(part.editor.isVisible() for part in origin.parts), "the machine's file says it"
+    assert origin.none.isChecked() and not any(part.editor.isVisible() for part in origin.parts), (
+        "the machine's file says it"
+    )
     assert all(part.editor.isVisible() for part in dialog.options.fields["work_zero"].parts)
     screenshot("setup_edit")
     origin.none.setChecked(False)

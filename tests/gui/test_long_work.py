@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The window lives while the core works: its own events go on being served, and Esc stops everything.
 
-Beats: a timer of the window's own thread. How many of them were served while the work went on is what the tests ask for; no test
-depends on how quick the machine is. The bounds in seconds guard against hanging only: more than ten times the most that was measured on
-two cores beside four busy loops, in scripts/busy's way.
+Beats: a timer of the window's own thread. How many of them were served while the work went on is what the
+tests ask for; no test depends on how quick the machine is. The bounds in seconds guard against hanging only:
+more than ten times the most that was measured on two cores beside four busy loops, in scripts/busy's way.
 """
 
 import subprocess
@@ -40,7 +40,8 @@ LATEST = 10.0
 
 
 class Beats:
-    """``served``: the beats inside the ``with`` while a dialog of long work is shown; ``gap``: the longest time between two beats, s.
+    """``served``: the beats inside the ``with`` while a dialog of long work is shown; ``gap``: the longest
+    time between two beats, s.
 
     ``on(dialog)`` is called at each of them."""
 
@@ -73,9 +74,9 @@ class Beats:
 
 @pytest.fixture
 def stopped(real_key):
-    """stopped(work): Esc is pressed once ENOUGH beats were served under the work and ``ready()``, by the X server, again and again
-    until the dialog goes. The work must be under way then. The longest gap between two beats, s, and the time from Esc to the
-    work's end, s."""
+    """stopped(work): Esc is pressed once ENOUGH beats were served under the work and ``ready()``, by the X
+    server, again and again until the dialog goes. The work must be under way then. The longest gap between
+    two beats, s, and the time from Esc to the work's end, s."""
 
     def run(work, ready=lambda: True):
         pressed = []
@@ -97,7 +98,10 @@ def stopped(real_key):
 
 def state(doc):
     """What a stop must leave as it was."""
-    return [(one.Name, one.Label, one.State, getattr(one, "Fingerprint", ""), getattr(one, "Facets", 0)) for one in doc.Objects]
+    return [
+        (one.Name, one.Label, one.State, getattr(one, "Fingerprint", ""), getattr(one, "Facets", 0))
+        for one in doc.Objects
+    ]
 
 
 def in_dialog(work):
@@ -140,7 +144,8 @@ def test_work_in_the_windows_own_thread_would_be_noticed(window, stopped):
 
 
 @pytest.mark.parametrize(
-    ("passes", "tool_axis", "stepover"), [("planes", "minimax", 0.3), ("planes", "facet_mean", 0.01), ("scallop", "auto", 0.3)]
+    ("passes", "tool_axis", "stepover"),
+    [("planes", "minimax", 0.3), ("planes", "facet_mean", 0.01), ("scallop", "auto", 0.3)],
 )
 def test_a_path_leaves_the_window_alive_and_esc_stops_it(path, stopped, passes, tool_axis, stepover):
     path.PassStrategy, path.ToolAxis, path.Stepover = passes, tool_axis, stepover
@@ -192,11 +197,14 @@ def plate(count):
 
 @pytest.fixture(scope="module")
 def coarse(window):
-    """A document with a coarse path over a part of some 3000 faces: made once, for most of the time would go there."""
+    """A document with a coarse path over a part of some 3000 faces: made once, for most of the time would go
+    there."""
     doc = FreeCAD.newDocument()
     part = doc.addObject("Part::Feature", "Pegs")
     part.Shape = plate(14)
-    app.create_toolpath(doc, part, passes="planes", stepover=6, linear_deflection=0.5, angular_deflection=90, gouge="off")
+    app.create_toolpath(
+        doc, part, passes="planes", stepover=6, linear_deflection=0.5, angular_deflection=90, gouge="off"
+    )
     assert len(part.Shape.Faces) > 2500
     name = doc.Name
     yield doc
@@ -231,7 +239,11 @@ def test_cancel_is_pressed_by_the_mouse_while_freecad_recomputes(pegs):
             at.append(time.monotonic())
             button = dialog.findChild(QtWidgets.QPushButton)
             spot = button.mapToGlobal(button.rect().center())
-            hands.append(subprocess.Popen(["xdotool", "mousemove", str(spot.x()), str(spot.y()), "sleep", "0.3", "click", "1"]))
+            hands.append(
+                subprocess.Popen(
+                    ["xdotool", "mousemove", str(spot.x()), str(spot.y()), "sleep", "0.3", "click", "1"]
+                )
+            )
 
     timer = QtCore.QTimer()
     timer.timeout.connect(press_cancel)
@@ -258,7 +270,9 @@ def test_a_mesh_of_half_a_million_facets_leaves_the_window_alive(doc, stopped):
     side = np.linspace(0.0, 100.0, 501)
     x, y = np.meshgrid(side, side)
     grid = np.stack([x, y, 5.0 * np.sin(x / 20.0) * np.cos(y / 15.0)], axis=-1)
-    corner = np.stack([grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[:-1, :-1], grid[1:, 1:], grid[1:, :-1]], axis=2)
+    corner = np.stack(
+        [grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[:-1, :-1], grid[1:, 1:], grid[1:, :-1]], axis=2
+    )
     mesh.Mesh = Mesh.Mesh(corner.reshape(-1, 3).tolist())
     assert mesh.Mesh.CountFacets == 500000
     before = state(doc)
@@ -269,7 +283,9 @@ def test_a_mesh_of_half_a_million_facets_leaves_the_window_alive(doc, stopped):
 def test_lifting_the_tool_leaves_the_window_alive_and_esc_stops_it(doc, stopped):
     pocket = doc.addObject("Part::Feature", "Pocket")
     pocket.Shape = Part.makeBox(60, 60, 30).cut(Part.makeSphere(22, FreeCAD.Vector(30, 30, 30)))
-    path = app.create_toolpath(doc, pocket, cutter="ball:12", stepover=8, linear_deflection=0.2, gouge="off", holder="40x50")
+    path = app.create_toolpath(
+        doc, pocket, cutter="ball:12", stepover=8, linear_deflection=0.2, gouge="off", holder="40x50"
+    )
     path.Gouge, path.Stepover = "lift", 0.1
     before = state(doc)
     gap, late = stopped(in_dialog(lambda: results.result_of(path)))

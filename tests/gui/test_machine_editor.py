@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine editor by its widgets: changed, judged while typing, moved, written as a new file that all lists have from then on."""
+"""The machine editor by its widgets: changed, judged while typing, moved, written as a new file that all
+lists have from then on."""
 
 import json
 from pathlib import Path
@@ -56,7 +57,10 @@ def row(field, click, pump):
 
 def cells(table):
     model = table.model()
-    return [[model.data(model.index(row, column)) for column in range(model.columnCount())] for row in range(model.rowCount())]
+    return [
+        [model.data(model.index(row, column)) for column in range(model.columnCount())]
+        for row in range(model.rowCount())
+    ]
 
 
 def findings(field):
@@ -64,7 +68,19 @@ def findings(field):
 
 
 def test_a_machine_is_changed_and_written_as_a_new_file(
-    empty, whole_screen, folder, press, field, row, type_into, choose, click, until, panel_button, panel_closed, screenshot
+    empty,
+    whole_screen,
+    folder,
+    press,
+    field,
+    row,
+    type_into,
+    choose,
+    click,
+    until,
+    panel_button,
+    panel_closed,
+    screenshot,
 ):
     press("FiveAxis_EditMachine", SLID)
     assert [line[0] for line in cells(field("axes_table"))] == ["C", "A", "X", "Y", "Z"]
@@ -107,7 +123,19 @@ def test_a_machine_is_changed_and_written_as_a_new_file(
 
 
 def test_what_is_wrong_is_named_while_typing_and_cannot_be_written(
-    empty, whole_screen, folder, press, field, row, type_into, choose, click, until, panel_button, panel_closed, modal
+    empty,
+    whole_screen,
+    folder,
+    press,
+    field,
+    row,
+    type_into,
+    choose,
+    click,
+    until,
+    panel_button,
+    panel_closed,
+    modal,
 ):
     press("FiveAxis_EditMachine", SLID)
     type_into(field("machine_name"), "mine")
@@ -129,7 +157,11 @@ def test_what_is_wrong_is_named_while_typing_and_cannot_be_written(
     until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
     assert not field("axis_down").isEnabled(), "the base is next"
     choose(field("axis_side"), "the tool (head)")
-    assert [line[:2] for line in cells(field("axes_table"))][:3] == [["C", "table"], ["A", "head"], ["X", "head"]]
+    assert [line[:2] for line in cells(field("axes_table"))][:3] == [
+        ["C", "table"],
+        ["A", "head"],
+        ["X", "head"],
+    ]
     met = modal("Cancel")
     panel_button("Close")
     until(lambda: met.said, 20000, "a question")
@@ -161,7 +193,9 @@ def test_axes_are_removed_and_added(
     panel_closed()
 
 
-def test_documents_of_the_user_stay_as_they_are(whole_screen, folder, doc, press, field, until, panel_button, panel_closed, pump):
+def test_documents_of_the_user_stay_as_they_are(
+    whole_screen, folder, doc, press, field, until, panel_button, panel_closed, pump
+):
     doc.addObject("Part::Box", "Box")
     doc.recompute()
     doc.clearUndos()
@@ -335,7 +369,8 @@ def test_bodies_are_added_changed_and_removed(
 
 @pytest.fixture
 def fixture_model(doc):
-    """A document with a vise in a part that is moved, a link to it, and a mesh; the vise is 20 x 10 x 30 mm."""
+    """A document with a vise in a part that is moved, a link to it, and a mesh; the vise is 20 x 10 x 30
+    mm."""
     part, vise, net = (doc.addObject(kind, name) for kind, name in
                        (("App::Part", "Holder"), ("Part::Box", "Vise"), ("Mesh::Feature", "Net")))  # fmt: skip
     vise.Length, vise.Width, vise.Height = 20, 10, 30
@@ -374,7 +409,11 @@ def test_what_is_selected_in_a_document_becomes_bodies_and_files_beside_the_mach
     choose(field("attach_carrier"), "A")
     click(field("attach"))
     until(lambda: len(cells(field("bodies_table"))) == 3, 20000, "three bodies")
-    assert cells(field("bodies_table")) == [["Vise", "A", "attached"], ["Second vise", "A", "attached"], ["Net", "A", "attached"]]
+    assert cells(field("bodies_table")) == [
+        ["Vise", "A", "attached"],
+        ["Second vise", "A", "attached"],
+        ["Net", "A", "attached"],
+    ]
     until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
     assert field("body_name").isVisible() and not opened[0].bodies.fields["body_file"].editor.isVisible()
     assert not folder.exists(), "nothing is written before the machine is"
@@ -393,7 +432,11 @@ def test_what_is_selected_in_a_document_becomes_bodies_and_files_beside_the_mach
     assert cells(field("bodies_table"))[-1] == ["Net 2", "–", "attached"]
     assert extent(opened[0].draft.bodies[-1]) == [(-20.0, -30.0, -160.0), (20.0, 30.0, -140.0)]
     until(lambda: "Nothing is wrong" in findings(field), 20000, "a good machine")
-    until(lambda: FreeCAD.ActiveDocument.Name == opened[0].document, 20000, "the picture in front of the user's document")
+    until(
+        lambda: FreeCAD.ActiveDocument.Name == opened[0].document,
+        20000,
+        "the picture in front of the user's document",
+    )
     until(lambda: not cut(panel_form()), 20000, "no text that is cut")
     pump(500)
     screenshot("machine-editor-attached")
@@ -422,7 +465,17 @@ def test_what_is_selected_in_a_document_becomes_bodies_and_files_beside_the_mach
 
 
 def test_what_cannot_be_attached_is_named_and_changes_nothing(
-    fixture_model, whole_screen, folder, press, field, type_into, click, until, unfold, panel_button, panel_closed
+    fixture_model,
+    whole_screen,
+    folder,
+    press,
+    field,
+    type_into,
+    click,
+    until,
+    unfold,
+    panel_button,
+    panel_closed,
 ):
     doc = fixture_model
     drawing = doc.addObject("Sketcher::SketchObject", "Drawing")
@@ -432,7 +485,9 @@ def test_what_cannot_be_attached_is_named_and_changes_nothing(
     for one in ("Holder", drawing.Name):
         FreeCADGui.Selection.addSelection(doc.Name, one)
     click(field("attach"))
-    until(lambda: "Drawing (Sketcher::SketchObject) holds neither" in findings(field), 20000, "what is no solid")
+    until(
+        lambda: "Drawing (Sketcher::SketchObject) holds neither" in findings(field), 20000, "what is no solid"
+    )
     FreeCADGui.Selection.removeSelection(doc.Name, drawing.Name)
     type_into(field("attach_deviation"), "0")
     click(field("attach"))
@@ -443,7 +498,19 @@ def test_what_cannot_be_attached_is_named_and_changes_nothing(
 
 
 def test_the_machine_s_zero_is_picked_and_without_a_document_there_is_a_remedy(
-    empty, whole_screen, folder, opened, press, field, click, until, unfold, panel_button, panel_closed, pump, modal
+    empty,
+    whole_screen,
+    folder,
+    opened,
+    press,
+    field,
+    click,
+    until,
+    unfold,
+    panel_button,
+    panel_closed,
+    pump,
+    modal,
 ):
     press("FiveAxis_EditMachine", SLID)
     unfold()
@@ -469,16 +536,34 @@ def test_the_machine_s_zero_is_picked_and_without_a_document_there_is_a_remedy(
 
 
 def test_a_body_whose_axis_goes_is_named(
-    empty, whole_screen, folder, parameters, press, field, row, click, choose, until, panel_button, panel_closed, modal
+    empty,
+    whole_screen,
+    folder,
+    parameters,
+    press,
+    field,
+    row,
+    click,
+    choose,
+    until,
+    panel_button,
+    panel_closed,
+    modal,
 ):
     parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("Machine", str(EXAMPLE))
     press("FiveAxis_EditMachine", SLID)
     row("axes_table", "C")
     click(field("axis_remove"))
-    until(lambda: "body platter: C carries no body" in findings(field), 20000, "what carries nothing any more")
+    until(
+        lambda: "body platter: C carries no body" in findings(field), 20000, "what carries nothing any more"
+    )
     row("bodies_table", "platter")
     choose(field("body_carrier"), "A")
-    until(lambda: "platter" not in findings(field) and field("save").isEnabled(), 20000, "a machine of four axes")
+    until(
+        lambda: "platter" not in findings(field) and field("save").isEnabled(),
+        20000,
+        "a machine of four axes",
+    )
     modal("Do not save")
     panel_button("Close")
     panel_closed()
@@ -497,7 +582,19 @@ def test_a_file_that_is_no_machine_is_named_and_nothing_changes(
 
 
 def test_the_editor_goes_on_where_its_view_was_closed(
-    doc, whole_screen, folder, opened, press, field, type_into, click, until, panel_button, panel_closed, pump, modal
+    doc,
+    whole_screen,
+    folder,
+    opened,
+    press,
+    field,
+    type_into,
+    click,
+    until,
+    panel_button,
+    panel_closed,
+    pump,
+    modal,
 ):
     press("FiveAxis_EditMachine", SLID)
     FreeCAD.closeDocument(opened[0].document)
@@ -512,7 +609,19 @@ def test_the_editor_goes_on_where_its_view_was_closed(
 
 
 def test_no_german_text_is_cut(
-    german, empty, whole_screen, folder, press, field, until, panel_button, panel_closed, screenshot, unfold, type_into, modal
+    german,
+    empty,
+    whole_screen,
+    folder,
+    press,
+    field,
+    until,
+    panel_button,
+    panel_closed,
+    screenshot,
+    unfold,
+    type_into,
+    modal,
 ):
     press("FiveAxis_EditMachine", SLID)
     unfold()

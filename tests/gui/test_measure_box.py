@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The boxes of lengths and angles: a machinist's text in every unit schema, and the very value back that was given."""
+"""The boxes of lengths and angles: a machinist's text in every unit schema, and the very value back that was
+given."""
 
 import FreeCAD
 import pytest
@@ -10,7 +11,10 @@ from freecad_fiveaxis.gui.panels.summary import length
 from freecad_fiveaxis.gui.play.readout import joint_text
 
 SCHEMAS = {0: "mm", 1: "mm", 2: "in", 3: "in", 4: "mm", 5: "in", 6: "mm"}
-TEXTS = {"mm": ["0.01 mm", "9.525 mm", "0.00002 mm", "0 mm"], "in": ["0.00039 in", "0.375 in", "0.00000079 in", "0 in"]}
+TEXTS = {
+    "mm": ["0.01 mm", "9.525 mm", "0.00002 mm", "0 mm"],
+    "in": ["0.00039 in", "0.375 in", "0.00000079 in", "0 in"],
+}
 
 
 @pytest.fixture(params=SCHEMAS)
@@ -32,7 +36,13 @@ def test_text_and_value_of_a_field(schema):
 def test_what_is_typed_is_read_in_any_unit(schema):
     box = MeasureBox("length")
     inch = SCHEMAS[schema] == "in"
-    for text, mm in (("0.5in", 12.7), ("10 µm", 0.01), ("2", 50.8 if inch else 2.0), ("1/4 in", 6.35), ("3 mm", 3.0)):
+    for text, mm in (
+        ("0.5in", 12.7),
+        ("10 µm", 0.01),
+        ("2", 50.8 if inch else 2.0),
+        ("1/4 in", 6.35),
+        ("3 mm", 3.0),
+    ):
         box.lineEdit().setText(text)
         box.interpretText()
         assert box.measured() == pytest.approx(mm, rel=1e-9), text
@@ -52,8 +62,13 @@ def test_angles():
 
 def test_summary_and_readout(schema):
     inch = SCHEMAS[schema] == "in"
-    assert length(FreeCAD.Units.Quantity(0.0123456, FreeCAD.Units.Length)) == ("0.00049 in" if inch else "0.0123 mm")
-    assert joint_text(25.4, False) == ("1.00000 in" if inch else "25.4000 mm") and joint_text(25.4, True) == "25.4000°"
+    assert length(FreeCAD.Units.Quantity(0.0123456, FreeCAD.Units.Length)) == (
+        "0.00049 in" if inch else "0.0123 mm"
+    )
+    assert (
+        joint_text(25.4, False) == ("1.00000 in" if inch else "25.4000 mm")
+        and joint_text(25.4, True) == "25.4000°"
+    )
 
 
 def test_an_angle_that_is_found_where_none_is_given_says_so():

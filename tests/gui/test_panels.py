@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panels, used as a user uses them: fields typed into, buttons clicked, what stands on the screen read."""
+"""The task panels, used as a user uses them: fields typed into, buttons clicked, what stands on the screen
+read."""
 
 import gc
 import json
@@ -20,7 +21,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
 pytestmark = pytest.mark.usefixtures("kept")
 OPTIONS = {"cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0, "tool_axis": "facet_mean"}  # fmt: skip
-"""A coarse path with the axis of the facets: what the tests are about hangs neither on its length nor on its axes."""
+"""A coarse path with the axis of the facets: what the tests are about hangs neither on its length nor on its
+axes."""
 
 
 @pytest.fixture
@@ -56,8 +58,8 @@ def _schema(number):  # after the document: from FreeCAD 1.1 on each document br
 
 @pytest.fixture
 def panel(dome, pump, until):
-    """The panel of a new, coarse path over the dome, in sight: where the panel of the test before has just been closed, FreeCAD may
-    show the tree afterwards."""
+    """The panel of a new, coarse path over the dome, in sight: where the panel of the test before has just
+    been closed, FreeCAD may show the tree afterwards."""
     opened = toolpath.create(dome)
     opened.options.show_options(OPTIONS)
     pump(300)
@@ -72,8 +74,8 @@ def panel(dome, pump, until):
 
 
 def shown(name):
-    """The widget of that name in the open panel: the last one that lies in what is seen, for the form of an earlier panel may not be
-    gone yet, and come before or behind it."""
+    """The widget of that name in the open panel: the last one that lies in what is seen, for the form of an
+    earlier panel may not be gone yet, and come before or behind it."""
     found = FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, name)
     assert found, name
     return max(reversed(found), key=lambda one: sum(part.isVisible() for part in around(one)))
@@ -122,7 +124,11 @@ def click_calculate(panel, click, pump):
 def test_ok_calculates_what_was_not_calculated(panel, doc, panel_button, panel_closed):
     panel_button("OK")
     panel_closed()
-    assert doc.Toolpath.Blocks > 100 and doc.Toolpath.CutterDiameter.Value == 6.0 and doc.Toolpath.Stepover.Value == 4.0
+    assert (
+        doc.Toolpath.Blocks > 100
+        and doc.Toolpath.CutterDiameter.Value == 6.0
+        and doc.Toolpath.Stepover.Value == 4.0
+    )
 
 
 @pytest.mark.parametrize("how", ["Cancel", "Esc"])
@@ -144,7 +150,10 @@ def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button,
     panel.options.fields["tolerance"].edited.emit()
     error = shown("tolerance_error")
     until(error.isVisible, 20000, "what is wrong")
-    assert error.text() == "Tolerance 0 mm is out of range; it must be at least 0.000001 mm and at most 1000000 mm"
+    assert (
+        error.text()
+        == "Tolerance 0 mm is out of range; it must be at least 0.000001 mm and at most 1000000 mm"
+    )
     assert "#d0342c" in error.styleSheet()
     screenshot("panel_error")
     panel_button("OK")
@@ -157,7 +166,11 @@ def test_a_value_that_cannot_be_used_says_why_in_place(panel, doc, panel_button,
 def test_what_the_core_refuses_later_is_said_under_the_form(panel, doc, pump, until):
     panel.options.show_options({"work_offset": "G99"})
     assert not panel.calculate()
-    until(lambda: "G99" in shown("form_error").text() and shown("form_error").isVisible(), 20000, "what is wrong")
+    until(
+        lambda: "G99" in shown("form_error").text() and shown("form_error").isVisible(),
+        20000,
+        "what is wrong",
+    )
     assert names(doc) == ["Dome"] and not doc.HasPendingTransaction
 
 
@@ -218,7 +231,9 @@ def test_the_cutter_comes_from_a_tool_file(panel, tmp_path):
     assert panel.options.options()["cutter"] == "ball:8.0:25.0"
     (tmp_path / "drill.fctb").write_text(json.dumps({**bit, "shape": "drill.fcstd"}))
     panel.options.fields["cutter"].read_file(str(tmp_path / "drill.fctb"))
-    assert "bull noses" in shown("cutter_error").text() and panel.options.options()["cutter"] == "ball:8.0:25.0"
+    assert (
+        "bull noses" in shown("cutter_error").text() and panel.options.options()["cutter"] == "ball:8.0:25.0"
+    )
     bit["parameter"] |= {"TaperAngle": "10 deg", "FlatRadius": "3 mm"}
     for shape, text in (
         ("endmill", "flat:8.0:25.0"),
@@ -237,7 +252,9 @@ CUTTER_SIZES = {
 
 
 @pytest.mark.parametrize("kind", CUTTER_SIZES)
-def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_into, kind, screenshot, pump, until):
+def test_each_kind_of_cutter_asks_for_its_own_sizes(
+    panel, field, choose, type_into, kind, screenshot, pump, until
+):
     from freecad_fiveaxis.app.labels import choice_label
 
     cutter = panel.options.fields["cutter"]
@@ -250,7 +267,12 @@ def test_each_kind_of_cutter_asks_for_its_own_sizes(panel, field, choose, type_i
 
     until(lambda: asked(lambda part: part.editor) == wanted, 20000, f"fields of {wanted}")
     until(lambda: asked(lambda part: cutter.rows[part.name][0]) == wanted, 20000, f"labels of {wanted}")
-    sizes = {"corner": ("1.25 mm", "1.25"), "taper": ("7.5 deg", "7.5deg"), "neck": ("2.5 mm", "2.5"), "flank": ("70 mm", "70.0")}
+    sizes = {
+        "corner": ("1.25 mm", "1.25"),
+        "taper": ("7.5 deg", "7.5deg"),
+        "neck": ("2.5 mm", "2.5"),
+        "flank": ("70 mm", "70.0"),
+    }
     for size in CUTTER_SIZES[kind]:
         type_into(field("cutter_" + size), sizes[size][0])
     text = ":".join([kind, "6.0", *(sizes[size][1] for size in CUTTER_SIZES[kind]), "30.0"])
@@ -266,17 +288,29 @@ def test_a_corner_that_is_too_large_says_so_under_the_cutter_and_nothing_is_made
     choose(field("cutter_kind"), "bull nose mill")
     type_into(field("cutter_corner"), "4 mm")
     error = shown("cutter_error")
-    until(lambda: "corner radius is 4 mm; give 0 to 3 mm" in error.text() and error.isVisible(), 20000, "what is wrong")
+    until(
+        lambda: "corner radius is 4 mm; give 0 to 3 mm" in error.text() and error.isVisible(),
+        20000,
+        "what is wrong",
+    )
     assert not panel.calculate() and names(doc) == ["Dome"]
     qt_scroll(field("cutter_kind"), pump)
     screenshot("panel_cutter_error")
     choose(field("cutter_kind"), "flat end mill")  # which has no corner: what was typed does not count
-    until(lambda: not error.isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0", 20000, "nothing wrong")
+    until(
+        lambda: not error.isVisible() and panel.options.options()["cutter"] == "flat:6.0:30.0",
+        20000,
+        "nothing wrong",
+    )
 
 
-def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setup_is_cut_off(panel, field, pump, screenshot):
+def test_strategy_and_height_of_a_scallop_are_told_apart_and_no_choice_of_a_setup_is_cut_off(
+    panel, field, pump, screenshot
+):
     strategies, spacing, setups = (field(name) for name in ("passes", "spacing_kind", "setup"))
-    assert {"constant scallop", "level planes"} <= {strategies.itemText(at) for at in range(strategies.count())}
+    assert {"constant scallop", "level planes"} <= {
+        strategies.itemText(at) for at in range(strategies.count())
+    }
     assert [spacing.itemText(at) for at in range(spacing.count())] == ["Scallop height", "Stepover"]
     qt_scroll(spacing, pump)
     screenshot("panel_scallop")
@@ -399,7 +433,11 @@ def test_a_lollipop_is_chosen_with_the_diameter_of_its_neck(dome, field, choose,
     pump(200)
     assert not shown("cutter_neck").isVisible()
     choose(field("cutter_kind"), "lollipop")
-    until(lambda: shown("cutter_neck").isVisible() and not shown("cutter_corner").isVisible(), 20000, "a neck and no corner")
+    until(
+        lambda: shown("cutter_neck").isVisible() and not shown("cutter_corner").isVisible(),
+        20000,
+        "a neck and no corner",
+    )
     assert panel.options.options()["cutter"] == "lollipop:10.0:3.0:50.0", "another kind is a cutter at once"
     type_into(field("cutter_neck"), "0.25 in")
     assert panel.options.options()["cutter"] == "lollipop:10.0:6.35:50.0"
@@ -413,8 +451,14 @@ def test_a_barrel_is_chosen_with_the_radius_of_its_flank(dome, field, choose, ty
     pump(200)
     assert not shown("cutter_flank").isVisible()
     choose(field("cutter_kind"), "barrel")
-    until(lambda: shown("cutter_flank").isVisible() and shown("cutter_corner").isVisible(), 20000, "a flank and a corner")
-    assert panel.options.options()["cutter"] == "barrel:10.0:85.0:1.0:50.0", "another kind is a cutter at once"
+    until(
+        lambda: shown("cutter_flank").isVisible() and shown("cutter_corner").isVisible(),
+        20000,
+        "a flank and a corner",
+    )
+    assert panel.options.options()["cutter"] == "barrel:10.0:85.0:1.0:50.0", (
+        "another kind is a cutter at once"
+    )
     type_into(field("cutter_flank"), "4 mm")
     until(lambda: "more than 5 mm" in shown("cutter_error").text(), 20000, "what is wrong")
     panel.reject()
@@ -424,7 +468,10 @@ def test_the_cutter_comes_from_a_tool_of_a_cam_job(dome, monkeypatch):
     from freecad_fiveaxis.app import cam
     from freecad_fiveaxis.core.tool import Cutter
 
-    tools = [tool_bit.JobTool("Ball", 3, Cutter(5.0, 20.0)), tool_bit.JobTool("Drill", 4, None, "Drill is of no use")]
+    tools = [
+        tool_bit.JobTool("Ball", 3, Cutter(5.0, 20.0)),
+        tool_bit.JobTool("Drill", 4, None, "Drill is of no use"),
+    ]
     monkeypatch.setattr(cam, "jobs_of", lambda doc: [doc])
     monkeypatch.setattr(tool_bit, "cutters_of_job", lambda job: tools)
     field = toolpath.create(dome).options.fields["cutter"]
@@ -463,7 +510,9 @@ def test_esc_ends_the_pick_and_not_the_panel(panel, doc, dome, key, pump, until)
     assert field.value() == before
 
 
-def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(panel, doc, pump, panel_button, until, panel_closed):
+def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(
+    panel, doc, pump, panel_button, until, panel_closed
+):
     panel_button("OK")
     panel_closed()
     path, blocks = doc.Toolpath, doc.Toolpath.Blocks
@@ -479,7 +528,12 @@ def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(panel, doc, pum
     pump(200)
     panel_button("Cancel")
     panel_closed()
-    assert path.Blocks == blocks and path.Stepover.Value == 4.0 and results.nc_of(path) == nc and "Touched" not in path.State
+    assert (
+        path.Blocks == blocks
+        and path.Stepover.Value == 4.0
+        and results.nc_of(path) == nc
+        and "Touched" not in path.State
+    )
     opened = toolpath.edit(path)
     pump(200)
     opened.options.fields["lead"].show_value(5.0)
@@ -492,7 +546,9 @@ def test_the_panel_of_a_path_shows_it_and_changes_it_in_one_step(panel, doc, pum
     assert path.Lead.Value == 0.0 and results.nc_of(path) == nc
 
 
-def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(panel, doc, pump, panel_button, tree_row, until, panel_closed):
+def test_a_double_click_in_the_tree_opens_the_panel_of_the_path(
+    panel, doc, pump, panel_button, tree_row, until, panel_closed
+):
     panel_button("OK")
     panel_closed()
     doc.clearUndos()
@@ -526,7 +582,11 @@ def test_inches_show_inches_and_lose_nothing(inches, dome, type_into, pump, scre
 def test_what_is_typed_is_what_is_milled(millimetres, dome, field, type_into, pump, until):
     panel = toolpath.create(dome)
     pump(300)
-    for name, text, value in (("tolerance", "0.0125", 0.0125), ("feed", "1234.5", 1234.5), ("lead", "2.5", 2.5)):
+    for name, text, value in (
+        ("tolerance", "0.0125", 0.0125),
+        ("feed", "1234.5", 1234.5),
+        ("lead", "2.5", 2.5),
+    ):
         area = field(name)
         qt_scroll(area, pump)
         type_into(area, text)
@@ -575,7 +635,9 @@ def post_to(path, pump):
     return opened
 
 
-def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, screenshot, pump, parameters, panel_closed):
+def test_the_post_panel_writes_nc_and_report(
+    path, doc, tmp_path, panel_button, screenshot, pump, parameters, panel_closed
+):
     parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("OutputFolder", str(tmp_path))
     path.Label = "my: part"
     panel = post.write(path)
@@ -592,7 +654,9 @@ def test_the_post_panel_writes_nc_and_report(path, doc, tmp_path, panel_button, 
 
 
 @pytest.mark.parametrize("answer", ["Cancel", "Replace"])
-def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_path, panel_button, modal, post_to, answer, until):
+def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(
+    path, tmp_path, panel_button, modal, post_to, answer, until
+):
     file = tmp_path / "part.ngc"
     file.write_text("(somebody's own)")
     post_to(file)
@@ -600,13 +664,23 @@ def test_a_file_that_is_there_is_replaced_only_when_the_user_says_so(path, tmp_p
     panel_button("OK", wait=600)
     until(lambda: told.said, 20000, "a question")
     assert str(file) in told.said[0]
-    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
+    until(
+        lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"),
+        20000,
+        "the panel open only after Cancel",
+    )
     assert (file.read_bytes() == results.nc_of(path)) == (answer == "Replace")
 
 
-def test_of_an_inch_document_it_is_said_that_the_program_is_in_millimetres(path, inches, tmp_path, post_to, screenshot, until):
+def test_of_an_inch_document_it_is_said_that_the_program_is_in_millimetres(
+    path, inches, tmp_path, post_to, screenshot, until
+):
     post_to(tmp_path / "part.ngc")
-    until(lambda: "(G21)" in shown("post_units").text() and shown("post_units").isVisible(), 20000, "the program's unit")
+    until(
+        lambda: "(G21)" in shown("post_units").text() and shown("post_units").isVisible(),
+        20000,
+        "the program's unit",
+    )
     screenshot("post_inches")
 
 
@@ -635,7 +709,9 @@ def test_the_preview_for_cam(post_to, doc, tmp_path, panel_button, panel_closed)
 TABLE_2 = "G21 G90 G94\nG1 X0 Y0 Z0 A0 C0 F500\nG1 X10 Y0 Z0 A5 C60\nM2\n"
 
 
-def test_the_audit_panel_makes_audit_and_markers_in_one_step(doc, tmp_path, panel_button, screenshot, pump, panel_closed):
+def test_the_audit_panel_makes_audit_and_markers_in_one_step(
+    doc, tmp_path, panel_button, screenshot, pump, panel_closed
+):
     (tmp_path / "foreign.nc").write_text(TABLE_2)
     panel = audit.create(doc)
     pump(200)
@@ -679,7 +755,8 @@ def test_resources_are_found():
 
 
 def test_panels_open_again_and_again(dome, pump):
-    """FreeCAD deletes the widgets of a closed panel behind PySide's back; new ones may stand at their addresses."""
+    """FreeCAD deletes the widgets of a closed panel behind PySide's back; new ones may stand at their
+    addresses."""
     before = gc.get_threshold()
     gc.set_threshold(100, 5, 5)  # so that old ones go at any moment
     try:
@@ -714,6 +791,8 @@ def test_every_stage_of_the_work_has_its_words(panel, monkeypatch, anew):
     panel.options.show_options({"tool_axis": "auto"})  # which has the most of them
     stages = set()
     say = waiting.Waiting.__call__
-    monkeypatch.setattr(waiting.Waiting, "__call__", lambda self, stage, done: (stages.add(stage), say(self, stage, done)))
+    monkeypatch.setattr(
+        waiting.Waiting, "__call__", lambda self, stage, done: (stages.add(stage), say(self, stage, done))
+    )
     assert panel.calculate()
     assert stages > {"slice", "deviation"} and stages <= set(waiting.stage_words())

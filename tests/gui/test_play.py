@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The player in a real window: buttons clicked, the picture counted in pixels, the view and the document left as they were."""
+"""The player in a real window: buttons clicked, the picture counted in pixels, the view and the document left
+as they were."""
 
 import numpy as np
 import pytest
@@ -25,7 +26,12 @@ def dome(doc):
 def toolpath(doc, **more):
     from freecad_fiveaxis import app
 
-    given = {"machine": "trunnion_ac", "cutter": "ball:6:30", "stepover": 3.0, "linear_deflection": 0.1} | more
+    given = {
+        "machine": "trunnion_ac",
+        "cutter": "ball:6:30",
+        "stepover": 3.0,
+        "linear_deflection": 0.1,
+    } | more
     made = app.create_toolpath(doc, dome(doc), **{"passes": "planes", "tool_axis": "facet_mean", **given})
     doc.recompute()
     return made
@@ -88,11 +94,18 @@ def matrix(node):
 def state(doc):
     """What of a document could have been changed: properties, visibility, placements, undo steps."""
     objects = {
-        obj.Name: (sorted(obj.PropertiesList), obj.State, obj.ViewObject.Visibility, str(getattr(obj, "Placement", "")))
+        obj.Name: (
+            sorted(obj.PropertiesList),
+            obj.State,
+            obj.ViewObject.Visibility,
+            str(getattr(obj, "Placement", "")),
+        )
         for obj in doc.Objects
     }
     lines = (line.split() for line in view_of(doc).getCamera().splitlines())
-    camera = {line[0]: [round(float(word), 4) for word in line[1:]] for line in lines if line and line[0] in CAMERA}
+    camera = {
+        line[0]: [round(float(word), 4) for word in line[1:]] for line in lines if line and line[0] in CAMERA
+    }
     return objects, doc.UndoCount, camera
 
 
@@ -122,7 +135,9 @@ def test_a_click_on_the_tool_bar_opens_it_and_close_leaves_the_view_as_it_was(
 
 
 @pytest.mark.usefixtures("whole_screen")  # in a small window FreeCAD 1.1 lays the panel over the tip
-def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, opened, click, tick, screenshot, pixels, until):
+def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(
+    doc, tmp_path, opened, click, tick, screenshot, pixels, until
+):
     shown = opened(table_2(doc, tmp_path))
     click(shown.controls.worst)
     until(lambda: shown.player.block == 1, 20000, "the worst block")
@@ -130,7 +145,10 @@ def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, o
     assert shown.readout.gap.text() == "2.126 mm" and shown.readout.most.text().startswith("2.126 mm")
     assert shown.readout.rows.labelForField(shown.readout.gap).text() == "Tip off its segment"
     assert shown.readout.line.text() == "3" and shown.readout.text.text().startswith("G1 X-82.0656")
-    tool, curve = matrix(shown.stage.tool), np.array([v.getValue() for v in shown.stage.curve.vertex.getValues()])
+    tool, curve = (
+        matrix(shown.stage.tool),
+        np.array([v.getValue() for v in shown.stage.curve.vertex.getValues()]),
+    )
     chord = curve[-1] - curve[0]
     distance = np.linalg.norm(np.cross(tool[:3, 3] - curve[0], chord)) / np.linalg.norm(chord)
     assert 0.7 < distance < 0.94  # from the line; from the segment it is more, for the tip is beyond its end
@@ -140,7 +158,11 @@ def test_table_2_leaves_its_chord_in_the_picture_and_overshoots(doc, tmp_path, o
     camera.height.setValue(12.0)
     shown.refresh()
     until(lambda: pixels(screenshot("play_table_2"), CURVE, 12) > 100, 30000, "the real curve, in orange")
-    assert np.allclose(view_of(doc).getPointOnScreen(*map(float, shown.stage.tip)), np.array(view_of(doc).getSize()) / 2, atol=2)
+    assert np.allclose(
+        view_of(doc).getPointOnScreen(*map(float, shown.stage.tip)),
+        np.array(view_of(doc).getSize()) / 2,
+        atol=2,
+    )
 
 
 def test_of_a_ball_the_centre_is_played_and_named(doc, opened, click, screenshot, until):
@@ -159,7 +181,9 @@ def test_of_a_ball_the_centre_is_played_and_named(doc, opened, click, screenshot
     screenshot("play_centre")
 
 
-def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright(doc, opened, tick, screenshot, until):
+def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright(
+    doc, opened, tick, screenshot, until
+):
     path = toolpath(doc, work_zero=(3.0, 4.0, 5.0))
     shown = opened(path)
     shown.step(lambda: shown.player.go_to_share(0.4))
@@ -169,12 +193,16 @@ def test_on_the_machine_the_table_turns_the_document_and_the_tool_stands_upright
     lean = matrix(shown.stage.tool)[:3, 2]
     assert np.allclose(matrix(shown.stage.turn), np.eye(4)) and lean[2] < 0.99
     tick(shown.controls.machine)
-    until(lambda: np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6), 20000, "the tool upright")
+    until(
+        lambda: np.allclose(matrix(shown.stage.tool)[:3, 2], (0, 0, 1), atol=1e-6), 20000, "the tool upright"
+    )
     view_of(doc).fitAll()
     screenshot("play_on_the_machine")
     assert "riser" in {body.name for body in shown.stage.machine.bodies}, "the part floats over its table"
     part = layout.middle_of(part_on_screen(shown, doc))
-    boxes = np.concatenate([labels.boxes for labels in (shown.stage.letters, path.ViewObject.Proxy.picture.nodes.labels)])
+    boxes = np.concatenate(
+        [labels.boxes for labels in (shown.stage.letters, path.ViewObject.Proxy.picture.nodes.labels)]
+    )
     boxes = boxes[np.isfinite(boxes).all(axis=1)]
     assert len(boxes) >= 2 and not layout.overlap(boxes, part).any(), "a label lies over the part"
     pose, zero = shown.player.pose, np.array((3.0, 4.0, 5.0))
@@ -208,7 +236,9 @@ def corners_on_screen(shown, doc):
     return np.array(seen) / view_of(doc).getSize()
 
 
-def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_in_view(doc, opened, tick, screenshot, until):
+def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_in_view(
+    doc, opened, tick, screenshot, until
+):
     from pivy import coin
 
     shown = opened(toolpath(doc, machine="mikron_ucp710", work_zero=(3.0, 4.0, 5.0), stepover=8.0))
@@ -223,7 +253,9 @@ def test_on_the_machine_its_bodies_stand_where_the_axes_carry_them_and_are_all_i
         assert np.allclose(matrix(stage.machine.carriers[3]), pose.machine_from_work, atol=1e-3)
         assert np.allclose(matrix(stage.machine.carriers[2]), pose.machine_from_tool, atol=1e-3)
         for axis in (2, 3, 4):
-            assert np.allclose(matrix(stage.machine.carriers[axis]), pose.machine_from_carried[axis], atol=1e-3)
+            assert np.allclose(
+                matrix(stage.machine.carriers[axis]), pose.machine_from_carried[axis], atol=1e-3
+            )
         assert np.allclose(matrix(stage.machine.carriers[None]), np.eye(4))
         seen = corners_on_screen(shown, doc)
         assert seen.min() > 0.0 and seen.max() < 1.0
@@ -331,7 +363,9 @@ def test_it_stops_and_closes_when_what_it_plays_goes(doc, opened, pump, what, un
     else:
         FreeCAD.closeDocument(name)
     assert not shown.playing
-    until(lambda: panel.current() is None and not FreeCADGui.Control.activeDialog(), 20000, "the player closed")
+    until(
+        lambda: panel.current() is None and not FreeCADGui.Control.activeDialog(), 20000, "the player closed"
+    )
     if what != "document":
         assert "FiveAxisPlay" not in children(doc)
 
@@ -378,7 +412,9 @@ def test_it_closes_when_its_object_cannot_be_computed_any_more(doc, opened, pump
     opened(path)
     path.Machine = "no such machine"
     doc.recompute()
-    until(lambda: panel.current() is None and not FreeCADGui.Control.activeDialog(), 20000, "the player closed")
+    until(
+        lambda: panel.current() is None and not FreeCADGui.Control.activeDialog(), 20000, "the player closed"
+    )
     assert "FiveAxisPlay" not in children(doc)
 
 
@@ -418,7 +454,9 @@ def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, para
         click(shown.controls.worst)
         until(lambda: shown.readout.gap.text() == f"{WORST / 25.4:.4g} in", 20000, "the gap in inches")
         assert shown.readout.joints[0].text().endswith(" in") and shown.readout.joints[3].text().endswith("°")
-        assert float(shown.readout.joints[0].text().split()[0]) * 25.4 == pytest.approx(shown.player.pose.words[0], abs=2e-4)
+        assert float(shown.readout.joints[0].text().split()[0]) * 25.4 == pytest.approx(
+            shown.player.pose.words[0], abs=2e-4
+        )
     finally:
         FreeCAD.Units.setSchema(kept)
 
@@ -426,7 +464,9 @@ def test_lengths_are_shown_in_the_users_units(doc, tmp_path, opened, click, para
 @pytest.mark.parametrize("driven", [0.0, 4.0])
 def test_the_tool_stands_with_its_driven_point_at_zero(driven):
     low, high = box_of(tool_body("ball:8:40", [(30.0, 50.0)]), driven)
-    assert np.allclose(low, (-15, -15, -driven), atol=1e-4) and np.allclose(high, (15, 15, 90 - driven), atol=1e-4)
+    assert np.allclose(low, (-15, -15, -driven), atol=1e-4) and np.allclose(
+        high, (15, 15, 90 - driven), atol=1e-4
+    )
 
 
 def tool_body(cutter, holder=()):
@@ -447,7 +487,9 @@ def box_of(body, driven=0.0):
     return box.getMin().getValue(), box.getMax().getValue()
 
 
-@pytest.mark.parametrize("cutter", ["ball:10:30", "flat:10:30", "bull:10:2:30", "taperball:6:5deg:30", "taperbull:10:2:15deg:30"])
+@pytest.mark.parametrize(
+    "cutter", ["ball:10:30", "flat:10:30", "bull:10:2:30", "taperball:6:5deg:30", "taperbull:10:2:15deg:30"]
+)
 def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
     from pivy import coin
 
@@ -456,7 +498,9 @@ def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
 
     body, drawn = tool_body(cutter, [(40.0, 25.0), (63.0, 50.0)]), []
     act = coin.SoCallbackAction()
-    act.addTriangleCallback(coin.SoShape.getClassTypeId(), lambda _, __, *corners: drawn.extend(corners), None)
+    act.addTriangleCallback(
+        coin.SoShape.getClassTypeId(), lambda _, __, *corners: drawn.extend(corners), None
+    )
     act.apply(tool_node(DrawnTool(body)))
     points = np.array([corner.getPoint().getValue() for corner in drawn], float)
     normals = np.array([corner.getNormal().getValue() for corner in drawn], float)
@@ -466,11 +510,15 @@ def test_every_point_that_is_drawn_lies_on_the_body_that_is_checked(cutter):
     middles = points.reshape(-1, 3, 3).mean(axis=1)
     area = np.cross(*(points.reshape(-1, 3, 3)[:, k] - points.reshape(-1, 3, 3)[:, 0] for k in (1, 2)))
     thick = np.linalg.norm(area, axis=1) > 1e-3
-    assert np.all(depth_of(body, np.zeros(3), up, middles + 0.5 * normals.reshape(-1, 3, 3).mean(axis=1))[thick] < 0.0)
+    assert np.all(
+        depth_of(body, np.zeros(3), up, middles + 0.5 * normals.reshape(-1, 3, 3).mean(axis=1))[thick] < 0.0
+    )
 
 
 @pytest.mark.parametrize("kind", ["bull:12:3:25", "taperball:6:8deg:30", "flat:12:25"])
-def test_play_shows_cutter_shank_and_holder_in_their_true_shape(doc, opened, screenshot, pixels, kind, pump, until):
+def test_play_shows_cutter_shank_and_holder_in_their_true_shape(
+    doc, opened, screenshot, pixels, kind, pump, until
+):
     made = toolpath(doc, cutter=kind, lead=10, shank="8x12", holder="30x15,44x25", stepover=6.0, gouge="off")
     shown = opened(made)
     low, high = box_of(shown_body(made))

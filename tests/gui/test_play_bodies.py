@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The bodies of a machine's file and fixtures in the player: where they are drawn, by turns written out here; red where they are hit."""
+"""The bodies of a machine's file and fixtures in the player: where they are drawn, by turns written out here;
+red where they are hit."""
 
 import json
 from pathlib import Path
@@ -32,7 +33,8 @@ G1 X-68 Y50 Z-30 A0 C100
 G1 X0 Y0 Z70 A0 C0
 M2
 """
-"""Block 3 drives along Y past the post, 7 mm into it, and block 7 past the cheek, 3 mm into it: deepest in the middle of each."""
+"""Block 3 drives along Y past the post, 7 mm into it, and block 7 past the cheek, 3 mm into it: deepest in
+the middle of each."""
 RED = (224, 31, 20)
 
 
@@ -45,7 +47,11 @@ def machine_file(folder):
         {"name": "post", "carrier": "base", "box": ends[0]},
         {"name": "cheek", "carrier": "A", "file": "cheek.stl"},
         {"name": "platter", "carrier": "C", "cylinder": {**ends[1], "radius": PLATTER[2]}},
-        {"name": "nose", "carrier": "spindle", "cone": {**ends[2], "low_radius": NOSE[2], "high_radius": NOSE[3]}},
+        {
+            "name": "nose",
+            "carrier": "spindle",
+            "cone": {**ends[2], "low_radius": NOSE[2], "high_radius": NOSE[3]},
+        },
     ]
     path = folder / "with_bodies.fcm"
     path.write_text(json.dumps(data))
@@ -57,21 +63,36 @@ def audited(doc, folder, **more):
 
     path = folder / "bodies.ngc"
     path.write_text(PROGRAM)
-    given = {"origin": tuple(ORIGIN), "tool_length": LENGTH, "work_zero": tuple(ZERO), "holder": "30x40", "cutter": "ball:6:20"}
+    given = {
+        "origin": tuple(ORIGIN),
+        "tool_length": LENGTH,
+        "work_zero": tuple(ZERO),
+        "holder": "30x40",
+        "cutter": "ball:6:20",
+    }
     return app.audit(doc, str(path), machine_file(folder), **given | more)
 
 
 def turn(axis, degrees):
     cos, sin = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    return np.array([[1, 0, 0], [0, cos, -sin], [0, sin, cos]] if axis == "A" else [[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]])
+    return np.array(
+        [[1, 0, 0], [0, cos, -sin], [0, sin, cos]]
+        if axis == "A"
+        else [[cos, -sin, 0], [sin, cos, 0], [0, 0, 1]]
+    )
 
 
 def true_corners(name, words):
-    """The corners of a body in the document at words X Y Z C A, on a table that turns what it carries the other way round."""
+    """The corners of a body in the document at words X Y Z C A, on a table that turns what it carries the
+    other way round."""
     if name == "nose":
         facets = frustum_facets(*NOSE).reshape(-1, 3) + words[:3] + (0.0, 0.0, LENGTH)
         return np.unique(facets, axis=0) + ZERO
-    corners = frustum_facets(*PLATTER, PLATTER[2]) if name == "platter" else box_facets(*(POST if name == "post" else CHEEK))
+    corners = (
+        frustum_facets(*PLATTER, PLATTER[2])
+        if name == "platter"
+        else box_facets(*(POST if name == "post" else CHEEK))
+    )
     corners = np.unique(corners.reshape(-1, 3), axis=0)
     if name == "platter":
         corners = corners @ turn("C", -words[3]).T
@@ -114,7 +135,11 @@ def check_places(doc, shown):
 
 
 def reds(shown):
-    return {one.name for one, look in zip(shown.stage.machine.standing, shown.stage.machine.looks, strict=True) if look.hit}
+    return {
+        one.name
+        for one, look in zip(shown.stage.machine.standing, shown.stage.machine.looks, strict=True)
+        if look.hit
+    }
 
 
 @pytest.mark.usefixtures("whole_screen")
@@ -142,12 +167,18 @@ def test_bodies_stand_where_the_axes_carry_them_and_are_red_where_they_are_hit(
         assert f"into the {name}" in shown.readout.hit.toolTip()
         check_places(doc, shown)
         assert next(one.place for one in machine.standing if one.name == name) == place
-        until(lambda: pixels(screenshot(f"play_bodies_{name}"), RED, 40) > quiet + 500, 30000, f"a red {name}")  # noqa: B023
+        until(
+            lambda name=name: pixels(screenshot(f"play_bodies_{name}"), RED, 40) > quiet + 500,
+            30000,
+            f"a red {name}",
+        )
     shown.step(shown.player.forward)
     assert shown.player.block == 3 and reds(shown) == {"post"}, "all through the block"
     shown.step(shown.player.forward)
     until(lambda: shown.player.block == 4 and not reds(shown), 20000, "quiet again")
-    until(lambda: pixels(screenshot("play_bodies_free"), RED, 40) < quiet + 20, 30000, "no red in the picture")
+    until(
+        lambda: pixels(screenshot("play_bodies_free"), RED, 40) < quiet + 20, 30000, "no red in the picture"
+    )
     shown.stage.machine.carriers[3].matrix.setValue(*np.eye(4).reshape(-1).tolist())
     shown.stage.machine.carriers[4].matrix.setValue(*np.eye(4).reshape(-1).tolist())
     with pytest.raises(AssertionError, match="is drawn"):  # the comparison sees an axis that does not carry
@@ -183,7 +214,9 @@ def test_without_the_tools_length_the_spindle_is_the_sketchs(doc, tmp_path, open
 def test_a_machine_without_bodies_is_sketched_and_has_no_collisions(doc, opened):
     shown = opened(toolpath(doc, stepover=8.0, linearize="off", gouge="off"))
     assert not shown.stage.machine.standing and not shown.stage.fixtures.switches
-    assert {"platter", "cradle", "base", "spindle", "ram"} <= {body.name for body in shown.stage.machine.bodies}
+    assert {"platter", "cradle", "base", "spindle", "ram"} <= {
+        body.name for body in shown.stage.machine.bodies
+    }
     assert not shown.controls.collision.isVisible() and not shown.readout.hit.isVisible()
     assert not shown.player.go_to_next_collision()
 
@@ -202,9 +235,22 @@ def test_a_fixture_is_drawn_by_the_document_and_red_over_that_where_it_is_hit(
         one.Length, one.Width, one.Height = size
         one.Placement.Base = FreeCAD.Vector(*low)
     doc.recompute()
-    given = {"machine": "trunnion_ac", "tool_length": 120, "cutter": "ball:6", "stepover": 2.0, "passes": "planes"}
+    given = {
+        "machine": "trunnion_ac",
+        "tool_length": 120,
+        "cutter": "ball:6",
+        "stepover": 2.0,
+        "passes": "planes",
+    }
     path = app.create_toolpath(
-        doc, plate, **given, max_axis_angle=30, linearize="off", gouge="report", fixtures=[clamp], work_zero=tuple(ZERO)
+        doc,
+        plate,
+        **given,
+        max_axis_angle=30,
+        linearize="off",
+        gouge="report",
+        fixtures=[clamp],
+        work_zero=tuple(ZERO),
     )
     shown = opened(path)
     ((name, switch),) = shown.stage.fixtures.switches
@@ -225,14 +271,20 @@ def test_a_fixture_is_drawn_by_the_document_and_red_over_that_where_it_is_hit(
     measure.apply(switch)
     box = measure.getBoundingBox()
     low, high = np.array(box.getMin().getValue()), np.array(box.getMax().getValue())
-    assert np.allclose(low, (10, -8, 0) - ZERO, atol=1e-4) and np.allclose(high, (20, -1, 25) - ZERO, atol=1e-4)
+    assert np.allclose(low, (10, -8, 0) - ZERO, atol=1e-4) and np.allclose(
+        high, (20, -1, 25) - ZERO, atol=1e-4
+    )
     screenshot("play_fixture_on_the_machine")
     click(shown.controls.begin)
     until(lambda: switch.whichChild.getValue() == coin.SO_SWITCH_NONE, 20000, "quiet again")
 
 
 def ambers(shown):
-    return {one.name for one, look in zip(shown.stage.machine.standing, shown.stage.machine.looks, strict=True) if look.near}
+    return {
+        one.name
+        for one, look in zip(shown.stage.machine.standing, shown.stage.machine.looks, strict=True)
+        if look.near
+    }
 
 
 AMBER = (230, 158, 0)
@@ -276,7 +328,9 @@ def test_what_is_come_near_to_is_amber_and_named_with_the_distance_between_the_c
     assert shown.player.block == near.block and ambers(shown) == amber, "playing pauses there too"
 
 
-def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(doc, tmp_path, opened, click, until, screenshot, pixels):
+def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(
+    doc, tmp_path, opened, click, until, screenshot, pixels
+):
     """A clamp 2 mm beside a flat end of 6 mm, with 4 mm asked for; nothing is hit."""
     import FreeCAD
     from pivy import coin
@@ -286,7 +340,9 @@ def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(doc, tmp_path, opened,
     clamp = doc.addObject("Part::Box", "Clamp")
     clamp.Length, clamp.Width, clamp.Height, clamp.Placement.Base = 10, 20, 25, FreeCAD.Vector(20, 5, 0)
     doc.recompute()
-    (tmp_path / "near.ngc").write_text("G21 G90 G94\nG1 X0 Y0 Z40 A0 C0 F2000\nG1 X0 Y0 Z20\nG1 X40 Y0 Z20\nG1 X40 Y0 Z40\nM2\n")
+    (tmp_path / "near.ngc").write_text(
+        "G21 G90 G94\nG1 X0 Y0 Z40 A0 C0 F2000\nG1 X0 Y0 Z20\nG1 X40 Y0 Z20\nG1 X40 Y0 Z40\nM2\n"
+    )
     given = {"cutter": "flat:6:30", "fixtures": [clamp], "tool_length": 120}
     made = app.audit(doc, str(tmp_path / "near.ngc"), "trunnion_ac", fixture_clearance=4, **given)
     marks = app.annotate(made)
@@ -298,7 +354,10 @@ def test_a_fixture_that_is_nearly_hit_is_amber_and_marked(doc, tmp_path, opened,
     quiet = pixels(screenshot("play_near_fixture_none"), AMBER, 40)
     click(shown.controls.collision)
     until(lambda: look.near and not look.hit, 20000, "the near miss")
-    assert switch.whichChild.getValue() == coin.SO_SWITCH_ALL and shown.readout.hit.text() == "Near: cutter within 2 mm of Clamp"
+    assert (
+        switch.whichChild.getValue() == coin.SO_SWITCH_ALL
+        and shown.readout.hit.text() == "Near: cutter within 2 mm of Clamp"
+    )
     until(lambda: pixels(screenshot("play_near_fixture"), AMBER, 40) > quiet + 200, 30000, "an amber clamp")
     click(shown.controls.begin)
     until(lambda: switch.whichChild.getValue() == coin.SO_SWITCH_NONE, 20000, "quiet again")

@@ -21,7 +21,8 @@ translate = FreeCAD.Qt.translate
 
 @pytest.fixture
 def ours(parameters):
-    """Our parameter group, empty at first, put back afterwards; OK writes the boxes of FreeCAD's other pages too."""
+    """Our parameter group, empty at first, put back afterwards; OK writes the boxes of FreeCAD's other pages
+    too."""
     parameters("User parameter:BaseApp/Preferences/Document")
     found = parameters(preferences.GROUP)
     found.Clear()
@@ -30,7 +31,8 @@ def ours(parameters):
 
 @pytest.fixture
 def in_dialog(window, modal, until):
-    """in_dialog(work): open FreeCAD's preferences at our page, call work(the page's widgets by name, the dialog)."""
+    """in_dialog(work): open FreeCAD's preferences at our page, call work(the page's widgets by name, the
+    dialog)."""
 
     def show(work):
         raised = ["the dialog did not show our page"]
@@ -53,7 +55,10 @@ def in_dialog(window, modal, until):
 
 
 def visible_form(dialog):
-    return next((one for one in dialog.findChildren(QtWidgets.QWidget, "FiveAxisPreferences") if one.isVisible()), None)
+    return next(
+        (one for one in dialog.findChildren(QtWidgets.QWidget, "FiveAxisPreferences") if one.isVisible()),
+        None,
+    )
 
 
 def press_button(dialog, kind):
@@ -61,7 +66,9 @@ def press_button(dialog, kind):
     box.button(kind).click()
 
 
-def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(ours, in_dialog, choose, type_into, screenshot, pump):
+def test_a_default_changed_by_hand_is_kept_and_the_others_are_not_touched(
+    ours, in_dialog, choose, type_into, screenshot, pump
+):
     def work(widgets, dialog):
         type_into(widgets["Machine"], "trunnion_bc")
         choose(widgets["Controller"], "Fanuc")
@@ -161,11 +168,17 @@ def test_menu_properties_and_plain_texts_are_german(german, window, pump, until)
     pump(300)
 
     def german_menu():
-        menus = {menu.title().replace("&", ""): menu for menu in window.menuBar().findChildren(QtWidgets.QMenu)}
+        menus = {
+            menu.title().replace("&", ""): menu for menu in window.menuBar().findChildren(QtWidgets.QMenu)
+        }
         return menus.get("Fünfachsig")
 
     menu = until(german_menu, 20000, "a German menu")
-    until(lambda: "Tessellieren" in [action.text() for action in menu.actions()], 20000, "a German command in it")
+    until(
+        lambda: "Tessellieren" in [action.text() for action in menu.actions()],
+        20000,
+        "a German command in it",
+    )
     assert translate("FiveAxis", "Tool axis") == "Werkzeugachse"
     assert translate("App::Property", "Work Zero") == "Werkstücknullpunkt"
 

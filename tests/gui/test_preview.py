@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes drawn before they are computed: the button, the lines in the view, the line of words, and when both go away again."""
+"""Passes drawn before they are computed: the button, the lines in the view, the line of words, and when both
+go away again."""
 
 import time
 
@@ -47,16 +48,27 @@ def drawn(panel):
     return 0 if root is None else int(scene.findChild(root) >= 0)
 
 
-def test_passes_are_drawn_and_told_and_the_document_stays(doc, panel, field, click, until, pump, screenshot, pixels):
+def test_passes_are_drawn_and_told_and_the_document_stays(
+    doc, panel, field, click, until, pump, screenshot, pixels
+):
     before = len(doc.Objects), doc.UndoCount
     bare = pixels(screenshot("preview_before"), PINK, 40)
     click(field("preview_passes"))
     until(lambda: panel.preview.line.isVisible(), 20000, "the line")
     found = app.preview_passes((panel.base, panel.faces), **panel.options.read_values())
     said = panel.preview.line.text()
-    assert said.startswith(f"{found.passes} passes, ") and f"{found.length:.0f} mm" in said and "links not counted" in said
+    assert (
+        said.startswith(f"{found.passes} passes, ")
+        and f"{found.length:.0f} mm" in said
+        and "links not counted" in said
+    )
     assert f"{int(found.length / 10) // 60}:" in said, said
-    assert drawn(panel) == 1 and (len(doc.Objects), doc.UndoCount) == before and panel.obj is None and panel.stale
+    assert (
+        drawn(panel) == 1
+        and (len(doc.Objects), doc.UndoCount) == before
+        and panel.obj is None
+        and panel.stale
+    )
     pump(300)
     assert pixels(screenshot("preview_passes"), PINK, 40) > bare + 300, "they are seen"
     panel.reject()
@@ -74,7 +86,9 @@ def test_they_are_seen_too_where_the_part_is_hidden(block, panel, pump, screensh
     panel.reject()
 
 
-def test_they_go_when_a_field_is_changed_a_path_computed_the_part_changed_or_the_panel_closed(doc, block, panel, until, pump):
+def test_they_go_when_a_field_is_changed_a_path_computed_the_part_changed_or_the_panel_closed(
+    doc, block, panel, until, pump
+):
     def lay():
         assert panel.preview_passes(), panel.options.error.text()
         assert drawn(panel) == 1 and panel.preview.line.isVisible()

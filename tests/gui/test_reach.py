@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The reach map: pressed, calculated, seen in colours, stopped, undone, taken from a tool path, and drawn again after opening."""
+"""The reach map: pressed, calculated, seen in colours, stopped, undone, taken from a tool path, and drawn
+again after opening."""
 
 import FreeCAD
 import FreeCADGui
@@ -39,7 +40,9 @@ def slot(doc, parameters):
     attach.register()
     profile = [(-30, 0), (30, 0), (30, 40), (7, 40), (7, 10), (-7, 10), (-7, 40), (-30, 40), (-30, 0)]
     obj = doc.addObject("Part::Feature", "Slot")
-    obj.Shape = Part.Face(Part.makePolygon([(x, 0, z) for x, z in profile])).extrude(FreeCAD.Vector(0, 160, 0))
+    obj.Shape = Part.Face(Part.makePolygon([(x, 0, z) for x, z in profile])).extrude(
+        FreeCAD.Vector(0, 160, 0)
+    )
     doc.recompute()
     look(doc)
     return obj
@@ -65,13 +68,28 @@ def level(rgb):
 def colour_at(picture, place, view_point, view_box):
     """The colour on the screen of the 5 x 5 pixels about a place of the document: their median."""
     point, (left, top, *_) = view_point(place), view_box()
-    seen = pixels_of(picture)[top + point.y() - 2 : top + point.y() + 3, left + point.x() - 2 : left + point.x() + 3]
+    seen = pixels_of(picture)[
+        top + point.y() - 2 : top + point.y() + 3, left + point.x() - 2 : left + point.x() + 3
+    ]
     return np.median(seen.reshape(-1, 3), axis=0).tolist()
 
 
 @pytest.mark.usefixtures("whole_screen")
 def test_the_map_is_calculated_seen_in_its_colours_kept_and_undone(
-    slot, doc, select, press, field, click, until, panel_button, panel_closed, screenshot, view_point, view_box, pump, type_into
+    slot,
+    doc,
+    select,
+    press,
+    field,
+    click,
+    until,
+    panel_button,
+    panel_closed,
+    screenshot,
+    view_point,
+    view_box,
+    pump,
+    type_into,
 ):
     """From above: the slot's floor in the colour of the holder, the top in that of what is reached."""
     doc.clearUndos()
@@ -103,7 +121,10 @@ def test_the_map_is_calculated_seen_in_its_colours_kept_and_undone(
     panel_button("OK", 1000)
     panel_closed()
     assert doc.UndoCount == 1 and made.ViewObject.Proxy.claimChildren() == [doc.Tessellation]
-    assert made.ViewObject.Proxy.getIcon().endswith("ReachMap.svg") and not doc.Tessellation.ViewObject.Visibility
+    assert (
+        made.ViewObject.Proxy.getIcon().endswith("ReachMap.svg")
+        and not doc.Tessellation.ViewObject.Visibility
+    )
     doc.undo()
     until(lambda: [obj.Name for obj in doc.Objects] == ["Slot"], 20000, "undone")
     pump(300)
@@ -136,8 +157,16 @@ def test_a_stopped_map_leaves_the_document_as_it_was(
     assert doc.UndoCount == 0
 
 
-def test_a_tool_path_gives_the_panel_its_machine_and_tool(slot, doc, tree_row, press, field, panel_button, panel_closed, until):
-    settings = {"machine": "trunnion_bc", "cutter": "ball:6:60", "passes": "planes", "stepover": 6, "work_zero": (1, 2, 3)}
+def test_a_tool_path_gives_the_panel_its_machine_and_tool(
+    slot, doc, tree_row, press, field, panel_button, panel_closed, until
+):
+    settings = {
+        "machine": "trunnion_bc",
+        "cutter": "ball:6:60",
+        "passes": "planes",
+        "stepover": 6,
+        "work_zero": (1, 2, 3),
+    }
     path = app.create_toolpath(doc, (slot, upper(slot)), **settings, gouge="off", linearize="off")
     doc.clearUndos()
     tree_row(path.Label)
@@ -156,7 +185,9 @@ def test_a_tool_path_gives_the_panel_its_machine_and_tool(slot, doc, tree_row, p
 
 
 @pytest.mark.usefixtures("whole_screen")
-def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old_or_its_solid_gone(slot, doc, pump, until, tmp_path):
+def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old_or_its_solid_gone(
+    slot, doc, pump, until, tmp_path
+):
     area = app.reach_map((slot, upper(slot)), **TOOL).ReachableArea.Value
     file = str(tmp_path / "reach.FCStd")
     doc.saveAs(file)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rest material, and where the tool enters the part: seen, clicked, undone, stopped, and drawn again after opening."""
+"""Rest material, and where the tool enters the part: seen, clicked, undone, stopped, and drawn again after
+opening."""
 
 import FreeCAD
 import FreeCADGui
@@ -16,14 +17,22 @@ from freecad_fiveaxis.gui import attach, findings_panel, messages
 from freecad_fiveaxis.gui.scene import marks, rest_nodes
 
 ZERO = (5.0, 2.0, 3.0)
-GROOVE = {"machine": "trunnion_ac", "cutter": "ball:10", "stepover": 1, "direction": 90, "tool_axis": "fixed", "tolerance": 0.02}
+GROOVE = {
+    "machine": "trunnion_ac",
+    "cutter": "ball:10",
+    "stepover": 1,
+    "direction": 90,
+    "tool_axis": "fixed",
+    "tolerance": 0.02,
+}
 
 pytestmark = pytest.mark.usefixtures("kept")
 
 
 @pytest.fixture
 def groove(doc):
-    """A block of 48 x 16 mm whose top has a V groove of 90 deg along Y, 6 mm deep, its bottom at x = 0, z = 0."""
+    """A block of 48 x 16 mm whose top has a V groove of 90 deg along Y, 6 mm deep, its bottom at x = 0, z =
+    0."""
     attach.register()
     profile = [(-24, 6), (-6, 6), (0, 0), (6, 6), (24, 6), (24, -8), (-24, -8), (-24, 6)]
     obj = doc.addObject("Part::Feature", "Groove")
@@ -81,7 +90,11 @@ def test_the_map_is_seen_in_colours_and_undone_in_one_step(make_path, doc, press
         return sum(seen(pixels, shot, ramp[row], view_box(), 12) for row in range(0, 60, 10))
 
     as_it_should_be = ramp[len(ramp) // 2]
-    until(lambda: seen(pixels, screenshot("rest_map"), as_it_should_be, view_box(), 30) > 30000, 30000, "what is as it should be")
+    until(
+        lambda: seen(pixels, screenshot("rest_map"), as_it_should_be, view_box(), 30) > 30000,
+        30000,
+        "what is as it should be",
+    )
     until(lambda: red() > 1000, 30000, "what is cut too deep")
     assert made.LargestOvercut.Value > 1.0 and made.UpToDate
     assert not path.ViewObject.Visibility and path.ViewObject.Proxy.claimChildren()[-1] is made
@@ -150,13 +163,21 @@ def test_a_reopened_map_is_drawn_again_and_says_when_it_is_old(
         until(lambda: drawn(made) is not None and drawn(made).heights is not None, 20000, "the map")
         look(again)
         pump(500)
-        until(lambda: drawn(made).warned == "" and rest.out_of_date(made) == "", 20000, "a map that is not old")
+        until(
+            lambda: drawn(made).warned == "" and rest.out_of_date(made) == "", 20000, "a map that is not old"
+        )
         again.Toolpath.Stepover = 2
         until(lambda: "recompute" in drawn(made).warned, 20000, "a map that is old")
         warning = (1.0, 205 / 255, 70 / 255)
-        until(lambda: seen(pixels, screenshot("rest_old"), warning, view_box()) > 20, 30000, "the legend's warning")
+        until(
+            lambda: seen(pixels, screenshot("rest_old"), warning, view_box()) > 20,
+            30000,
+            "the legend's warning",
+        )
         again.recompute()
-        until(lambda: drawn(made).warned == "" and drawn(made).heights is made.Proxy.last, 20000, "the new map")
+        until(
+            lambda: drawn(made).warned == "" and drawn(made).heights is made.Proxy.last, 20000, "the new map"
+        )
     finally:
         close_all(again.Name)
 
@@ -171,7 +192,11 @@ def test_gouges_have_their_own_marks_labels_and_words(
     assert made.Depths[at] == pytest.approx(max(made.Depths)) and made.Depths[at] > 1.0
     doc.Groove.ViewObject.Visibility = True
     look(doc)
-    until(lambda: seen(pixels, screenshot("gouge_marks"), marks.YELLOW, view_box()) > 60, 30000, "a mark of an overcut")
+    until(
+        lambda: seen(pixels, screenshot("gouge_marks"), marks.YELLOW, view_box()) > 60,
+        30000,
+        "a mark of an overcut",
+    )
     panel = findings_panel.show(path)
     pump(300)
     row = next(i for i, one in enumerate(panel.rows) if one.kind == "overcut")
@@ -193,6 +218,8 @@ def test_every_gouge_has_one_row_in_the_list_of_findings(cure, make_path):
     figures = results.figures_of(make_path(gouge=cure, rest="on"))
     rows, of_marker = report.listed(figures)
     assert {row.finding for row in rows} >= set(figures.findings)
-    assert len({(row.kind, row.finding.block, row.finding.place) for row in rows}) == len(rows), "a finding is listed twice"
+    assert len({(row.kind, row.finding.block, row.finding.place) for row in rows}) == len(rows), (
+        "a finding is listed twice"
+    )
     for mark, at in zip(report.markers(figures), of_marker, strict=True):
         assert rows[at].kind == mark.kind and rows[at].finding.block == mark.block

@@ -50,7 +50,11 @@ def test_a_tiny_part_is_scaled_by_one_click_and_it_is_one_step_of_undo(
     until(lambda: length(doc.Toolpath) == pytest.approx(size, rel=1e-5), 60000, f"a part of {size} mm")
     until(lambda: not tiny.ViewObject.Visibility, 20000, "the tiny part hidden")
     pump(700)
-    until(lambda: button(unit).isVisible() is (size < 6.0), 20000, "an offer only where 2 mm are still less than the cutter")
+    until(
+        lambda: button(unit).isVisible() is (size < 6.0),
+        20000,
+        "an offer only where 2 mm are still less than the cutter",
+    )
     panel_button("OK")
     panel_closed()
     assert sorted(one.Label for one in doc.Objects) == [
@@ -63,7 +67,9 @@ def test_a_tiny_part_is_scaled_by_one_click_and_it_is_one_step_of_undo(
     assert [one.Name for one in doc.Objects] == ["Tiny"] and tiny.ViewObject.Visibility
 
 
-def test_cancel_takes_the_scale_back_from_a_path_that_was_there(doc, tiny, click, pump, panel_button, until, panel_closed):
+def test_cancel_takes_the_scale_back_from_a_path_that_was_there(
+    doc, tiny, click, pump, panel_button, until, panel_closed
+):
     calculated(toolpath.create(tiny), pump)
     panel_button("OK")
     panel_closed()
@@ -76,5 +82,9 @@ def test_cancel_takes_the_scale_back_from_a_path_that_was_there(doc, tiny, click
     until(lambda: panel.obj.Blocks > 0, 60000, "a path over it")
     panel_button("Cancel")
     panel_closed()
-    assert length(doc.Toolpath) == before and tuple(doc.Toolpath.WorkZero) == zero and doc.Toolpath.Mesh.Base[0] is tiny
+    assert (
+        length(doc.Toolpath) == before
+        and tuple(doc.Toolpath.WorkZero) == zero
+        and doc.Toolpath.Mesh.Base[0] is tiny
+    )
     assert not [one for one in doc.Objects if one.Name.startswith("Scaled")]

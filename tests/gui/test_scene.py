@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The nodes of the 3D view, made from the core's figures alone and looked at on the screen: colours, marks, legend.
+"""The nodes of the 3D view, made from the core's figures alone and looked at on the screen: colours, marks,
+legend.
 
-How long a frame takes is measured by benchmarks/freecad (``make bench-window``); here is counted what a frame is made of.
+How long a frame takes is measured by benchmarks/freecad (``make bench-window``); here is counted what a frame
+is made of.
 """
 
 import importlib.util
@@ -93,7 +95,10 @@ def test_the_colours_are_calm_below_the_tolerance_and_loud_above():
     levels = np.array([0.0, 0.5, np.nextafter(0.5, 1), 1.0])
     got = colours.packed(levels, GOOD, BAD)
     assert got[0] == pytest.approx(colours.pack(GOOD)) and got[3] == colours.pack(BAD)
-    light = [colours._to_lab(np.array([(code >> shift & 255) / 255 for shift in (24, 16, 8)]))[0] for code in got.tolist()]
+    light = [
+        colours._to_lab(np.array([(code >> shift & 255) / 255 for shift in (24, 16, 8)]))[0]
+        for code in got.tolist()
+    ]
     assert light[0] > light[1] + 0.15  # darker is more
     assert light[2] > light[1] + 0.3  # the step at the tolerance is seen without seeing the hue
     assert light[2] > light[3] + 0.1
@@ -108,7 +113,9 @@ def test_the_marks_of_the_scale_have_one_comparison_sign_each(dome, schema, leas
         marks = [text for _, text in words._scale(small, LOOK)[1]]
     finally:
         FreeCAD.Units.setSchema(before)
-    assert marks[0].startswith(least) and not [text for text in marks if sum(text.count(sign) for sign in "≤≥<") > 1]
+    assert marks[0].startswith(least) and not [
+        text for text in marks if sum(text.count(sign) for sign in "≤≥<") > 1
+    ]
 
 
 def test_each_half_of_the_map_darkens_evenly():
@@ -146,7 +153,9 @@ def test_the_path_is_seen_in_its_colours(dome, scene, screenshot, view_box, unti
     until(lambda: count(screenshot("scene-no-path"), loud) == 0, 30000, "no loud colour")
 
 
-def test_markers_stand_where_the_core_says_and_can_be_told_apart(dome, scene, screenshot, pixels, view_box, until):
+def test_markers_stand_where_the_core_says_and_can_be_told_apart(
+    dome, scene, screenshot, pixels, view_box, until
+):
     picture = path_nodes.PathNodes()
     picture.show(draw(dome), LOOK)
     for part in ("cuts", "links", "axes", "curves", "rapids"):
@@ -156,7 +165,9 @@ def test_markers_stand_where_the_core_says_and_can_be_told_apart(dome, scene, sc
         until(lambda: pixels(screenshot("scene-marks"), _pixels(colour), 2, view_box()) > 300, 30000, what)  # noqa: B023
 
 
-def test_the_curve_of_table_2_is_seen_to_overshoot_its_chord(table2, scene, screenshot, pixels, view_box, until):
+def test_the_curve_of_table_2_is_seen_to_overshoot_its_chord(
+    table2, scene, screenshot, pixels, view_box, until
+):
     """The picture of the curve is larger than that of the chord by as much as the curve is."""
     picture = path_nodes.PathNodes()
     drawing = draw(table2)
@@ -185,7 +196,9 @@ def test_the_legend_is_no_part_of_the_scenes_box(dome, scene, screenshot, pixels
     until(lambda: pixels(screenshot("scene-legend"), overlay.WARN, 40, view_box()) > 30, 30000, "the warning")
     picture.turn("cuts", False)
     picture.turn("legend", False)
-    until(lambda: pixels(screenshot("scene-no-legend"), overlay.WARN, 40, view_box()) < 10, 30000, "no warning")
+    until(
+        lambda: pixels(screenshot("scene-no-legend"), overlay.WARN, 40, view_box()) < 10, 30000, "no warning"
+    )
 
 
 def overlapping(boxes):
@@ -204,18 +217,28 @@ def standing(labels):
 
 
 @pytest.mark.usefixtures("whole_screen")
-def test_labels_lie_beside_each_other_and_beside_the_legend_from_every_side(dome, scene, screenshot, pump, monkeypatch, capsys):
-    """Eight labels on 6 mm, in two sets as of two objects, whose legends take turns; the camera goes round. And few places are tried."""
+def test_labels_lie_beside_each_other_and_beside_the_legend_from_every_side(
+    dome, scene, screenshot, pump, monkeypatch, capsys
+):
+    """Eight labels on 6 mm, in two sets as of two objects, whose legends take turns; the camera goes round.
+    And few places are tried."""
     rng = np.random.default_rng(2)
     sets, legends = [on_screen.Labels(), on_screen.Labels()], [on_screen.LegendBox(), on_screen.LegendBox()]
     places = rng.uniform(-3.0, 3.0, (8, 3))
     for at, one in enumerate(sets):
-        one.show([on_screen.Label(places[4 * at + i], f"{0.1278 * i:.4f} mm, NC line {1000 * at + i}", BAD) for i in range(4)])
+        one.show(
+            [
+                on_screen.Label(places[4 * at + i], f"{0.1278 * i:.4f} mm, NC line {1000 * at + i}", BAD)
+                for i in range(4)
+            ]
+        )
     for title, one in zip(("First", "Second"), legends, strict=True):
         one.show(words.legend_of(title, dome, LOOK, ""))
     ball, frames = nodes.coin.SoSphere(), Frames()
     ball.radius = 20.0
-    view = scene(nodes.separate(frames.node, ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1]))))
+    view = scene(
+        nodes.separate(frames.node, ball, *(one.root for one in (sets[0], legends[0], sets[1], legends[1])))
+    )
     tried, asked, overlap, place = [], [], layout.overlap, on_screen._Overlay.place
 
     def counted(box, *others):
@@ -243,11 +266,15 @@ def test_labels_lie_beside_each_other_and_beside_the_legend_from_every_side(dome
         seen = np.array([view.getPointOnScreen(*map(float, place)) for place in places])
         near = np.concatenate([one.boxes for one in sets])
         assert (seen > 0).all() and (seen < (width, height)).all()
-        assert np.linalg.norm(np.clip(seen, near[:, :2], near[:, 2:]) - seen, axis=1).max() < 250.0, "far from its place"
+        assert np.linalg.norm(np.clip(seen, near[:, :2], near[:, 2:]) - seen, axis=1).max() < 250.0, (
+            "far from its place"
+        )
     assert frames.count >= 12 and len(asked) == 4 * frames.count
     with capsys.disabled():
         print(f"\nplaces tried for 8 labels: {sum(tried) / frames.count:.0f} in a frame")
-    assert sum(tried) <= frames.count * 8 * (len(layout.SLOTS) + 1), "more than each slot and the one of the last frame"
+    assert sum(tried) <= frames.count * 8 * (len(layout.SLOTS) + 1), (
+        "more than each slot and the one of the last frame"
+    )
     screenshot("scene-labels")
 
 
@@ -297,7 +324,9 @@ def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome
     view = scene(nodes.separate(ball, label.root, switch))
     sizes = []
 
-    def at_rest():  # in a window that may still be being laid out, of whatever shape: what begins with the legend asks for no frame
+    # in a window that may still be being laid out, of whatever shape: what begins with the legend asks for no
+    # frame
+    def at_rest():
         if sizes[-1:] != [view.getSize()]:
             sizes.append(view.getSize())
             corner = [tuple(view.getPoint(120, sizes[-1][1] - 60 - 40 * row)) for row in range(5)]
@@ -310,14 +339,21 @@ def test_a_legend_comes_to_the_left_whatever_labels_stand_there_and_they_go(dome
     nodes.turn(switch, True)
 
     def in_its_corner():
-        return [(left, top) for left, _, _, top in legend.box] == [(layout.EDGE, view.getSize()[1] - layout.EDGE)]
+        return [(left, top) for left, _, _, top in legend.box] == [
+            (layout.EDGE, view.getSize()[1] - layout.EDGE)
+        ]
 
     until(in_its_corner, 20000, "the legend in its corner")
     assert overlapping(np.concatenate([before, legend.box])), "the labels stood elsewhere: nothing is shown"
-    until(lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the labels beside it")
+    until(
+        lambda: not overlapping(np.concatenate([standing(label), legend.box])), 20000, "the labels beside it"
+    )
 
 
-OVERLAYS = tuple(int(part) for part in FreeCAD.Version()[:2]) >= (1, 1)  # from there on unless the user asks otherwise
+OVERLAYS = tuple(int(part) for part in FreeCAD.Version()[:2]) >= (
+    1,
+    1,
+)  # from there on unless the user asks otherwise
 
 
 @pytest.mark.usefixtures("whole_screen")
@@ -355,7 +391,8 @@ def test_an_idle_view_is_not_drawn_again_and_again_because_labels_find_their_pla
 
 
 @pytest.mark.parametrize(
-    ("deviation", "colour"), [(0.0, None), (4e-5, None), (0.004, GOOD), (0.01, GOOD), (0.011, BAD), (float("nan"), BAD)]
+    ("deviation", "colour"),
+    [(0.0, None), (4e-5, None), (0.004, GOOD), (0.01, GOOD), (0.011, BAD), (float("nan"), BAD)],
 )
 def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour):
     assert marks.largest_colour(deviation, 0.01, GOOD, BAD) == colour
@@ -365,7 +402,10 @@ def test_the_largest_deviation_is_loud_only_over_the_tolerance(deviation, colour
     search.setType(nodes.coin.SoMaterial.getClassTypeId())
     search.setInterest(nodes.coin.SoSearchAction.ALL)
     search.apply(made.root)
-    found = [search.getPaths()[i].getTail().diffuseColor[0].getValue() for i in range(search.getPaths().getLength())]
+    found = [
+        search.getPaths()[i].getTail().diffuseColor[0].getValue()
+        for i in range(search.getPaths().getLength())
+    ]
     assert any(np.allclose(one, BAD, atol=1e-6) for one in found) == (colour == BAD)
     assert any(np.allclose(one, GOOD, atol=1e-6) for one in found) == (colour == GOOD)
     told = labels.LargestDeviation(deviation, 12, 0.01, GOOD, BAD)
@@ -382,7 +422,11 @@ def test_the_real_curves_are_loud_only_over_the_tolerance(dome, factor, seen):
     off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
     tolerance = factor * (off.min() if factor < 1.0 else off.max()) if factor else float(np.median(off))
     made = path_nodes._curves(replace(drawing, tolerance=tolerance), LOOK)
-    (lines,) = [made[2].getChild(i) for i in range(made[2].getNumChildren()) if hasattr(made[2].getChild(i), "numVertices")]
+    (lines,) = [
+        made[2].getChild(i)
+        for i in range(made[2].getNumChildren())
+        if hasattr(made[2].getChild(i), "numVertices")
+    ]
     codes = np.array(lines.vertexProperty.getValue().orderedRGBA.getValues()).reshape(len(off), -1)
     assert {int(code) for code in codes.ravel()} == {colours.pack(colour) for colour in seen}
     assert ((codes[:, 0] == colours.pack(GOOD)) == (off <= tolerance)).all()
@@ -394,7 +438,13 @@ def test_a_kind_of_markers_has_one_label_and_each_side_that_is_not_machined_its_
     places = np.arange(27.0).reshape(-1, 3).tolist()
     values = [None, None, None, 2100.0, None, 0.4, None, None, None]
     said = labels.of_marks(places, kinds, values, labels.LargestDeviation(0.02, 12, 0.01, GOOD, BAD))
-    assert [one.place for one in said] == [places[5], places[0], places[3], places[4], places[6]]  # first what scraps the part
+    assert [one.place for one in said] == [
+        places[5],
+        places[0],
+        places[3],
+        places[4],
+        places[6],
+    ]  # first what scraps the part
     assert "0.4" in said[0].text and "over" in said[1].text and area_text(2100.0) in said[2].text
     assert said[3].text == words.name_of("side-not-machined") and said[4].text.endswith(": 2 places")
 
@@ -443,7 +493,11 @@ def test_looking_at_a_place_puts_it_into_the_middle(dome, scene, doc, pump, unti
         camera.look_at(doc, place, 5.0)
         width, height = view.getSize()
         middle = (pytest.approx(width / 2, abs=3), pytest.approx(height / 2, abs=3))
-        until(lambda: tuple(view.getPointOnScreen(FreeCAD.Vector(*place))) == middle, 20000, "the place in the middle")  # noqa: B023
+        until(
+            lambda: tuple(view.getPointOnScreen(FreeCAD.Vector(*place))) == middle,  # noqa: B023
+            20000,
+            "the place in the middle",
+        )
         y = view.getPointOnScreen(FreeCAD.Vector(*place))[1]
         up = view.getCameraNode().orientation.getValue().multVec(nodes.coin.SbVec3f(0, 2.4, 0)).getValue()
         above = view.getPointOnScreen(FreeCAD.Vector(*place) + FreeCAD.Vector(*up))
@@ -471,7 +525,8 @@ def drawn(scene, node):
 
 @pytest.mark.parametrize("count", [500_000, 1_000_000])
 def test_a_long_path_is_few_nodes_and_no_more_strokes_than_a_view_can_turn(count, dome, scene):
-    """The whole picture: strokes as the core thins them, axes, 1000 marks, curves, legend. Each part is one node with all its lines."""
+    """The whole picture: strokes as the core thins them, axes, 1000 marks, curves, legend. Each part is one
+    node with all its lines."""
     pairs, level = long_path(count)
     small, large = (picture_of_long(dome, LOOK, *few) for few in ((pairs[:2], level[:1]), (pairs, level)))
     (nodes_of_one, lines_of_one, _), (nodes_of_all, lines, _) = handed(small.root), handed(large.root)
@@ -550,11 +605,14 @@ def test_markers_have_a_size_between_bounds_and_do_not_cover_a_far_part(pixels_o
     assert len(shown) == 1 and (shown == {2000} if pixels_of_part == 4000.0 else shown.pop() >= marks.FEW)
     (one, *_) = made.many
     size = marks.suited_size(pixels_of_part, marks.least_size(14.0), 14.0) ** 2
-    assert one[0].numPoints.getValue() * size <= max(0.5 * marks.COVERED * pixels_of_part**2, marks.FEW * size)
+    assert one[0].numPoints.getValue() * size <= max(
+        0.5 * marks.COVERED * pixels_of_part**2, marks.FEW * size
+    )
 
 
 def test_a_far_part_is_seen_between_its_markers(scene, until, screenshot, pixels, view_box, pump):
-    """A ball with a thousand markers near the pole, small in the view: the more so without the bounds of their sizes."""
+    """A ball with a thousand markers near the pole, small in the view: the more so without the bounds of
+    their sizes."""
     made, rng = marks.Marks(), np.random.default_rng(2)
     places = rng.normal(size=(1000, 3))
     places *= 20.0 / np.linalg.norm(places, axis=1)[:, None]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where to clamp: the command pressed, the map seen as coloured points, the recommendation applied, saved and undone."""
+"""Where to clamp: the command pressed, the map seen as coloured points, the recommendation applied, saved and
+undone."""
 
 import FreeCAD
 import pytest
@@ -29,7 +30,8 @@ def dome(doc, parameters, tmp_path):
 
 @pytest.fixture
 def path(dome, doc, pump):
-    """A coarse path over the dome, off the rotary centre; its blocks are not divided, so that the place decides the deviation."""
+    """A coarse path over the dome, off the rotary centre; its blocks are not divided, so that the place
+    decides the deviation."""
     made = app.create_toolpath(
         doc, dome, passes="planes", machine="trunnion_ac", stepover=6, linear_deflection=0.1, linearize="off"
     )
@@ -65,7 +67,11 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     tree_row(path.Label)
     press("FiveAxis_Setup")
     screenshot("setup_panel")
-    until(lambda: field("table_height").placeholderText() == "-100 mm", 20000, "how high the table is, of the machine file")
+    until(
+        lambda: field("table_height").placeholderText() == "-100 mm",
+        20000,
+        "how high the table is, of the machine file",
+    )
     assert not field("apply").isEnabled() and not field("page").isEnabled()
     ask_small()
     click(field("calculate"))
@@ -75,7 +81,10 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     dome.ViewObject.hide()
     path.ViewObject.hide()
     ramp = colours.heat(rgb(made.ViewObject.ColourBad))
-    for colour, what in ((ramp[-1], "the place of the largest deviation"), ((0.35, 0.71, 0.91), "the present work zero")):
+    for colour, what in (
+        (ramp[-1], "the place of the largest deviation"),
+        ((0.35, 0.71, 0.91), "the present work zero"),
+    ):
         until(lambda: seen(pixels, screenshot("setup_map"), colour, view_box()) > 60, 30000, what)  # noqa: B023
     click(field("apply"))
     until(lambda: path.MaxSegmentDeviation.Value < before, 60000, "a lower deviation")
@@ -86,7 +95,9 @@ def test_the_map_is_seen_and_applying_it_lowers_the_deviation(path, doc, dome, t
     panel_button("OK")
     panel_closed()
     assert tuple(path.Origin) == pytest.approx(tuple(made.Recommended)) and not path.OriginFromMachine
-    assert path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9) and made.UpToDate
+    assert (
+        path.MaxSegmentDeviation.Value == pytest.approx(made.DeviationAfter.Value, abs=1e-9) and made.UpToDate
+    )
     assert doc.UndoCount == 1
     doc.undo()
     assert path.OriginFromMachine and not [obj for obj in doc.Objects if "SetupMap" in obj.Name]
@@ -105,8 +116,12 @@ def test_deviations_of_blocks_that_will_be_divided_say_so(dome, doc, path):
     made = app.setup_map(path, region=(40, 40, 0), grid=(2, 2, 1))
     labels, verdict = told(made)
     assert "Largest deviation, blocks not yet divided" in labels and "not yet divided" in verdict
-    assert made.DeviationBefore > path.Tolerance >= path.MaxSurfaceDeviation, "which is why that has to be said"
-    assert setup.applied_words(path).startswith("Applied: the largest deviation of the divided blocks is now 0.00")
+    assert made.DeviationBefore > path.Tolerance >= path.MaxSurfaceDeviation, (
+        "which is why that has to be said"
+    )
+    assert setup.applied_words(path).startswith(
+        "Applied: the largest deviation of the divided blocks is now 0.00"
+    )
 
 
 def test_boxes_of_three_numbers_stand_below_each_other_where_they_have_no_room(window, pump, until):
@@ -140,7 +155,9 @@ def test_cancel_leaves_the_document_as_it_was(
     click(field("apply"))
     panel_button("Cancel")
     panel_closed()
-    assert [obj.Name for obj in doc.Objects] == names and path.OriginFromMachine and "Touched" not in path.State
+    assert (
+        [obj.Name for obj in doc.Objects] == names and path.OriginFromMachine and "Touched" not in path.State
+    )
 
 
 def test_a_solid_without_a_path_gets_one_in_the_same_step(
@@ -153,7 +170,12 @@ def test_a_solid_without_a_path_gets_one_in_the_same_step(
     panel_button("OK", 1000)
     panel_closed()
     screenshot("setup_over_solid")
-    assert [obj.Name for obj in doc.Objects] == ["Dome", "Tessellation", "Toolpath", "SetupMap"] and doc.UndoCount == 1
+    assert [obj.Name for obj in doc.Objects] == [
+        "Dome",
+        "Tessellation",
+        "Toolpath",
+        "SetupMap",
+    ] and doc.UndoCount == 1
     assert doc.Toolpath.ViewObject.Proxy.claimChildren() == [doc.Tessellation, doc.SetupMap]
     doc.undo()
     assert [obj.Name for obj in doc.Objects] == ["Dome"]
@@ -172,7 +194,9 @@ def test_a_region_without_a_choice_says_so_and_nothing_selected_is_told(dome, pa
     panel_button("Cancel")
 
 
-def test_the_page_is_saved_where_the_user_says_and_replaces_nothing_unasked(path, doc, monkeypatch, modal, pump, tmp_path):
+def test_the_page_is_saved_where_the_user_says_and_replaces_nothing_unasked(
+    path, doc, monkeypatch, modal, pump, tmp_path
+):
     from freecad_fiveaxis.gui.panels import setup
 
     made = app.setup_map(path, region=(40, 40, 0), grid=(3, 3, 1))
@@ -211,16 +235,25 @@ def test_a_reopened_map_is_drawn_and_says_when_it_is_old(
         made = again.SetupMap
         assert made.Proxy.last is None and not made.UpToDate
         worst = colours.heat(rgb(made.ViewObject.ColourBad))[-1]
-        until(lambda: seen(pixels, screenshot("setup_reopened"), worst, view_box()) > 60, 30000, "the colours of the map")
+        until(
+            lambda: seen(pixels, screenshot("setup_reopened"), worst, view_box()) > 60,
+            30000,
+            "the colours of the map",
+        )
         warning = (1.0, 205 / 255, 70 / 255)
-        until(lambda: seen(pixels, screenshot("setup_reopened"), warning, view_box()) > 20, 30000, "the legend's warning")
+        until(
+            lambda: seen(pixels, screenshot("setup_reopened"), warning, view_box()) > 20,
+            30000,
+            "the legend's warning",
+        )
         assert made.ViewObject.Proxy.getIcon().endswith("SetupMap.svg")
     finally:
         close_all(again.Name)
 
 
 def test_the_legend_of_the_map_is_as_that_of_a_path(path, doc, until, screenshot, pump):
-    """Halves of the scale that say what they are, and how many places each colour has; it folds as the others do."""
+    """Halves of the scale that say what they are, and how many places each colour has; it folds as the others
+    do."""
     from freecad_fiveaxis.app import setups
     from freecad_fiveaxis.gui.scene.on_screen import LegendBox
 

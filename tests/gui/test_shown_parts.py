@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What of a path is shown: what cuts is told from links and rapids, fewer passes where the part is small, and the switches."""
+"""What of a path is shown: what cuts is told from links and rapids, fewer passes where the part is small, and
+the switches."""
 
 from dataclasses import replace
 
@@ -19,7 +20,13 @@ from freecad_fiveaxis import app
 from freecad_fiveaxis.gui import attach, shown_parts
 
 pytestmark = pytest.mark.usefixtures("kept")
-SWITCHED = {"ShowCuts": "cuts", "ShowLinks": "links", "ShowRapids": "rapids", "ShowAxes": "axes", "ShowMarkers": "marks"}
+SWITCHED = {
+    "ShowCuts": "cuts",
+    "ShowLinks": "links",
+    "ShowRapids": "rapids",
+    "ShowAxes": "axes",
+    "ShowMarkers": "marks",
+}
 
 
 @pytest.fixture
@@ -27,9 +34,13 @@ def path(doc, until):
     """A toolpath over a low dome."""
     attach.register()
     base = doc.addObject("Part::Feature", "Dome")
-    base.Shape = Part.makeSphere(60, FreeCAD.Vector(0, 0, -60)).common(Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16)))
+    base.Shape = Part.makeSphere(60, FreeCAD.Vector(0, 0, -60)).common(
+        Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16))
+    )
     doc.recompute()
-    made = app.create_toolpath(doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=1.0)
+    made = app.create_toolpath(
+        doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=1.0
+    )
     until(lambda: drawn(made), 30000, "the path drawn")
     return made
 
@@ -67,7 +78,9 @@ def test_each_part_has_a_switch_in_the_panel_and_in_the_menu(part, path, doc, fi
     before = shows(path, part)
     assert field(part).isChecked() == before
     box = field(part)
-    click(box, QtCore.QPoint(8, box.height() // 2))  # on the box itself: where the panel is wide its middle lies beside the words
+    click(
+        box, QtCore.QPoint(8, box.height() // 2)
+    )  # on the box itself: where the panel is wide its middle lies beside the words
     until(lambda: shows(path, part) != before, 20000, f"{part} switched in the panel")
     menu = QtWidgets.QMenu()
     path.ViewObject.Proxy.setupContextMenu(path.ViewObject, menu)
@@ -154,7 +167,10 @@ def test_fewer_passes_are_drawn_where_the_part_is_small(camera, path, doc, pump,
     view.setCameraType(camera)
     view.viewTop()
     view.fitAll()
-    eye, middle = view.getCameraNode(), FreeCAD.Vector(*(0.5 * (drawn(path).drawing.low + drawn(path).drawing.high)).tolist())
+    eye, middle = (
+        view.getCameraNode(),
+        FreeCAD.Vector(*(0.5 * (drawn(path).drawing.low + drawn(path).drawing.high)).tolist()),
+    )
     middle += path.WorkZero
     away = FreeCAD.Vector(*eye.position.getValue().getValue()) - middle
     height = eye.height.getValue() if camera == "Orthographic" else None
@@ -168,7 +184,9 @@ def test_fewer_passes_are_drawn_where_the_part_is_small(camera, path, doc, pump,
         until(lambda: view.redraw() or nodes.cuts.coat >= 0, 20000, "a frame")
         pump(100)
         shown = [
-            band for band, switch in zip(nodes.cuts.bands, nodes.cuts.switches, strict=True) if switch.whichChild.getValue() != -1
+            band
+            for band, switch in zip(nodes.cuts.bands, nodes.cuts.switches, strict=True)
+            if switch.whichChild.getValue() != -1
         ]
         left[times] = sum(strokes(band) for band in shown)
     view.setCameraType("Orthographic")
@@ -203,7 +221,9 @@ def test_the_legend_ends_at_the_tolerance_or_at_the_largest_deviation(path):
 
     calm, both = legend(10.0 * largest), legend(0.1 * largest)
     assert calm.marks[-1] == (1.0, length_text(10.0 * largest)) and calm.halves == ("within tolerance", "")
-    assert len(calm.ramp) == len(both.ramp) / 2 and (calm.ramp == both.ramp[: len(calm.ramp)]).all(), "no colour of what is over"
+    assert len(calm.ramp) == len(both.ramp) / 2 and (calm.ramp == both.ramp[: len(calm.ramp)]).all(), (
+        "no colour of what is over"
+    )
     assert both.marks[-1] == (1.0, length_text(largest)) and both.halves[1] == "over tolerance"
     assert [text for level, text in both.marks if level == 0.5] == [length_text(0.1 * largest)]
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents that change under a path: undone and done again, its part or its mesh deleted, closed while it is computed."""
+"""Documents that change under a path: undone and done again, its part or its mesh deleted, closed while it is
+computed."""
 
 import FreeCAD
 import FreeCADGui
@@ -105,12 +106,18 @@ def deleted(obj, select, modal, pump):
     answer.stop()
 
 
-def test_a_deleted_part_is_called_deleted_and_undo_helps(dome, doc, planned, select, modal, press, pump, until):
+def test_a_deleted_part_is_called_deleted_and_undo_helps(
+    dome, doc, planned, select, modal, press, pump, until
+):
     planned(dome, "OK")
     path, blocks = doc.Toolpath, doc.Toolpath.Blocks
     deleted(dome, select, modal, pump)
     until(lambda: doc.getObject("Dome") is None, 20000, "the part deleted")
-    until(lambda: "was deleted: undo that" in results.out_of_date(path) == legend(path), 20000, "that it was deleted")
+    until(
+        lambda: "was deleted: undo that" in results.out_of_date(path) == legend(path),
+        20000,
+        "that it was deleted",
+    )
     doc.recompute()
     pump(300)
     until(lambda: "was deleted: undo that" in results.out_of_date(path), 20000, "that it was deleted")
@@ -122,14 +129,20 @@ def test_a_deleted_part_is_called_deleted_and_undo_helps(dome, doc, planned, sel
     assert results.out_of_date(doc.Toolpath) == ""
 
 
-def test_a_deleted_mesh_is_not_computed_on(dome, doc, planned, select, modal, press, pump, until, field, click, panel_button):
+def test_a_deleted_mesh_is_not_computed_on(
+    dome, doc, planned, select, modal, press, pump, until, field, click, panel_button
+):
     from freecad_fiveaxis.gui.panels import toolpath
 
     planned(dome, "OK")
     path = doc.Toolpath
     deleted(path.Mesh, select, modal, pump)
     until(lambda: doc.getObject("Tessellation") is None, 20000, "the mesh deleted")
-    until(lambda: "The mesh of Toolpath was deleted: undo that" in results.out_of_date(path), 20000, "that it was deleted")
+    until(
+        lambda: "The mesh of Toolpath was deleted: undo that" in results.out_of_date(path),
+        20000,
+        "that it was deleted",
+    )
     with pytest.raises(SelectionError, match="was deleted"):
         results.figures_of(path)
     toolpath.edit(path)
@@ -187,7 +200,8 @@ def report_view(window):
 
 @pytest.fixture
 def hanging(dome, doc, until, tmp_path):
-    """A path with all that may hang on one: setup, NC file, markers, both maps, and an audit that is compared with the part."""
+    """A path with all that may hang on one: setup, NC file, markers, both maps, and an audit that is compared
+    with the part."""
     setup = app.create_setup(doc, machine="trunnion_ac")
     plain = {
         "passes": "planes",
@@ -206,7 +220,11 @@ def hanging(dome, doc, until, tmp_path):
     app.audit(doc, nc, "trunnion_ac", cutter="ball:6:30", part=dome)
     path.ViewObject.Visibility = True
     doc.recompute()
-    until(lambda: all(drawn(one) for one in (path, doc.Audit, doc.Markers, doc.LeftMap, doc.SetupMap)), 30000, "all drawn")
+    until(
+        lambda: all(drawn(one) for one in (path, doc.Audit, doc.Markers, doc.LeftMap, doc.SetupMap)),
+        30000,
+        "all drawn",
+    )
     return path
 
 
@@ -217,7 +235,11 @@ def drawn(obj):
 
 def ours(doc):
     """Our objects by name, each with why it is out of date."""
-    return {obj.Name: results.out_of_date(obj) for obj in doc.Objects if hasattr(obj, "Fingerprint") and hasattr(obj, "Blocks")}
+    return {
+        obj.Name: results.out_of_date(obj)
+        for obj in doc.Objects
+        if hasattr(obj, "Fingerprint") and hasattr(obj, "Blocks")
+    }
 
 
 @pytest.mark.parametrize(("gone", "said"), [("Dome", "The part was deleted"), ("Tessellation", "The mesh of Toolpath was deleted"),
@@ -227,7 +249,11 @@ def test_what_hangs_on_what_was_deleted_says_so_without_a_traceback_and_comes_ba
 ):
     before = {obj.Name: obj.State for obj in doc.Objects}
     deleted(doc.getObject(gone), select, modal, pump)
-    until(lambda: doc.getObject(gone) is None and said in report_view.toPlainText(), 20000, "that it was deleted")
+    until(
+        lambda: doc.getObject(gone) is None and said in report_view.toPlainText(),
+        20000,
+        "that it was deleted",
+    )
     doc.recompute()
     pump(300)
     screenshot(f"deleted_{gone}")
@@ -236,7 +262,9 @@ def test_what_hangs_on_what_was_deleted_says_so_without_a_traceback_and_comes_ba
     until(lambda: doc.getObject(gone), 20000, "all back")
     doc.recompute()
     until(lambda: set(ours(doc).values()) == {""}, 20000, "all current")
-    assert {obj.Name for obj in doc.Objects} == set(before) and not [obj.Name for obj in doc.Objects if "Invalid" in obj.State]
+    assert {obj.Name for obj in doc.Objects} == set(before) and not [
+        obj.Name for obj in doc.Objects if "Invalid" in obj.State
+    ]
     assert "Traceback" not in report_view.toPlainText()
 
 
@@ -252,9 +280,11 @@ def test_an_error_that_nobody_foresaw_keeps_its_trace(dome, doc, planned, monkey
 def test_refresh_pressed_again_while_freecad_recomputes_recomputes_nothing_within(
     dome, doc, planned, report_view, press, real_key, parameters, until
 ):
-    """By the mouse and by its key, once the recompute shows its dialog: FreeCAD would say *Recursive calling of recompute*.
+    """By the mouse and by its key, once the recompute shows its dialog: FreeCAD would say *Recursive calling
+    of recompute*.
 
-    The clicks go to the button past the dialog, which a user's cannot; FreeCAD takes them away where a recompute can be stopped.
+    The clicks go to the button past the dialog, which a user's cannot; FreeCAD takes them away where a
+    recompute can be stopped.
     """
     parameters("User parameter:BaseApp/Preferences/Document").SetBool("CanAbortRecompute", True)
     planned(dome, "OK")
@@ -270,7 +300,9 @@ def test_refresh_pressed_again_while_freecad_recomputes_recomputes_nothing_withi
 
     timer = when_computing(again)
     press("Std_Refresh")
-    until(lambda: pressed and not doc.Recomputing, 60000, "the recompute over, with Refresh pressed meanwhile")
+    until(
+        lambda: pressed and not doc.Recomputing, 60000, "the recompute over, with Refresh pressed meanwhile"
+    )
     timer.stop()
     assert pressed == [True], "while FreeCAD recomputed"
     until(lambda: results.out_of_date(doc.Toolpath) == "", 20000, "the path current")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict on the screen: its colour and words, and what OK and Post-process ask before an unsafe path is kept or written."""
+"""The verdict on the screen: its colour and words, and what OK and Post-process ask before an unsafe path is
+kept or written."""
 
 from types import SimpleNamespace
 
@@ -15,7 +16,13 @@ from freecad_fiveaxis.gui.panels import setup as setup_panel
 from freecad_fiveaxis.gui.panels.panel_widget import PanelWidget
 from freecad_fiveaxis.gui.qt import QtCore, QtGui, QtWidgets
 
-COARSE = {"passes": "planes", "cutter": "ball:6:30", "stepover": 4.0, "linear_deflection": 0.3, "angular_deflection": 30.0}
+COARSE = {
+    "passes": "planes",
+    "cutter": "ball:6:30",
+    "stepover": 4.0,
+    "linear_deflection": 0.3,
+    "angular_deflection": 30.0,
+}
 UNSAFE = {"linearize": "off", "gouge": "off"}
 
 pytestmark = pytest.mark.usefixtures("kept")
@@ -77,7 +84,11 @@ def test_the_summary_shows_the_light_in_its_colour_until_the_settings_change(pan
     assert opened.calculate()
     until(lambda: label.text() == opened.obj.Verdict, 20000, "the new verdict")
     assert not label.text().startswith("NOT SAFE")
-    until(lambda: coloured(screenshot("verdict_cured"), opened.obj.Light) > 2000, 30000, "the verdict in its colour")
+    until(
+        lambda: coloured(screenshot("verdict_cured"), opened.obj.Light) > 2000,
+        30000,
+        "the verdict in its colour",
+    )
 
 
 @pytest.mark.parametrize("width", [300, 420])
@@ -95,7 +106,11 @@ def test_the_verdict_is_whole_in_a_panel_of_any_height_and_the_rest_scrolls(widt
             lone.show_verdict(told)
             lone.setFixedWidth(box.verdict.width())
             lone.adjustSize()
-            until(lambda: box.verdict.height() >= lone.heightForWidth(lone.width()) > 60, 5000, "the whole verdict")
+            until(
+                lambda: box.verdict.height() >= lone.heightForWidth(lone.width()) > 60,
+                5000,
+                "the whole verdict",
+            )
             until(lambda: box.area.verticalScrollBar().maximum() > 0, 5000, "the rest scrolling")
     finally:
         panel.close()
@@ -108,8 +123,16 @@ def test_ok_on_an_unsafe_path_asks(panel, doc, panel_button, modal, answer, unti
     told = modal(answer)
     panel_button("OK", wait=800)
     until(lambda: told.said, 20000, "a question")
-    assert len(told.said) == 1 and told.said[0].startswith("NOT SAFE: ") and "Keep this path anyway?" in told.said[0]
-    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Go back"), 20000, "the panel open only to go back")
+    assert (
+        len(told.said) == 1
+        and told.said[0].startswith("NOT SAFE: ")
+        and "Keep this path anyway?" in told.said[0]
+    )
+    until(
+        lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Go back"),
+        20000,
+        "the panel open only to go back",
+    )
     assert doc.getObject("Toolpath") is not None and doc.Toolpath.Light == "red"
     if answer == "Go back":
         panel_button("Cancel")
@@ -171,7 +194,11 @@ def test_post_names_the_errors_first_and_writes_only_when_told_to(
     unsafe, file = path(**UNSAFE, linear_deflection=0.1, angular_deflection=15), tmp_path / "part.ngc"
     post.write(unsafe).file.show_value(str(file))
     pump(300)
-    until(lambda: shown("post_verdict").text() == unsafe.Verdict and shown("post_verdict").isVisible(), 20000, "the verdict")
+    until(
+        lambda: shown("post_verdict").text() == unsafe.Verdict and shown("post_verdict").isVisible(),
+        20000,
+        "the verdict",
+    )
     listed = shown("post_findings").text()
     assert listed.index("Error:") < listed.index("Warning:")
 
@@ -183,8 +210,14 @@ def test_post_names_the_errors_first_and_writes_only_when_told_to(
     told = modal(look)
     panel_button("OK", wait=800)
     until(lambda: told.said, 20000, "a question")
-    assert told.said[0].startswith("NOT SAFE: ") and told.said[0].index("Errors") < told.said[0].index("Warnings")
-    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
+    assert told.said[0].startswith("NOT SAFE: ") and told.said[0].index("Errors") < told.said[0].index(
+        "Warnings"
+    )
+    until(
+        lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"),
+        20000,
+        "the panel open only after Cancel",
+    )
     assert file.exists() == (answer == "Write anyway")
 
 
@@ -193,10 +226,18 @@ def test_after_writing_the_file_its_lines_and_its_time_are_told_and_opened(path,
     made, file = path(spindle=8000), tmp_path / "part.ngc"
     post.write(made).file.show_value(str(file))
     pump(300)
-    assert not [one for one in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, "spindle") if one.isVisible()]
+    assert not [
+        one
+        for one in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget, "spindle")
+        if one.isVisible()
+    ]
     panel_button("OK", wait=800)
     panel_closed()  # nothing waits for the window that tells
-    until(lambda: shown("FiveAxisWritten") and shown("FiveAxisWritten").isVisible(), 20000, "the window that tells")
+    until(
+        lambda: shown("FiveAxisWritten") and shown("FiveAxisWritten").isVisible(),
+        20000,
+        "the window that tells",
+    )
     text = shown("FiveAxisWrittenText").text()
     lines = len(file.read_bytes().splitlines())
     assert str(file) in text and f"{lines} lines" in text
@@ -231,11 +272,17 @@ def test_a_program_that_leaves_the_spindle_off_is_written_only_when_told_to(
     made, file = path(), tmp_path / "part.ngc"
     post.write(made).file.show_value(str(file))
     pump(300)
-    told = modal(lambda dialog: next(one for one in dialog.buttons() if one.text().replace("&", "") == answer).click())
+    told = modal(
+        lambda dialog: next(one for one in dialog.buttons() if one.text().replace("&", "") == answer).click()
+    )
     panel_button("OK", wait=800)
     until(lambda: told.said, 20000, "a question")
     assert "No spindle speed is given" in told.said[0] and "NOT SAFE" not in told.said[0]
-    until(lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"), 20000, "the panel open only after Cancel")
+    until(
+        lambda: bool(FreeCADGui.Control.activeDialog()) == (answer == "Cancel"),
+        20000,
+        "the panel open only after Cancel",
+    )
     assert file.exists() == (answer == "Write anyway")
 
 
@@ -249,11 +296,14 @@ def test_the_list_of_findings_begins_with_the_verdict(path, pump, until):
 
 @pytest.fixture
 def low_screen(window, pump):
-    """The window as large as the screen of a small notebook, without the consoles that FreeCAD hides at first."""
+    """The window as large as the screen of a small notebook, without the consoles that FreeCAD hides at
+    first."""
     from conftest import SMALL
 
     docks = [
-        dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.objectName() in ("Python console", "Report view")
+        dock
+        for dock in window.findChildren(QtWidgets.QDockWidget)
+        if dock.objectName() in ("Python console", "Report view")
     ]
     shown = [dock for dock in docks if dock.isVisible()]
     for dock in shown:
@@ -270,7 +320,11 @@ def low_screen(window, pump):
 def is_whole(label):
     """Whether all of a label is in sight, and all of its text in it."""
     seen = label.visibleRegion().boundingRect()
-    return label.isVisible() and seen == label.rect() and label.height() >= label.heightForWidth(label.width()) > 0
+    return (
+        label.isVisible()
+        and seen == label.rect()
+        and label.height() >= label.heightForWidth(label.width()) > 0
+    )
 
 
 def bar_at_the_end(area):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Our document objects in the tree and in the 3D view: drawn, coloured, out of date, undone, and drawn again after opening."""
+"""Our document objects in the tree and in the 3D view: drawn, coloured, out of date, undone, and drawn again
+after opening."""
 
 import time
 
@@ -14,9 +15,7 @@ from freecad_fiveaxis.core import report
 from freecad_fiveaxis.gui import attach, foremost, view_providers
 
 pytestmark = pytest.mark.usefixtures("kept")
-TABLE_2 = (
-    "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
-)
+TABLE_2 = "G90 G93\nG1 X-90.9595 Y7.3103 Z227.6341 A1.0664 C148.9685 F60\nG1 X-82.0656 Y-34.8175 Z228.3975 A1.1793 C121.5477 F60\nM2\n"
 
 
 @pytest.fixture
@@ -24,9 +23,13 @@ def path(doc, pump):
     """A toolpath over a dome whose top passes the pole, on trunnion_ac."""
     attach.register()
     base = doc.addObject("Part::Feature", "Dome")
-    base.Shape = Part.makeSphere(60, FreeCAD.Vector(0, 0, -60)).common(Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16)))
+    base.Shape = Part.makeSphere(60, FreeCAD.Vector(0, 0, -60)).common(
+        Part.makeBox(40, 24, 20, FreeCAD.Vector(-20, -12, -16))
+    )
     doc.recompute()
-    made = app.create_toolpath(doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=2.0)
+    made = app.create_toolpath(
+        doc, base, passes="planes", machine="trunnion_ac", cutter="ball:10", stepover=2.0
+    )
     _settled(made, pump)
     FreeCADGui.getDocument(doc.Name).ActiveView.viewIsometric()
     FreeCADGui.getDocument(doc.Name).ActiveView.fitAll()
@@ -50,7 +53,12 @@ def _settled(obj, pump, ms=30000):
     while time.monotonic() < end:
         pump(50)
         picture = obj.ViewObject.Proxy.picture
-        if picture is not None and picture.figures is not None and picture.styled and picture.checked is not None:
+        if (
+            picture is not None
+            and picture.figures is not None
+            and picture.styled
+            and picture.checked is not None
+        ):
             return picture
     raise AssertionError("the path was not drawn")
 
@@ -71,7 +79,12 @@ def test_every_object_has_its_view_and_its_icon(path, audit, doc, tmp_path, pump
     markers = app.annotate(path)
     written = app.post_process(path, str(tmp_path / "dome.ngc"))
     pump(200)
-    kinds = {"PathView": (path, audit), "TessellationView": (path.Mesh,), "MarkersView": (markers,), "NCOutputView": (written,)}
+    kinds = {
+        "PathView": (path, audit),
+        "TessellationView": (path.Mesh,),
+        "MarkersView": (markers,),
+        "NCOutputView": (written,),
+    }
     icons = set()
     for name, objects in kinds.items():
         for obj in objects:
@@ -105,7 +118,9 @@ def _parents(window, label):
 
 def test_the_tree_shows_markers_below_their_path(audit, window, pump, until):
     markers = app.annotate(audit)
-    until(lambda: set(_parents(window, markers.Label)) == {audit.Label}, 20000, "the markers below their path")
+    until(
+        lambda: set(_parents(window, markers.Label)) == {audit.Label}, 20000, "the markers below their path"
+    )
     assert audit.State == ["Up-to-date"]
 
 
@@ -116,13 +131,17 @@ def test_what_is_drawn_is_what_the_core_says(path):
     assert picture.drawing.markers == report.markers(figures)
     assert figures.singularity.singular[figures.feeds].sum() == path.SingularBlocks > 0
     near = [mark for mark in picture.drawing.markers if mark.kind == "singular-block"]
-    assert near and all(abs(mark.place[0]) < 10 and abs(mark.place[1]) < 10 for mark in near)  # the pole is at the dome's top
+    assert near and all(
+        abs(mark.place[0]) < 10 and abs(mark.place[1]) < 10 for mark in near
+    )  # the pole is at the dome's top
 
 
 def test_the_markers_object_stands_where_the_core_says(path, until):
     markers = app.annotate(path)
     expected = report.markers(results.figures_of(path))
-    assert [tuple(place) for place in markers.Places] == [pytest.approx(mark.place, abs=1e-5) for mark in expected]
+    assert [tuple(place) for place in markers.Places] == [
+        pytest.approx(mark.place, abs=1e-5) for mark in expected
+    ]
     switches = path.ViewObject.Proxy.picture.nodes.switches
 
     def shown(name):
@@ -195,7 +214,9 @@ def test_the_work_zero_moves_the_drawing(doc, pump):
     base = doc.addObject("Part::Box", "Box")
     base.Placement.Base = FreeCAD.Vector(100, 50, 30)
     doc.recompute()
-    path = app.create_toolpath(doc, base, passes="planes", machine="trunnion_ac", stepover=4.0, work_zero=(105, 55, 40))
+    path = app.create_toolpath(
+        doc, base, passes="planes", machine="trunnion_ac", stepover=4.0, work_zero=(105, 55, 40)
+    )
     picture = _settled(path, pump)
     assert picture.nodes.origin.translation.getValue().getValue() == pytest.approx((105, 55, 40))
     low, high = picture.drawing.low + (105, 55, 40), picture.drawing.high + (105, 55, 40)
@@ -219,7 +240,9 @@ def test_table_2_is_drawn_with_its_label_and_a_curve_that_overshoots(audit, doc,
     first = picture.drawing.markers[0]
     assert first.kind == "largest-deviation"
     foot, place = picture.drawing.spoke
-    assert place == pytest.approx(first.place) and np.linalg.norm(place - foot) == pytest.approx(2.12642, abs=1e-4)
+    assert place == pytest.approx(first.place) and np.linalg.norm(place - foot) == pytest.approx(
+        2.12642, abs=1e-4
+    )
     assert _images(picture.nodes.groups["label"]) == 1, "one label, no more"
 
 
@@ -250,7 +273,9 @@ def test_a_document_that_is_opened_again_shows_its_picture(path, doc, pump, tmp_
         picture = _settled(path, pump)
         screenshot("opened-again")
         assert picture.checked == "" and path.ViewObject.LineWidth == 3.0
-        assert (picture.drawing.stroke == before.stroke).all() and (picture.drawing.level == before.level).all()
+        assert (picture.drawing.stroke == before.stroke).all() and (
+            picture.drawing.level == before.level
+        ).all()
         assert [one.Name for one in path.ViewObject.Proxy.claimChildren()] == ["Tessellation", "Markers"]
         assert path.ViewObject.Proxy.getIcon().endswith("/Toolpath.svg")
         assert again.getObject("Markers").ViewObject.Proxy.picture is not None
@@ -295,7 +320,9 @@ def test_undo_takes_the_picture_away_and_redo_brings_it_back(doc, pump):
 def second(path, doc, pump):
     """Another path over the dome, whose making can be undone."""
     doc.openTransaction("second")
-    made = app.create_toolpath(doc, doc.Dome, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.2)
+    made = app.create_toolpath(
+        doc, doc.Dome, passes="planes", machine="trunnion_ac", stepover=8, linear_deflection=0.2
+    )
     doc.commitTransaction()
     _settled(made, pump)
     return made
@@ -306,7 +333,11 @@ def legend_of(doc, until):
     """legend_of(obj, why): the view comes to have one legend, that of this object."""
 
     def legends():
-        drawn = [obj for obj in doc.Objects if obj.ViewObject.isVisible() and getattr(obj.ViewObject, "ShowLegend", False)]
+        drawn = [
+            obj
+            for obj in doc.Objects
+            if obj.ViewObject.isVisible() and getattr(obj.ViewObject, "ShowLegend", False)
+        ]
         return [obj.Label for obj in drawn if len(foremost.legend_of(obj).box)]
 
     def check(obj, why):
@@ -348,12 +379,16 @@ def test_the_panel_of_a_path_shows_the_legend_of_that_path(path, second, legend_
 
 
 @pytest.mark.usefixtures("whole_screen")
-def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, second, doc, pump, until, screenshot, pixels, view_box):
+def test_a_legend_goes_with_its_object_and_comes_back_with_it(
+    path, second, doc, pump, until, screenshot, pixels, view_box
+):
     """Hidden itself, hidden with the part that holds it, deleted, brought back by undo: on the screen."""
     from freecad_fiveaxis.gui.scene.overlay import INK
 
     path.ViewObject.ShowLabel = second.ViewObject.ShowLabel = False
-    second.Label = "A path whose name is so long that its legend is wider than the other one, and is known by that alone"
+    second.Label = (
+        "A path whose name is so long that its legend is wider than the other one, and is known by that alone"
+    )
     pump(300)
 
     def width():
@@ -361,13 +396,24 @@ def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, second, doc,
         left, top, _, _ = view_box()
         shot = screenshot("legend")
         return max(
-            (end for end in range(100, 900, 40) if pixels(shot, INK, 30, (left + end - 40, top + 12, 40, 26)) > 10), default=0
+            (
+                end
+                for end in range(100, 900, 40)
+                if pixels(shot, INK, 30, (left + end - 40, top + 12, 40, 26)) > 10
+            ),
+            default=0,
         )
 
     long = 600
 
     def shows(expected, why):
-        until(lambda: (width() > long) if expected is second else (0 < width() < long) if expected else not width(), 30000, why)
+        until(
+            lambda: (
+                (width() > long) if expected is second else (0 < width() < long) if expected else not width()
+            ),
+            30000,
+            why,
+        )
 
     shows(second, "the legend of the second one")
     second.ViewObject.Visibility = False
@@ -389,24 +435,38 @@ def test_a_legend_goes_with_its_object_and_comes_back_with_it(path, second, doc,
     shows(second, "the second one's after undo")
 
 
-def test_a_replaced_file_is_told_the_same_everywhere_and_refresh_computes_it(audit, doc, pump, tmp_path, until):
+def test_a_replaced_file_is_told_the_same_everywhere_and_refresh_computes_it(
+    audit, doc, pump, tmp_path, until
+):
     marks = app.annotate(audit)
     picture = _settled(audit, pump)
     old = audit.WorstLine
-    labels = until(lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels, 20000, "the markers")
+    labels = until(
+        lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels, 20000, "the markers"
+    )
     until(lambda: len(labels.places), 20000, "a label")
     (tmp_path / "t2.ngc").write_text(TABLE_2.replace("G90 G93\n", "G90 G93\n(another)\n(program)\n"))
     results.figures_of(audit)  # as Play and the list of findings ask for them
     audit.ViewObject.Proxy.look_again()
     until(lambda: picture.checked, 20000, "the change of the file noticed")
-    assert picture.figures is not audit.Proxy.last.figures and audit.WorstLine == old and "Touched" in audit.State
+    assert (
+        picture.figures is not audit.Proxy.last.figures
+        and audit.WorstLine == old
+        and "Touched" in audit.State
+    )
     FreeCADGui.runCommand("Std_Refresh")
-    until(lambda: picture.checked == "" and picture.figures is audit.Proxy.last.figures, 20000, "the new program")
+    until(
+        lambda: picture.checked == "" and picture.figures is audit.Proxy.last.figures,
+        20000,
+        "the new program",
+    )
     assert audit.WorstLine == old + 2 and "Touched" not in audit.State
     until(lambda: len(labels.places), 20000, "its label")
 
 
-def test_a_file_that_was_replaced_while_the_document_was_closed_has_no_old_label(audit, doc, pump, tmp_path, until):
+def test_a_file_that_was_replaced_while_the_document_was_closed_has_no_old_label(
+    audit, doc, pump, tmp_path, until
+):
     name = app.annotate(audit).Name
     doc.saveAs(str(tmp_path / "other.FCStd"))
     FreeCAD.closeDocument(doc.Name)
@@ -416,7 +476,11 @@ def test_a_file_that_was_replaced_while_the_document_was_closed_has_no_old_label
         made, marks = again.getObject(audit_name(again)), again.getObject(name)
         picture = _settled(made, pump)
         until(lambda: picture.checked and "Touched" in made.State, 20000, "that it is old")
-        labels = until(lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels, 20000, "the markers")
+        labels = until(
+            lambda: marks.ViewObject.Proxy.picture and marks.ViewObject.Proxy.picture.labels,
+            20000,
+            "the markers",
+        )
         until(lambda: not len(labels.places), 20000, "no label of the old program")
         FreeCADGui.runCommand("Std_Refresh")
         until(lambda: picture.checked == "" and len(labels.places), 20000, "the label of the new one")

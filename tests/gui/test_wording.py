@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the core says reaches the user in German and in inches: findings, errors, the verdict in the document and in the panel."""
+"""What the core says reaches the user in German and in inches: findings, errors, the verdict in the document
+and in the panel."""
 
 import re
 
@@ -21,7 +22,9 @@ SCHEMAS = {0: "mm", 1: "mm", 2: "in", 3: "in", 4: "mm", 5: "in", 6: "mm"}
 def unit(request):
     before = FreeCAD.Units.getSchema()
     FreeCAD.Units.setSchema(request.param)
-    if hasattr(FreeCAD.ActiveDocument, "UnitSystem"):  # from 1.0 on a document has units of its own, which win over the user's
+    if hasattr(
+        FreeCAD.ActiveDocument, "UnitSystem"
+    ):  # from 1.0 on a document has units of its own, which win over the user's
         document = FreeCAD.ActiveDocument
         document.UnitSystem = document.getEnumerationsOfProperty("UnitSystem")[request.param]
     yield SCHEMAS[request.param]
@@ -37,7 +40,11 @@ def dome(doc):
 
 
 def test_a_finding_in_german_and_in_every_schema(german, unit):
-    said = say("The cutter goes {depth} too deep into the part at {at}.", depth=Length(5.08, ".4g"), at=Point((25.4, 0.0, -12.7)))
+    said = say(
+        "The cutter goes {depth} too deep into the part at {at}.",
+        depth=Length(5.08, ".4g"),
+        at=Point((25.4, 0.0, -12.7)),
+    )
     depth, place = ("0.2 in", "(1, 0, -0.5) in") if unit == "in" else ("5.08 mm", "(25.4, 0, -12.7) mm")
     assert wording.localize(said) == f"Der Fräser dringt bei {place} {depth} zu tief ins Werkstück ein."
 
@@ -46,7 +53,11 @@ def test_an_error_names_the_field_as_the_window_does(german):
     with pytest.raises(FiveAxisError) as caught:
         build_settings("mill", "a.stl", {"machine": "trunnion_ac", "max_tilt": 400.0})
     said = wording.localize(caught.value)
-    assert said.startswith(translate("FiveAxis", "Largest axis angle")) and "liegt außerhalb" in said and "°" in said
+    assert (
+        said.startswith(translate("FiveAxis", "Largest axis angle"))
+        and "liegt außerhalb" in said
+        and "°" in said
+    )
     assert str(caught.value).startswith("max-tilt 400")
 
 
@@ -75,7 +86,11 @@ def test_the_document_holds_what_is_shown(german, doc, dome, unit):
     path = app.create_toolpath(doc, dome, passes="planes", stepover=8.0, tolerance=0.05)
     doc.recompute()
     head = path.Verdict.split(":")[0]
-    assert head in {translate(CONTEXT, text) for text in ("SAFE", "CHECK", "NOT SAFE")} - {"SAFE", "CHECK", "NOT SAFE"}
+    assert head in {translate(CONTEXT, text) for text in ("SAFE", "CHECK", "NOT SAFE")} - {
+        "SAFE",
+        "CHECK",
+        "NOT SAFE",
+    }
     assert path.Findings
     other = r"\d mm" if unit == "in" else r"\d in[,.;:)]"  # "in" is a word in German, too
     assert not [text for text in (*path.Findings, path.Verdict) if re.search(other, text)]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recover, prove the signs, import a machine: pressed without a document, filled, read, and the files that OK writes."""
+"""Recover, prove the signs, import a machine: pressed without a document, filled, read, and the files that OK
+writes."""
 
 import json
 from pathlib import Path
@@ -22,7 +23,13 @@ from freecad_fiveaxis.gui.panels import prove_signs
 ROOT = Path(__file__).resolve().parents[2]
 SLID = 1000
 """ms after which FreeCAD 1.1 has slid its task panel in, where no view was open before."""
-FAST = {"passes": "planes", "machine": "trunnion_ac", "stepover": 8, "linear_deflection": 0.1, "origin": (10, -5, 20)}
+FAST = {
+    "passes": "planes",
+    "machine": "trunnion_ac",
+    "stepover": 8,
+    "linear_deflection": 0.1,
+    "origin": (10, -5, 20),
+}
 
 
 @pytest.fixture
@@ -73,7 +80,8 @@ def shown(field, name):
 
 
 def cut(form):
-    """The texts of a panel that are wider than their widgets; those that wrap and those that scroll are not."""
+    """The texts of a panel that are wider than their widgets; those that wrap and those that scroll are
+    not."""
     kinds = (QtWidgets.QLabel, QtWidgets.QPushButton, QtWidgets.QCheckBox)
     shown = [one for kind in kinds for one in form.findChildren(kind) if one.isVisible() and one.text()]
     wide = [
@@ -83,7 +91,9 @@ def cut(form):
     combos = [one for one in form.findChildren(QtWidgets.QComboBox) if one.isVisible()]
     arrow = 24  # pixels of the button at the right
     return wide + [
-        one.currentText() for one in combos if one.fontMetrics().boundingRect(one.currentText()).width() + arrow > one.width()
+        one.currentText()
+        for one in combos
+        if one.fontMetrics().boundingRect(one.currentText()).width() + arrow > one.width()
     ]
 
 
@@ -120,7 +130,17 @@ def test_a_machine_is_recovered_without_a_document(empty, folder, pair, press, f
     until(lambda: "Written" in window.statusBar().currentMessage(), 20000, "what was written")
     until(lambda: FreeCAD.ActiveDocument is None, 20000, "no document")
     assert str(folder / "ball.fcm") in [one.machine for one in machines.choices()]
-    words = ("recover", *pair, "--machine", "trunnion_ac", "--origin", "10,-5,20", "-o", tmp_path / "ball.fcm", "--quiet")
+    words = (
+        "recover",
+        *pair,
+        "--machine",
+        "trunnion_ac",
+        "--origin",
+        "10,-5,20",
+        "-o",
+        tmp_path / "ball.fcm",
+        "--quiet",
+    )
     assert run(*words) == cli.DONE
     assert (tmp_path / "ball.fcm").read_bytes() == (folder / "ball.fcm").read_bytes()
 
@@ -147,7 +167,11 @@ def test_another_machine_is_named_and_a_file_that_is_there_is_not_written(empty,
     until(lambda: "another machine" in shown(field, "result"), 60000, "a result")
     screenshot("recover-other")
     choose(field("machine"), "none")
-    until(lambda: "Press Calculate" in shown(field, "result"), 20000, "that what was shown was of other settings")
+    until(
+        lambda: "Press Calculate" in shown(field, "result"),
+        20000,
+        "that what was shown was of other settings",
+    )
     panel_button("Cancel")
     assert not (tmp_path / "other.fcm").exists()
 
@@ -178,14 +202,20 @@ def test_files_that_cannot_be_used_and_a_stop_say_so(empty, folder, pair, press,
     panel_button("Cancel")
 
 
-def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(doc, press, field, type_into, click, until):
+def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(
+    doc, press, field, type_into, click, until
+):
     box = doc.addObject("Part::Box", "Box")
     box.Length, box.Width, box.Height, box.Placement.Base.z = 60, 40, 15, 25
     hidden = doc.addObject("Part::Box", "Tall")
     hidden.Height, hidden.Visibility = 500, False
     doc.recompute()
     press("FiveAxis_ProveSigns", SLID)
-    until(lambda: [field(f"mark_{letter}").measured() for letter in "xyz"] == [30.0, 20.0, 40.0], 20000, "the top of the part")
+    until(
+        lambda: [field(f"mark_{letter}").measured() for letter in "xyz"] == [30.0, 20.0, 40.0],
+        20000,
+        "the top of the part",
+    )
     type_into(field("work_zero_z"), "25 mm")
     until(lambda: field("mark_z").measured() == 15.0, 20000, "the top counted from the work zero")
     click(field("calculate"))
@@ -196,7 +226,9 @@ def test_the_mark_starts_at_the_top_of_the_part_in_work_coordinates(doc, press, 
     assert field("mark_z").measured() == 60.0, "what the user has given stays"
 
 
-def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(empty, press, field, click, until, panel_button):
+def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(
+    empty, press, field, click, until, panel_button
+):
     press("FiveAxis_ProveSigns", SLID)
     click(field("calculate"))
     until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")
@@ -207,11 +239,15 @@ def test_without_a_part_the_sheet_says_that_nothing_may_stand_there(empty, press
 def test_the_signs_are_proven_without_a_document(empty, folder, press, field, type_into, choose, click, until, panel_button,
                                                  screenshot, tmp_path, monkeypatch, modal, pump, panel_closed):  # fmt: skip
     opened = []
-    monkeypatch.setattr(prove_signs.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile()))
+    monkeypatch.setattr(
+        prove_signs.QtGui.QDesktopServices, "openUrl", lambda url: opened.append(url.toLocalFile())
+    )
     press("FiveAxis_ProveSigns", SLID)
     until(lambda: not field("mark_pick").isEnabled(), 20000, "that there is nothing to pick from")
     choose(field("controller"), "Heidenhain TNC (TCPM)")
-    until(lambda: field("nc_file").text().endswith("trunnion_ac signs.h"), 20000, "the controller's own ending")
+    until(
+        lambda: field("nc_file").text().endswith("trunnion_ac signs.h"), 20000, "the controller's own ending"
+    )
     nc, sheet = tmp_path / "signs.h", tmp_path / "signs.html"
     type_into(field("nc_file"), str(nc))
     until(lambda: field("sheet").text() == str(sheet), 20000, "the sheet beside the program")
@@ -241,8 +277,13 @@ def test_the_signs_are_proven_without_a_document(empty, folder, press, field, ty
     (tmp_path / "cli").mkdir()
     words = ("--machine", "trunnion_ac", "--controller", "heidenhain", "--mark", "40,25,10", "--gap", "30")
     report = tmp_path / "cli" / "signs.html"
-    assert run("prove-signs", *words, "-o", tmp_path / "cli" / "signs.h", "--report", report, "--quiet") == cli.DONE
-    assert (tmp_path / "cli" / "signs.h").read_bytes() == nc.read_bytes() and report.read_bytes() == sheet.read_bytes()
+    assert (
+        run("prove-signs", *words, "-o", tmp_path / "cli" / "signs.h", "--report", report, "--quiet")
+        == cli.DONE
+    )
+    assert (
+        tmp_path / "cli" / "signs.h"
+    ).read_bytes() == nc.read_bytes() and report.read_bytes() == sheet.read_bytes()
 
 
 def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc, folder, press, field, click, view_click, until,
@@ -251,14 +292,20 @@ def test_the_mark_is_picked_on_the_part_and_counts_from_the_tool_path_s_zero(doc
     box = doc.addObject("Part::Box", "Box")
     box.Length, box.Width, box.Height = 40, 30, 12
     doc.recompute()
-    path = app.create_toolpath(doc, box, passes="planes", machine="trunnion_bc", stepover=8, work_zero=(10, 5, 0), tool=4)
+    path = app.create_toolpath(
+        doc, box, passes="planes", machine="trunnion_bc", stepover=8, work_zero=(10, 5, 0), tool=4
+    )
     path.ViewObject.hide()
     look(doc)
     press("FiveAxis_ProveSigns", SLID)
     until(lambda: field("machine").currentText() == "trunnion_bc", 20000, "the path's machine")
     click(field("mark_pick"))
     view_click((40, 0, 12))
-    until(lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6), 20000, "the corner, from the work zero")
+    until(
+        lambda: field("mark_x").measured() == pytest.approx(30, abs=1e-6),
+        20000,
+        "the corner, from the work zero",
+    )
     mark = [field(f"mark_{letter}").measured() for letter in "xyz"]
     assert mark == pytest.approx([30, -5, 12], abs=1e-6)
     panel_button("OK", 800)
@@ -291,7 +338,11 @@ def test_a_machine_is_imported_with_its_findings(empty, whole_screen, folder, pr
     assert load_machine(str(folder / "theirs.fcm")).rotary
     press("FiveAxis_ImportMachine", SLID)
     type_into(field("source"), str(source))
-    until(lambda: field("machine_file").text() == str(folder / "theirs-2.fcm"), 20000, "the name of no file that is there")
+    until(
+        lambda: field("machine_file").text() == str(folder / "theirs-2.fcm"),
+        20000,
+        "the name of no file that is there",
+    )
     panel_button("Cancel")
 
 
@@ -330,10 +381,14 @@ def test_a_urdf_file_is_imported_with_its_bodies_which_the_editor_then_shows(
     assert sorted(path.name for path in folder.iterdir()) == ["mill cradle.stl", "mill.fcm"]
     assert [body.carrier for body in load_machine(str(folder / "mill.fcm")).bodies] == ["A", "C", "spindle"]
     until(lambda: not FreeCAD.listDocuments(), 20000, "what was lent is given back")
-    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString("Machine", str(folder / "mill.fcm"))
+    parameters("User parameter:BaseApp/Preferences/Mod/FiveAxis").SetString(
+        "Machine", str(folder / "mill.fcm")
+    )
     press("FiveAxis_EditMachine", SLID)
     until(lambda: field("bodies_table").rowCount() == 3, 20000, "its bodies")
-    assert "a name of its own" in shown(field, "editor_findings"), "it is in the lists, and its mesh can be read"
+    assert "a name of its own" in shown(field, "editor_findings"), (
+        "it is in the lists, and its mesh can be read"
+    )
     pump(500)
     screenshot("import-urdf-edited")
     panel_button("Close", 500)
@@ -341,7 +396,9 @@ def test_a_urdf_file_is_imported_with_its_bodies_which_the_editor_then_shows(
     until(lambda: not FreeCAD.listDocuments(), 20000, "the editor's document is closed")
 
 
-def test_escape_writes_nothing(empty, folder, press, field, click, real_key, window, pump, tmp_path, until, panel_closed):
+def test_escape_writes_nothing(
+    empty, folder, press, field, click, real_key, window, pump, tmp_path, until, panel_closed
+):
     press("FiveAxis_ProveSigns", SLID)
     click(field("calculate"))
     until(lambda: "Stop 8" in shown(field, "result"), 60000, "a sheet")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """LinuxCNC's whole controller without hardware, screen or realtime kernel, for a machine with trt kinematics.
 
-The configuration is an ordinary one (switchable kinematics: M429 identity, as it starts; M428 the machine's own) so that it can
-be imported as a machine too. Joint positions are sampled in every servo cycle, 1 ms. Cycles are counted, not timed: on a machine
-with five other programs at work the same program gave the same joints in every cycle, to the last bit; they only came later.
+The configuration is an ordinary one (switchable kinematics: M429 identity, as it starts; M428 the machine's
+own) so that it can be imported as a machine too. Joint positions are sampled in every servo cycle, 1 ms.
+Cycles are counted, not timed: on a machine with five other programs at work the same program gave the same
+joints in every cycle, to the last bit; they only came later.
 """
 
 from __future__ import annotations
@@ -122,7 +123,10 @@ def _hal(kinematics: str, pins: dict[str, float]) -> str:
         f"loadrt {kinematics} sparm=identityfirst",
         "loadrt motmod servo_period_nsec=1000000 num_joints=5",
         "loadrt sampler depth=100000 cfg=sfffff",
-        *(f"addf {name} servo-thread" for name in ("motion-command-handler", "motion-controller", "sampler.0")),
+        *(
+            f"addf {name} servo-thread"
+            for name in ("motion-command-handler", "motion-controller", "sampler.0")
+        ),
         "net line motion.program-line => sampler.0.pin.0",
         "net kinds motion.analog-out-03 => motion.switchkins-type",
         "net estop iocontrol.0.user-enable-out => iocontrol.0.emc-enable-in",
@@ -137,7 +141,8 @@ def _hal(kinematics: str, pins: dict[str, float]) -> str:
 
 
 def run_programs(kinematics: str, pins: dict[str, float], programs: list[str]) -> list[np.ndarray]:
-    """Run each program on the whole controller; of each the samples (n, 6): line, and joints as the controller has them (mm, deg).
+    """Run each program on the whole controller; of each the samples (n, 6): line, and joints as the
+    controller has them (mm, deg).
 
     Raises AssertionError with what the controller says where it refuses one.
     """
@@ -149,10 +154,14 @@ def run_programs(kinematics: str, pins: dict[str, float], programs: list[str]) -
             orders.append({"program": str(folder / f"{k}.ngc"), "samples": str(folder / f"{k}.txt")})
         (folder / "orders.json").write_text(json.dumps(orders))
         log = _run(folder, ini)
-        assert (folder / "results.json").exists(), f"the controller did not start or did not end: {log[-2000:]}"
+        assert (folder / "results.json").exists(), (
+            f"the controller did not start or did not end: {log[-2000:]}"
+        )
         results = json.loads((folder / "results.json").read_text())
         assert not any(results), f"the controller says: {results}"
-        return [np.loadtxt(order["samples"], usecols=range(1, 7), ndmin=2, comments="overrun") for order in orders]
+        return [
+            np.loadtxt(order["samples"], usecols=range(1, 7), ndmin=2, comments="overrun") for order in orders
+        ]
 
 
 def _run(folder: Path, ini: Path) -> str:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The DISPLAY program of a headless LinuxCNC: homes, runs the programs of orders.json one after the other, samples every servo
-cycle of each, and quits. Runs under the system's Python, where LinuxCNC's module is."""
+"""The DISPLAY program of a headless LinuxCNC: homes, runs the programs of orders.json one after the other,
+samples every servo cycle of each, and quits. Runs under the system's Python, where LinuxCNC's module is."""
 
 import json
 import signal
@@ -57,7 +57,11 @@ def run(command, state, errors, program, samples):
         time.sleep(0.1)
         command.auto(linuxcnc.AUTO_RUN, 0)
         wait(state, lambda: state.interp_state != linuxcnc.INTERP_IDLE, 3.0)
-        done = wait(state, lambda: state.interp_state == linuxcnc.INTERP_IDLE and state.inpos and state.queue == 0, SECONDS)
+        done = wait(
+            state,
+            lambda: state.interp_state == linuxcnc.INTERP_IDLE and state.inpos and state.queue == 0,
+            SECONDS,
+        )
         time.sleep(0.2)
         sampler.send_signal(signal.SIGINT)
         sampler.wait(10)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What ``post --rtcp`` writes for LinuxCNC, run on its whole controller: the tip stays on the chords of the CL path."""
+"""What ``post --rtcp`` writes for LinuxCNC, run on its whole controller: the tip stays on the chords of the
+CL path."""
 
 from __future__ import annotations
 
@@ -26,7 +27,10 @@ def test_the_tip_of_a_posted_rtcp_program_stays_on_the_chords_of_the_cl_path(kin
     path = some_joints(chain(machine, Setup(machine.origin)), blocks=6).path
     (tmp_path / "a.apt").write_bytes(write_apt(path, Cutter(10.0), "ring", head=ClHead(tool=TOOL)))
     given = {"machine": str(tmp_path / "ring.fcm"), "controller": "linuxcnc", "rtcp": "angles"}
-    posted = [job.make(build_settings("post", str(tmp_path / "a.apt"), given | {"feed_mode": mode})) for mode in ("g93", "g94")]
+    posted = [
+        job.make(build_settings("post", str(tmp_path / "a.apt"), given | {"feed_mode": mode}))
+        for mode in ("g93", "g94")
+    ]
     travelled = run_programs(kinematics, PINS[kinematics], [made.nc.decode() for made in posted])
     for made, samples in zip(posted, travelled, strict=True):
         samples[:, 3] -= LENGTH

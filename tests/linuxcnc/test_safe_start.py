@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a posted program begins and ends, on LinuxCNC's whole controller: sampled in every servo cycle, no two groups of axes move at
-once, and the tool is above the part, or at the machine's safe Z, before the rotary axes turn.
+"""How a posted program begins and ends, on LinuxCNC's whole controller: sampled in every servo cycle, no two
+groups of axes move at once, and the tool is above the part, or at the machine's safe Z, before the rotary
+axes turn.
 
 One program begins where the last one has left the machine, so the rotary axes stand elsewhere each time.
 """
@@ -29,7 +30,8 @@ SAFE_Z, CLEARANCE = 420.0, 5.0
 """mm; the clearance is the settings' own."""
 GROUPS = ((0, 1), (2,), (3, 4))
 STILL = 1e-3
-"""mm and deg in one cycle: an axis creeps by so much to its place while the next one starts (G61: 0.0004 in one cycle)."""
+"""mm and deg in one cycle: an axis creeps by so much to its place while the next one starts (G61: 0.0004 in
+one cycle)."""
 AT_PLACE = 0.01
 """mm; the last cycles of a block are slow, and the next line's number comes before they end."""
 CASES = [
@@ -38,8 +40,8 @@ CASES = [
 
 
 def highest(kinematics: str, box: np.ndarray, joints: np.ndarray) -> np.ndarray:
-    """The highest place (n,) of a box (2, 3) of the work, in the machine, while its joints (n, 5) stand so: the inverse of the
-    kinematics' formula."""
+    """The highest place (n,) of a box (2, 3) of the work, in the machine, while its joints (n, 5) stand so:
+    the inverse of the kinematics' formula."""
     pins = PINS[kinematics]
     r = np.array([pins[f"{letter}-rot-point"] for letter in "xyz"])
     d = np.array([pins.get("x-offset", 0.0), pins.get("y-offset", 0.0), pins["z-offset"]])
@@ -66,7 +68,8 @@ def begun(request, tmp_path_factory):
         made.append((job.make(build_settings("post", str(folder / "a.apt"), given)), path))
     samples = run_programs(kinematics, PINS[kinematics], [posted.nc.decode() for posted, _ in made])
     return kinematics, [
-        (start, posted, path, sample) for (start, _), (posted, path), sample in zip(CASES, made, samples, strict=True)
+        (start, posted, path, sample)
+        for (start, _), (posted, path), sample in zip(CASES, made, samples, strict=True)
     ]
 
 
@@ -106,7 +109,9 @@ def test_the_tool_is_above_the_part_or_at_the_safe_z_while_the_rotary_axes_turn(
 
 def test_at_the_end_z_goes_up_alone(begun) -> None:
     for start, posted, _, samples in begun[1]:
-        end = samples[samples[:, 0] > posted.program.line[-1]][1:]  # the interpolator is a cycle behind the line's number
+        end = samples[samples[:, 0] > posted.program.line[-1]][
+            1:
+        ]  # the interpolator is a cycle behind the line's number
         groups = moving(end)
         assert groups[:, 1].any() and not groups[:, [0, 2]].any() and (np.diff(end[:, 3]) > -STILL).all()
         if start.z is not None:

@@ -13,7 +13,10 @@ from freecad_fiveaxis.core.machine.importing import import_machine
 
 FIVE_AXIS = Path("/usr/share/doc/linuxcnc/examples/sample-configs/sim/axis/vismach/5axis")
 SAMPLES = FIVE_AXIS / "table-rotary-tilting"
-pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(not SAMPLES.is_dir(), reason="LinuxCNC's samples are not installed")]
+pytestmark = [
+    pytest.mark.linuxcnc,
+    pytest.mark.skipif(not SAMPLES.is_dir(), reason="LinuxCNC's samples are not installed"),
+]
 
 
 @pytest.mark.parametrize("kind", ["xyzac", "xyzbc"])
@@ -36,12 +39,18 @@ def test_linuxcncs_own_simulation_is_the_shipped_machine_but_for_its_size(kind: 
     [
         (
             "table-dual-rotary/xyzab-tdr.ini",
-            {"A": ("table", (1.0, 0.0, 0.0), (-50.0, -50.0, -110.0)), "B": ("table", (0.0, 1.0, 0.0), (-50.0, -50.0, -100.0))},
+            {
+                "A": ("table", (1.0, 0.0, 0.0), (-50.0, -50.0, -110.0)),
+                "B": ("table", (0.0, 1.0, 0.0), (-50.0, -50.0, -100.0)),
+            },
             ["offset-from-panel"],
         ),
         (
             "max5/max5kins.ini",
-            {"C": ("table", (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)), "B": ("head", (0.0, -1.0, 0.0), (0.0, 0.0, 0.0))},
+            {
+                "C": ("table", (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)),
+                "B": ("head", (0.0, -1.0, 0.0), (0.0, 0.0, 0.0)),
+            },
             ["forward-differs", "tool-length-in-w"],
         ),
     ],

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""LinuxCNC's whole controller, run headless, travels what is predicted here: in joints, and with its own tool centre point control.
+"""LinuxCNC's whole controller, run headless, travels what is predicted here: in joints, and with its own tool
+centre point control.
 
-The tip comes from the joints that the controller commands in every servo cycle, by the formula of its own kinematics (written
-here once more); the prediction comes from the machine that is imported from the very configuration it runs with.
+The tip comes from the joints that the controller commands in every servo cycle, by the formula of its own
+kinematics (written here once more); the prediction comes from the machine that is imported from the very
+configuration it runs with.
 """
 
 from __future__ import annotations
@@ -28,11 +30,24 @@ pytestmark = [pytest.mark.linuxcnc, pytest.mark.skipif(bool(missing()), reason=m
 
 LINUXCNC = find_dialect("linuxcnc")
 PINS = {
-    "xyzac-trt-kins": {"x-rot-point": 3.0, "y-rot-point": -5.0, "z-rot-point": -40.0, "y-offset": 20.0, "z-offset": 10.0},
-    "xyzbc-trt-kins": {"x-rot-point": -2.0, "y-rot-point": 4.0, "z-rot-point": 25.0, "x-offset": -20.0, "z-offset": -15.0},
+    "xyzac-trt-kins": {
+        "x-rot-point": 3.0,
+        "y-rot-point": -5.0,
+        "z-rot-point": -40.0,
+        "y-offset": 20.0,
+        "z-offset": 10.0,
+    },
+    "xyzbc-trt-kins": {
+        "x-rot-point": -2.0,
+        "y-rot-point": 4.0,
+        "z-rot-point": 25.0,
+        "x-offset": -20.0,
+        "z-offset": -15.0,
+    },
 }
 JOINT_TOLERANCE, CHORD_TOLERANCE = 1e-4, 1e-3
-"""mm, as promised: of the predicted deviations, and of the tip from the chord under tool centre point control."""
+"""mm, as promised: of the predicted deviations, and of the tip from the chord under tool centre point
+control."""
 SLOW = 0.01
 """mm or deg that an axis still moves in the last cycle of a block, at most."""
 PRINTED = 1e-6
@@ -40,7 +55,8 @@ PRINTED = 1e-6
 
 
 def tip_of(kinematics: str, joints: np.ndarray) -> np.ndarray:
-    """P = r + Rz(-C)(d + Rx(-A)(J - r - d)), for B with Ry: tips (n, 3) for joints (n, 5) in mm and degrees."""
+    """P = r + Rz(-C)(d + Rx(-A)(J - r - d)), for B with Ry: tips (n, 3) for joints (n, 5) in mm and
+    degrees."""
     pins = PINS[kinematics]
     r = np.array([pins[f"{letter}-rot-point"] for letter in "xyz"])
     d = np.array([pins.get("x-offset", 0.0), pins.get("y-offset", 0.0), pins["z-offset"]])
@@ -61,7 +77,8 @@ def from_segment(point: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.nd
 
 
 def peak(values: np.ndarray) -> float:
-    """The maximum of a smooth curve between its samples: the parabola through the largest and its neighbours."""
+    """The maximum of a smooth curve between its samples: the parabola through the largest and its
+    neighbours."""
     at = int(np.argmax(values))
     if not 0 < at < len(values) - 1:
         return float(values[at])
@@ -96,7 +113,8 @@ def some_joints(chain_: Chain, blocks: int = 9, seed: int = 5) -> JointPath:
 
 
 def rtcp_text(program: Program, tip: np.ndarray) -> str:
-    """The same poses under the controller's own tool centre point control: the words of X Y Z are the tip in the work."""
+    """The same poses under the controller's own tool centre point control: the words of X Y Z are the tip in
+    the work."""
     lines = [
         "(tool centre point control)",
         *["(head)"] * 7,
@@ -108,7 +126,9 @@ def rtcp_text(program: Program, tip: np.ndarray) -> str:
     ]
     for k, (place, words) in enumerate(zip(tip, program.words, strict=True)):
         numbers = (*place, words[4], words[3])  # our order: C, nearer to the work, comes first
-        named = " ".join(f"{letter}{number:.6f}" for letter, number in zip(axes_of(program), numbers, strict=True))
+        named = " ".join(
+            f"{letter}{number:.6f}" for letter, number in zip(axes_of(program), numbers, strict=True)
+        )
         lines.append(f"G0 {named}" if k == 0 else f"G1 {named} F80")
     return "\n".join([*lines, "G94", "M429", "M2", ""])
 
@@ -119,7 +139,8 @@ def axes_of(program: Program) -> str:
 
 @pytest.fixture(scope="module", params=list(PINS))
 def travelled(request, tmp_path_factory):
-    """One start of the controller for each kinematics: the joint program, then the same poses with tool centre point control."""
+    """One start of the controller for each kinematics: the joint program, then the same poses with tool
+    centre point control."""
     kinematics = request.param
     chain_ = chain_of(kinematics, tmp_path_factory.mktemp("ring"))
     program = build_program(some_joints(chain_), chain_, LINUXCNC, inverse_time=True)
@@ -133,8 +154,8 @@ def travelled(request, tmp_path_factory):
 
 
 def blocks_of(samples: np.ndarray, lines: list[int]) -> list[np.ndarray]:
-    """The joints (n, 5) sampled in each of these lines, without the first sample: the interpolator of the joints is a cycle behind
-    the line's number, and still ends the block before."""
+    """The joints (n, 5) sampled in each of these lines, without the first sample: the interpolator of the
+    joints is a cycle behind the line's number, and still ends the block before."""
     found = [samples[samples[:, 0] == line, 1:][1:] for line in lines]
     assert min(map(len, found)) > 100, "too few samples for a comparison"
     return found
@@ -154,13 +175,17 @@ def real_deviations(kinematics: str, program: Program, samples: np.ndarray) -> n
     ends = tip_of(kinematics, program.words[:, [0, 1, 2, 4, 3]])
     blocks = blocks_of(samples, program.line[1:].tolist())
     pairs = zip(blocks, ends[:-1], ends[1:], strict=True)
-    return np.array([peak(from_segment(tip_of(kinematics, block), start, end)) for block, start, end in pairs])
+    return np.array(
+        [peak(from_segment(tip_of(kinematics, block), start, end)) for block, start, end in pairs]
+    )
 
 
 def test_the_controller_moves_the_joints_straight_and_ends_where_the_words_say(travelled) -> None:
     _, _, program, samples, *_ = travelled
     words = program.words[:, [0, 1, 2, 4, 3]]
-    for block, start, end in zip(blocks_of(samples, program.line[1:].tolist()), words[:-1], words[1:], strict=True):
+    for block, start, end in zip(
+        blocks_of(samples, program.line[1:].tolist()), words[:-1], words[1:], strict=True
+    ):
         along = (block - start) @ (end - start) / ((end - start) @ (end - start))
         assert np.abs(block - start - along[:, None] * (end - start)).max() < 2 * PRINTED
         assert np.abs(block[-1] - end).max() < SLOW  # the last cycles of a block under G61 are slow
@@ -178,7 +203,9 @@ def test_with_tool_centre_point_control_the_tip_stays_on_the_chord(travelled) ->
     for block, start, end in zip(blocks, tip[:-1], tip[1:], strict=True):
         ours = forward(chain_, words_to_q(block[:, [0, 1, 2, 4, 3]]))[0]
         assert from_segment(ours, start, end).max() < CHORD_TOLERANCE  # our chain says the same of its joints
-    assert real_deviations(kinematics, program, joints).max() > 1000 * CHORD_TOLERANCE  # joints alone leave it far behind
+    assert (
+        real_deviations(kinematics, program, joints).max() > 1000 * CHORD_TOLERANCE
+    )  # joints alone leave it far behind
 
 
 @pytest.mark.parametrize("wrong", ["z-offset", "z-rot-point"])

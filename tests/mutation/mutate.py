@@ -3,7 +3,8 @@
 """Tries mutants of the package: one line of a copy is changed, and tests that are named with it must fail.
 
     make mutants                   eight of tests/mutation/mutants.toml, others every day
-    make mutants ALL=1             all of them; N=20: so many; SEED=7: those of that seed; FILE=search.py: those of such files
+    make mutants ALL=1             all of them; N=20: so many; SEED=7: those of that seed; FILE=search.py:
+                                   those of such files
     python tests/mutation/mutate.py --table MY.toml --root FOLDER
 
 killed       a named test fails, or none can be collected, or the limit is over (said so: a mutant may hang)
@@ -11,7 +12,8 @@ survived     all pass: a test is missing
 no longer    the old text does not occur exactly once in its file: the table is to be mended
 equivalent   argued in the table, so not tried; its text must still be there
 
-Exit 0 if all that were tried are killed, 1 if not, or where the tests fail without any change; 130 after Ctrl-C.
+Exit 0 if all that were tried are killed, 1 if not, or where the tests fail without any change; 130 after
+Ctrl-C.
 """
 
 from __future__ import annotations
@@ -45,7 +47,8 @@ HUNG = -1
 
 @dataclass(frozen=True)
 class Mutant:
-    """``old``, which occurs once in ``file``, becomes ``new``; ``tests`` are words for pytest. ``equivalent``: why no test can tell."""
+    """``old``, which occurs once in ``file``, becomes ``new``; ``tests`` are words for pytest.
+    ``equivalent``: why no test can tell."""
 
     file: str
     old: str
@@ -68,7 +71,8 @@ def read_table(path: Path) -> list[Mutant]:
 
 
 def choose(mutants: list[Mutant], count: int | None, seed: str, part: str) -> list[Mutant]:
-    """Choose those whose file holds ``part``, and of them a sample, in the table's order; without a count all."""
+    """Choose those whose file holds ``part``, and of them a sample, in the table's order; without a count
+    all."""
     fitting = [mutant for mutant in mutants if part in mutant.file]
     if count is None or count >= len(fitting):
         return fitting
@@ -77,11 +81,14 @@ def choose(mutants: list[Mutant], count: int | None, seed: str, part: str) -> li
 
 
 def run_tests(folder: Path, tests: tuple[str, ...], limit: float) -> tuple[int, str]:
-    """Run pytest in ``folder``, with everything it begins in a group of its own: its exit code or HUNG, and its last lines."""
+    """Run pytest in ``folder``, with everything it begins in a group of its own: its exit code or HUNG, and
+    its last lines."""
     words = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", *tests]
     environment = {**os.environ, "PYTHONPATH": str(folder), "FIVEAXIS_SLOWEST": "1"}
     with open(folder / "pytest.log", "w+", encoding="utf-8") as log:
-        process = subprocess.Popen(words, cwd=folder, env=environment, stdout=log, stderr=log, start_new_session=True)
+        process = subprocess.Popen(
+            words, cwd=folder, env=environment, stdout=log, stderr=log, start_new_session=True
+        )
         try:
             code = process.wait(limit)
         except subprocess.TimeoutExpired:
@@ -100,7 +107,8 @@ def end_group(process: subprocess.Popen[bytes]) -> None:
 
 
 class Bench:
-    """A copy of the project in which one file at a time is changed; the tests named were seen to pass in it unchanged."""
+    """A copy of the project in which one file at a time is changed; the tests named were seen to pass in it
+    unchanged."""
 
     def __init__(self, root: Path, folder: Path, limit: float) -> None:
         self.folder, self.limit = folder / "copy", limit
@@ -135,7 +143,8 @@ class Bench:
         return self._passes[tests]
 
     def _write(self, path: Path, text: str) -> None:
-        """Write a source file; what Python has compiled of it goes, for it may look as old and as long as the new one."""
+        """Write a source file; what Python has compiled of it goes, for it may look as old and as long as the
+        new one."""
         path.write_text(text, encoding="utf-8")
         for compiled in (path.parent / "__pycache__").glob(f"{path.stem}.*"):
             compiled.unlink()
@@ -156,14 +165,20 @@ def try_all(mutants: list[Mutant], root: Path, limit: float) -> int:
 
 def parse(words: list[str] | None) -> argparse.Namespace:
     """Parse the command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--table", type=Path, default=Path(__file__).with_name("mutants.toml"))
     parser.add_argument("--root", type=Path, default=ROOT, help="the project that is copied")
     parser.add_argument("--count", type=int, default=SAMPLE, help=f"how many are tried ({SAMPLE})")
     parser.add_argument("--all", action="store_true", help="try every one")
-    parser.add_argument("--seed", default=datetime.date.today().isoformat(), help="of the sample (today's date)")
+    parser.add_argument(
+        "--seed", default=datetime.date.today().isoformat(), help="of the sample (today's date)"
+    )
     parser.add_argument("--file", default="", help="only mutants of files whose path holds this")
-    parser.add_argument("--limit", type=float, default=LIMIT, help=f"s that the tests of one may take ({LIMIT:g})")
+    parser.add_argument(
+        "--limit", type=float, default=LIMIT, help=f"s that the tests of one may take ({LIMIT:g})"
+    )
     return parser.parse_args(words)
 
 
@@ -177,7 +192,8 @@ def main(words: list[str] | None = None) -> int:
         print("mutants: interrupted; the copy is removed, the work tree was never changed", file=sys.stderr)
         return 130
     print(
-        f"mutants: {len(mutants)} tried, {failed} of them not as they should be" + ("" if given.all else f" (seed {given.seed})")
+        f"mutants: {len(mutants)} tried, {failed} of them not as they should be"
+        + ("" if given.all else f" (seed {given.seed})")
     )
     return 1 if failed else 0
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The desk a user sits at: a screen, a window manager, the bus of the accessibility tree, and FreeCAD when he starts it.
+"""The desk a user sits at: a screen, a window manager, the bus of the accessibility tree, and FreeCAD when he
+starts it.
 
 Everything started here is ended here, by its process and not by its name.
 """
@@ -38,7 +39,19 @@ class Desk:
         """An X server with a display of its own; 96 dpi: with Xvfb's own 100 Qt scales by 1.04."""
         size = f"{self.size[0]}x{self.size[1]}x24"
         inlet, outlet = os.pipe()
-        command = ["Xvfb", "-displayfd", str(outlet), "-screen", "0", size, "-dpi", "96", "-nolisten", "tcp", "-noreset"]
+        command = [
+            "Xvfb",
+            "-displayfd",
+            str(outlet),
+            "-screen",
+            "0",
+            size,
+            "-dpi",
+            "96",
+            "-nolisten",
+            "tcp",
+            "-noreset",
+        ]
         self.start(command, pass_fds=[outlet])
         os.close(outlet)
         with os.fdopen(inlet) as told:
@@ -47,7 +60,9 @@ class Desk:
     def start(self, command: list[str], log: str = os.devnull, **more) -> subprocess.Popen:
         """Begin a program; what it says goes to the file ``log``."""
         with open(log, "ab") as out:
-            program = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, **more)
+            program = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, **more
+            )
         self.programs.append(program)
         return program
 
@@ -65,7 +80,14 @@ def _bus_address() -> str:
     session = Gio.bus_get_sync(Gio.BusType.SESSION)
     try:
         reply = session.call_sync(
-            "org.a11y.Bus", "/org/a11y/bus", "org.a11y.Bus", "GetAddress", None, None, Gio.DBusCallFlags.NONE, 5000
+            "org.a11y.Bus",
+            "/org/a11y/bus",
+            "org.a11y.Bus",
+            "GetAddress",
+            None,
+            None,
+            Gio.DBusCallFlags.NONE,
+            5000,
         )
     except GLib.Error:
         return ""
@@ -90,7 +112,9 @@ def tell_root_window(name: str, text: str) -> None:
     display = ctypes.c_void_p(x.XOpenDisplay(None))
     atom = ctypes.c_ulong(x.XInternAtom(display, name.encode(), 0))
     string, replace, said = ctypes.c_ulong(31), 0, text.encode()
-    x.XChangeProperty(display, ctypes.c_ulong(x.XDefaultRootWindow(display)), atom, string, 8, replace, said, len(said))
+    x.XChangeProperty(
+        display, ctypes.c_ulong(x.XDefaultRootWindow(display)), atom, string, 8, replace, said, len(said)
+    )
     x.XCloseDisplay(display)
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is on the screen, read through the accessibility tree as a screen reader reads it, and in pictures.
 
-thing     a widget or a part of one: its role, name, description, place and state. Only what is showing is looked at.
+thing     a widget or a part of one: its role, name, description, place and state. Only what is showing is
+          looked at.
 silence   how long the program gave no answer: every question is answered by the thread that draws its window.
 """
 
@@ -36,8 +37,11 @@ class Bus:
         self.connection = Gio.DBusConnection.new_for_address_sync(address, flags, None, None)
 
     def ask(self, name: str, path: str, interface: str, method: str, values: GLib.Variant | None = None):
-        """What the program answers. Raises GLib.Error where the thing is gone or the program does not answer."""
-        reply = self.connection.call_sync(name, path, interface, method, values, None, Gio.DBusCallFlags.NONE, ANSWER)
+        """What the program answers. Raises GLib.Error where the thing is gone or the program does not
+        answer."""
+        reply = self.connection.call_sync(
+            name, path, interface, method, values, None, Gio.DBusCallFlags.NONE, ANSWER
+        )
         return reply.unpack()
 
     def program(self, name: str) -> str:
@@ -67,7 +71,9 @@ class Thing:
 
     @property
     def role(self) -> str:
-        return {"button": "push button", "tree item": "table cell"}.get(said := self._ask("GetRoleName")[0], said)
+        return {"button": "push button", "tree item": "table cell"}.get(
+            said := self._ask("GetRoleName")[0], said
+        )
 
     @property
     def name(self) -> str:
@@ -90,7 +96,11 @@ class Thing:
         return bool((low | high << 32) >> state & 1)
 
     def children(self) -> list[Thing]:
-        return [Thing(self.bus, name, path) for name, path in self._ask("GetChildren")[0] if not path.endswith("/null")]
+        return [
+            Thing(self.bus, name, path)
+            for name, path in self._ask("GetChildren")[0]
+            if not path.endswith("/null")
+        ]
 
 
 class Eyes:
@@ -106,7 +116,8 @@ class Eyes:
         return bool(name)
 
     def things(self, below: Thing | None = None) -> Iterator[tuple[Thing, str]]:
-        """All that is showing, and its role, from the top of the window down; what goes meanwhile is left out."""
+        """All that is showing, and its role, from the top of the window down; what goes meanwhile is left
+        out."""
         for child in _there(lambda: (below or self.root).children(), []):
             if _there(lambda child=child: child.has(SHOWING), False):
                 role = _there(lambda child=child: child.role, "")
@@ -115,7 +126,8 @@ class Eyes:
                     yield from self.things(child)
 
     def see(self, role: str, name: str = "", below: Thing | None = None) -> Thing | None:
-        """The first thing of that role whose whole name or description is matched by the expression ``name`` (empty: any)."""
+        """The first thing of that role whose whole name or description is matched by the expression ``name``
+        (empty: any)."""
         for thing, its_role in self.things(below):
             if its_role == role and (not name or _there(lambda thing=thing: _is_called(thing, name), False)):
                 return thing
@@ -124,7 +136,14 @@ class Eyes:
     def window(self, title: str) -> Thing | None:
         """The window of the program with that title; it asks little, for a program at work answers slowly."""
         tops = _there(self.root.children, [])
-        return next((top for top in tops if is_seen(top) and re.fullmatch(title, _there(lambda top=top: top.name, ""))), None)
+        return next(
+            (
+                top
+                for top in tops
+                if is_seen(top) and re.fullmatch(title, _there(lambda top=top: top.name, ""))
+            ),
+            None,
+        )
 
     def find(self, role: str, name: str = "", seconds: float = 20, below: Thing | None = None) -> Thing:
         """As ``see``, waiting. Raises TimeoutError, with what there is of that role."""
@@ -171,10 +190,12 @@ def _is_called(thing: Thing, wanted: str) -> bool:
 
 
 class Watch(threading.Thread):
-    """Asks the window every 50 ms whether it is awake. ``longest(since)``: the longest time it took to answer, s.
+    """Asks the window every 50 ms whether it is awake. ``longest(since)``: the longest time it took to
+    answer, s.
 
-    That is without the time in which the kernel gave the processors to others, so that a machine with other work tells the same:
-    what the window's thread waited for one, the one of the program's other threads that waited most, and this thread.
+    That is without the time in which the kernel gave the processors to others, so that a machine with other
+    work tells the same: what the window's thread waited for one, the one of the program's other threads that
+    waited most, and this thread.
     """
 
     EVERY = 0.05
@@ -217,7 +238,8 @@ class Watch(threading.Thread):
 
 
 def waited(thread: str) -> float:
-    """What a thread, a folder of /proc, has waited for a processor so far, s; 0 where it has ended or the kernel does not say."""
+    """What a thread, a folder of /proc, has waited for a processor so far, s; 0 where it has ended or the
+    kernel does not say."""
     try:
         with open(thread + "/schedstat", encoding="ascii") as file:
             return int(file.read().split()[1]) / 1e9

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run by freecadcmd before the sitting: the part that the user has drawn on another day, and which FreeCAD this is."""
+"""Run by freecadcmd before the sitting: the part that the user has drawn on another day, and which FreeCAD
+this is."""
 
 import os
 import sys
@@ -18,7 +19,11 @@ def draw(path):
     fillet = doc.addObject("Part::Fillet", "Rounded")
     fillet.Base = box
     doc.recompute()
-    top = [at for at, edge in enumerate(box.Shape.Edges, 1) if edge.BoundBox.ZMin > 9.9 and edge.BoundBox.YLength > 19.9]
+    top = [
+        at
+        for at, edge in enumerate(box.Shape.Edges, 1)
+        if edge.BoundBox.ZMin > 9.9 and edge.BoundBox.YLength > 19.9
+    ]
     fillet.Edges = [(at, 3.0, 3.0) for at in top]
     body = doc.addObject("PartDesign::Body", "Body")
     block = doc.addObject("PartDesign::AdditiveBox", "Block")

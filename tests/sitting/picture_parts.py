@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run by freecadcmd before the pictures are made: a block with a groove, a dome and a knob, each in a file beside FIVEAXIS_PART."""
+"""Run by freecadcmd before the pictures are made: a block with a groove, a dome and a knob, each in a file
+beside FIVEAXIS_PART."""
 
 import os
 import sys
@@ -27,12 +28,14 @@ def groove():
 
 
 def dome():
-    """A cap of 20 mm radius on a foot of 5 mm, its top at the pole of every machine with an upright rotary axis."""
+    """A cap of 20 mm radius on a foot of 5 mm, its top at the pole of every machine with an upright rotary
+    axis."""
     return Part.makeSphere(20, Vector(0, 0, -5)).common(Part.makeCylinder(16, 20)).removeSplitter()
 
 
 def knob():
-    """A ball of 13 mm radius, cut off at Z 40, on a stem of 6 mm on a foot of 18 mm; across its top a slot of 4 mm."""
+    """A ball of 13 mm radius, cut off at Z 40, on a stem of 6 mm on a foot of 18 mm; across its top a slot of
+    4 mm."""
     parts = [Part.makeCylinder(6, 24, Vector(0, 0, 6)), Part.makeSphere(13, Vector(0, 0, 32))]
     whole = Part.makeCylinder(18, 8).fuse(parts).removeSplitter()
     corners = [one for one in whole.Edges if abs(one.CenterOfMass.z - 8) < 0.1 and one.BoundBox.XLength < 20]

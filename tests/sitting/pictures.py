@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pictures of the documentation, made by a sitting: read it from STEPS downwards. They go to out/pictures as the screen is.
+"""The pictures of the documentation, made by a sitting: read it from STEPS downwards. They go to out/pictures
+as the screen is.
 
 still     a picture by its name in docs/images; the mouse is out of the way.
-film      numbered pictures in out/pictures/film, with the mouse's place in film.json; scripts/pictures puts both into docs/images.
+film      numbered pictures in out/pictures/film, with the mouse's place in film.json; scripts/pictures puts
+          both into docs/images.
 """
 
 from __future__ import annotations
@@ -43,7 +45,8 @@ class Camera:
         picture(os.path.join(FOLDER, name + ".png"))
 
     def frame(self, seconds: float, thing=None, at: tuple[float, float] = (0.5, 0.5), tell: str = "") -> None:
-        """A picture of the film, shown so long, the mouse on a thing that is clicked next; ``tell``: a line below."""
+        """A picture of the film, shown so long, the mouse on a thing that is clicked next; ``tell``: a line
+        below."""
         place = None
         if thing is not None:
             left, top, width, height = thing.box
@@ -62,7 +65,11 @@ class Camera:
 def button(user: Sitting, name: str):
     """A button of a tool bar or a panel."""
     roles = ("push button", "button menu")
-    return user.until(lambda: next((one for role in roles if (one := user.eyes.see(role, name))), None), 20, f"a button {name}")
+    return user.until(
+        lambda: next((one for role in roles if (one := user.eyes.see(role, name))), None),
+        20,
+        f"a button {name}",
+    )
 
 
 def start(user: Sitting, _: Camera) -> None:
@@ -98,7 +105,10 @@ def start(user: Sitting, _: Camera) -> None:
 
 
 GROUP = "<FCParamGroup Name="
-QUIET = "".join(f'<FCBool Name="{name}" Value="0"/>' for name in ("NotificationAreaEnabled", "NonIntrusiveNotificationsEnabled"))
+QUIET = "".join(
+    f'<FCBool Name="{name}" Value="0"/>'
+    for name in ("NotificationAreaEnabled", "NonIntrusiveNotificationsEnabled")
+)
 QUIET = f'{GROUP}"NotificationArea">{QUIET}</FCParamGroup>'
 """Settings: FreeCAD's messages do not come up over the view."""
 BACKGROUND = (0.32 * SIZE[0], 0.88 * SIZE[1])
@@ -167,7 +177,9 @@ def calculate(user: Sitting, camera: Camera) -> None:
     time.sleep(1)
     camera.still("workbench")
     camera.frame(2.5, tell="The light says whether it is safe")
-    user.hands.click(user.eyes.find("check box", "Markers"), (0.1, 0.5))  # they would cover the small part in Play
+    user.hands.click(
+        user.eyes.find("check box", "Markers"), (0.1, 0.5)
+    )  # they would cover the small part in Play
     time.sleep(0.5)
     camera.click(button(user, "OK"), "3  OK")
     user.in_tree("Toolpath")
@@ -294,7 +306,8 @@ def path_over(user: Sitting, label: str) -> None:
 
 
 def whole_part(user: Sitting, camera: Camera) -> None:
-    """Where a tool gets, the passes before they are computed, the path, and what it leaves: docs/whole-part.md."""
+    """Where a tool gets, the passes before they are computed, the path, and what it leaves:
+    docs/whole-part.md."""
     leave_part(user)
     open_file(user, os.path.join(PARTS, "knob.FCStd"), "Knob")
     user.hands.click(user.in_tree("Knob"))
@@ -352,7 +365,11 @@ def main() -> int:
         os.makedirs(PARTS)
         part = os.path.join(PARTS, "part.FCStd")
         version = make_part(part)
-        run_quietly(["freecadcmd", os.path.join(HERE, "picture_parts.py")], QT_QPA_PLATFORM="offscreen", FIVEAXIS_PART=part)
+        run_quietly(
+            ["freecadcmd", os.path.join(HERE, "picture_parts.py")],
+            QT_QPA_PLATFORM="offscreen",
+            FIVEAXIS_PART=part,
+        )
         shutil.rmtree(FOLDER, ignore_errors=True)
         os.makedirs(os.path.join(FOLDER, "film"))
         user = Sitting(desk, FOLDER, part)

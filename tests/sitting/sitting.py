@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One sitting: FreeCAD, eyes and hands, and what is looked at after every step.
 
-step      a function that does what a user does and waits for what he would see; it raises TimeoutError or Unseen where it is not.
+step      a function that does what a user does and waits for what he would see; it raises TimeoutError or
+          Unseen where it is not.
 red       a line of a panel that says why something cannot be done or should not have happened.
 """
 
@@ -19,7 +20,9 @@ from hands import Hands
 HERE = os.path.dirname(os.path.abspath(__file__))
 PROJECT = os.path.dirname(os.path.dirname(HERE))
 
-BAD = re.compile(r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks")
+BAD = re.compile(
+    r"Traceback|\w*Error\b|\w*Exception\b|Segmentation fault|SIGSEGV|already deleted|[Uu]nhandled|resizeDocks"
+)
 NOT_OURS = re.compile(r"Addon Manager|QtWebEngine|zygote|libEGL|MESA|dconf|dbus|GLib|Gtk-", re.IGNORECASE)
 """What FreeCAD or the machine says by itself, with no add-on too."""
 ANSWERED = re.compile(r"^told: (.*)$", re.MULTILINE)
@@ -90,20 +93,28 @@ class Sitting:
     # ------------------------------------------------------------------------------------------ steps
 
     def do(self, name: str, step, limit: float | None = None) -> bool:
-        """Do a step, look at everything, make a picture; whether it went well. ``limit``: s that the window may be silent."""
+        """Do a step, look at everything, make a picture; whether it went well. ``limit``: s that the window
+        may be silent."""
         row = Row(name)
         self.hands.clicks = self.hands.keys = 0
         begun = time.monotonic()
         try:
             self._try(step, row, begun, limit)
         except Exception as error:
-            row.failed = "; FreeCAD says: ".join([str(error) or type(error).__name__, *wrong(self.new_in_log())[-1:]])
+            row.failed = "; FreeCAD says: ".join(
+                [str(error) or type(error).__name__, *wrong(self.new_in_log())[-1:]]
+            )
         self.rows.append(row)
-        stem = os.path.join(self.folder, f"{len(self.rows):02d}-{re.sub('[^a-z0-9]+', '-', name.lower()).strip('-')}")
+        stem = os.path.join(
+            self.folder, f"{len(self.rows):02d}-{re.sub('[^a-z0-9]+', '-', name.lower()).strip('-')}"
+        )
         picture(stem + ".png")
         if row.failed:
             self.write_tree(stem + ".txt")
-        print(f"sitting: {name:<24} {row.clicks:>3} clicks {row.seconds:6.1f} s, silent {row.silence:5.2f} s", flush=True)
+        print(
+            f"sitting: {name:<24} {row.clicks:>3} clicks {row.seconds:6.1f} s, silent {row.silence:5.2f} s",
+            flush=True,
+        )
         if row.failed:
             print(f"sitting: FAILED: {row.failed}", flush=True)
         return not row.failed
@@ -122,7 +133,8 @@ class Sitting:
             self.look()
 
     def look(self) -> None:
-        """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what FreeCAD says."""
+        """Raises Unseen where anything has gone wrong that a user could see: a red line, or an error in what
+        FreeCAD says."""
         said = self.new_in_log()
         self.alive()
         bad = wrong(said)
@@ -153,7 +165,7 @@ class Sitting:
             except Exception as error:
                 file.write(f"{error}\n")
 
-    # ------------------------------------------------------------------------------------------ what a user does
+    # --------------------------------------------------------------------------------------- what a user does
 
     def press_tool(self, name: str) -> None:
         """Click a button of a tool bar."""
@@ -175,14 +187,19 @@ class Sitting:
 
     def _model(self) -> list[Thing]:
         """The model tree, and what else FreeCAD draws as a tree but the lists of properties."""
-        return [tree for tree in self.eyes.all("tree") if not self.eyes.see("column header", "Property", tree)]
+        return [
+            tree for tree in self.eyes.all("tree") if not self.eyes.see("column header", "Property", tree)
+        ]
 
     def row(self, label: str) -> Thing | None:
         """The row of that label in the model tree, if it is seen."""
-        return next((row for tree in self._model() if (row := self.eyes.see("table cell", label, tree))), None)
+        return next(
+            (row for tree in self._model() if (row := self.eyes.see("table cell", label, tree))), None
+        )
 
     def collect(self) -> None:
-        """Have Python's garbage collected, by typing into FreeCAD's own console; it counts as no work of the user's."""
+        """Have Python's garbage collected, by typing into FreeCAD's own console; it counts as no work of the
+        user's."""
         self.answer("__import__('gc').collect()")
 
     def objects(self) -> str:
@@ -217,7 +234,9 @@ class Sitting:
 
     def console(self) -> Thing:
         """The text of the Python console."""
-        dock = next((one for role in ("frame", "panel") if (one := self.eyes.see(role, "Python [Cc]onsole"))), None)
+        dock = next(
+            (one for role in ("frame", "panel") if (one := self.eyes.see(role, "Python [Cc]onsole"))), None
+        )
         if dock is None:
             raise Unseen("no Python console is shown")
         return self.eyes.find("text", below=dock)
@@ -231,7 +250,10 @@ def wrong(said: str) -> list[str]:
 def table(rows: list[Row], version: str) -> str:
     """The rows as Markdown."""
     head = f"| FreeCAD {version} | clicks | keys | seconds | longest silence, s |\n|---|---|---|---|---|\n"
-    lines = [f"| {row.step} | {row.clicks} | {row.keys} | {row.seconds:.1f} | {row.silence:.2f} |\n" for row in rows]
+    lines = [
+        f"| {row.step} | {row.clicks} | {row.keys} | {row.seconds:.1f} | {row.silence:.2f} |\n"
+        for row in rows
+    ]
     clicks, seconds = sum(row.clicks for row in rows), sum(row.seconds for row in rows)
     keys, silence = sum(row.keys for row in rows), max(row.silence for row in rows)
     return head + "".join(lines) + f"| **all** | {clicks} | {keys} | {seconds:.1f} | {silence:.2f} |\n"
@@ -241,7 +263,10 @@ def make_part(path: str) -> str:
     """Draw the part that the sitting is about; the version of FreeCAD."""
     version = os.path.join(os.path.dirname(path), "version")
     run_quietly(
-        ["freecadcmd", os.path.join(HERE, "part.py")], QT_QPA_PLATFORM="offscreen", FIVEAXIS_PART=path, FIVEAXIS_VERSION=version
+        ["freecadcmd", os.path.join(HERE, "part.py")],
+        QT_QPA_PLATFORM="offscreen",
+        FIVEAXIS_PART=path,
+        FIVEAXIS_VERSION=version,
     )
     with open(version, encoding="ascii") as file:
         return file.read()

@@ -14,8 +14,8 @@ from eyes import ENABLED, is_seen
 from sitting import HERE, PROJECT, Sitting, Unseen, make_part, table
 
 LIMIT = 5.0
-"""s that the window may stay without an answer in a step of ours before it counts as hung: ten times what a busy machine needs. How
-long it was stands in the table; 0.3 s is the aim."""
+"""s that the window may stay without an answer in a step of ours before it counts as hung: ten times what a
+busy machine needs. How long it was stands in the table; 0.3 s is the aim."""
 ANSWERS = 20
 """Answers of the window, one each 50 ms where it is awake, before Esc is pressed."""
 
@@ -66,7 +66,9 @@ def open_part(user: Sitting) -> None:
 def select(user: Sitting) -> None:
     """Click the part in the tree; where it is not drawn, Space draws it."""
     user.hands.click(user.in_tree("Rounded"))
-    user.until(lambda: user.eyes.find("push button", "Tool path.*").has(ENABLED), 5, "Tool path can be pressed")
+    user.until(
+        lambda: user.eyes.find("push button", "Tool path.*").has(ENABLED), 5, "Tool path can be pressed"
+    )
     time.sleep(0.3)
     user.hands.press("space")
     user.press_tool("Fit [Aa]ll")
@@ -130,10 +132,13 @@ def fill(user: Sitting, label: str, text: str) -> str:
 
 
 def escape(user: Sitting, title: str) -> None:
-    """Esc, after the window has answered so many times while the work went on: the work, which is longer, is stopped."""
+    """Esc, after the window has answered so many times while the work went on: the work, which is longer, is
+    stopped."""
     work = user.until(lambda: user.eyes.window(title), 20, "the window of the work")
     answered = user.watch.answers()
-    user.until(lambda: user.watch.answers() >= answered + ANSWERS, 60, "the window to answer while the work goes on")
+    user.until(
+        lambda: user.watch.answers() >= answered + ANSWERS, 60, "the window to answer while the work goes on"
+    )
     if not is_seen(work):
         raise Unseen("the work was over before Esc was pressed")
     user.hands.press("Escape")
@@ -159,7 +164,8 @@ def keep(user: Sitting) -> None:
 
 
 def agree(user: Sitting, anyway: str, panel: str) -> None:
-    """Wait until the panel with that button is closed; what is asked before is answered by the button ``anyway``."""
+    """Wait until the panel with that button is closed; what is asked before is answered by the button
+    ``anyway``."""
     asked = user.until(
         lambda: user.eyes.see("push button", anyway) or not user.eyes.see("push button", panel),
         60,
@@ -174,8 +180,13 @@ def play(user: Sitting) -> None:
     """Play the path, stop it, go one block on, close."""
     user.hands.click(user.in_tree("Toolpath"))
     user.press_tool("Play.*")
-    time_played = user.eyes.find("label", r"[\d:.]+ of [\d:.]+")  # as 0:00.00 of 4:58.81; looked up now, for while it plays
-    button, on = user.eyes.find("check box", "Play and pause"), user.eyes.find("push button", "One block on")  # answers are slow
+    time_played = user.eyes.find(
+        "label", r"[\d:.]+ of [\d:.]+"
+    )  # as 0:00.00 of 4:58.81; looked up now, for while it plays
+    button, on = (
+        user.eyes.find("check box", "Play and pause"),
+        user.eyes.find("push button", "One block on"),
+    )  # answers are slow
     begun = time_played.name
     user.hands.click(button)
     user.until(lambda: time_played.name != begun, 10, "the tool moves")
@@ -195,7 +206,9 @@ def post_process(user: Sitting) -> None:
     user.nc_file = user.eyes.find("text", "The NC file to write").text
     user.press("OK")
     asked = user.until(
-        lambda: user.eyes.see("push button", "Write anyway") or os.path.isfile(user.nc_file), 60, f"{user.nc_file}, or a question"
+        lambda: user.eyes.see("push button", "Write anyway") or os.path.isfile(user.nc_file),
+        60,
+        f"{user.nc_file}, or a question",
     )
     if asked is not True:
         user.hands.click(asked)
@@ -264,7 +277,9 @@ def reopen(user: Sitting) -> None:
 def leave(user: Sitting) -> None:
     """Quit; what was changed since is not kept."""
     user.hands.press("ctrl+q")
-    left = user.until(lambda: user.has_left() or user.eyes.see("push button", DISCARD), 20, "FreeCAD to leave or to ask")
+    left = user.until(
+        lambda: user.has_left() or user.eyes.see("push button", DISCARD), 20, "FreeCAD to leave or to ask"
+    )
     if left is not True:
         user.hands.click(left)
     user.until(user.has_left, 30, "FreeCAD to leave")
@@ -286,7 +301,9 @@ def step_file(user: Sitting) -> None:
     time.sleep(0.5)
     user.hands.write(user.part.replace("FCStd", "step"))
     user.hands.press("Return")
-    asked = user.until(lambda: user.row("Imported") or user.eyes.see("dialog", "STEP.*"), 30, "the part, or how to import it")
+    asked = user.until(
+        lambda: user.row("Imported") or user.eyes.see("dialog", "STEP.*"), 30, "the part, or how to import it"
+    )
     if asked.role == "dialog":  # from FreeCAD 1.0 on
         user.hands.press("Return")
     user.hands.click(user.in_tree("Imported", 30))
@@ -315,7 +332,8 @@ def clamp(user: Sitting) -> None:
 
 
 def compare(user: Sitting) -> None:
-    """Compare machines, the least deviation (minimax) among the corrections, stop it by Esc, and close the panel by another."""
+    """Compare machines, the least deviation (minimax) among the corrections, stop it by Esc, and close the
+    panel by another."""
     user.hands.click(user.in_tree("Toolpath"))
     user.press_tool("Compare.*")
     user.press("Compare")
@@ -342,7 +360,9 @@ FREECADS_OWN = ("Install", "Start", "Workbench", "Open a part", "Save", "Close",
 def main() -> int:
     said = argparse.ArgumentParser()
     said.add_argument("form", nargs="?", choices=("short", "long"), default="short")
-    said.add_argument("--limit", type=float, default=LIMIT, help="s that the window may be silent in a step of ours")
+    said.add_argument(
+        "--limit", type=float, default=LIMIT, help="s that the window may be silent in a step of ours"
+    )
     said.add_argument("--keep", action="store_true")
     asked = said.parse_args()
     with Desk() as desk:

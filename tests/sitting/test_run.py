@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sitting itself, from outside: it fails, and says why, where the add-on fails as a user would meet it."""
+"""The sitting itself, from outside: it fails, and says why, where the add-on fails as a user would meet
+it."""
 
 import os
 import pathlib
@@ -13,7 +14,9 @@ import pytest
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
 NEEDED = ("freecad", "freecadcmd", "Xvfb", "openbox", "xdotool", "import", "dbus-run-session")
-needs_a_desk = pytest.mark.skipif(not all(map(shutil.which, NEEDED)), reason="no FreeCAD, or no desk to sit at")
+needs_a_desk = pytest.mark.skipif(
+    not all(map(shutil.which, NEEDED)), reason="no FreeCAD, or no desk to sit at"
+)
 PARTS = ("freecad_fiveaxis", "resources", "scripts", "tests/sitting", "Init.py", "InitGui.py", "package.xml")
 
 BROKEN = {
@@ -39,7 +42,8 @@ BROKEN = {
         r"silent for [5-9]\.\d\d s",
     ),
 }
-"""What is broken: the file, the text after which a line is put in, that line, the step that fails, and what is said of it."""
+"""What is broken: the file, the text after which a line is put in, that line, the step that fails, and what
+is said of it."""
 
 
 def copy_of_the_add_on(folder):
@@ -72,7 +76,12 @@ def test_without_freecad_it_says_that_it_skipped(tmp_path):
     for tool in ("bash", "dirname", "pwd"):
         (tmp_path / tool).symlink_to(shutil.which(tool))
     done = subprocess.run(
-        ["bash", HERE / "run"], env={"PATH": str(tmp_path)}, capture_output=True, text=True, timeout=60, check=False
+        ["bash", HERE / "run"],
+        env={"PATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
     )
     assert done.returncode == 0, done.stderr
     assert "SKIPPED" in done.stdout

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The audit of a finished program: limits, axis rates, feed over the part, and where it leaves a CL path or enters a part.
+"""The audit of a finished program: limits, axis rates, feed over the part, and where it leaves a CL path or
+enters a part.
 
-A ball's distance from the part is a small module for audits; any other cutter, shank and holder are the gouge check's.
+A ball's distance from the part is a small module for audits; any other cutter, shank and holder are the gouge
+check's.
 """
 
 from .against_cl import AgainstPath, against_path

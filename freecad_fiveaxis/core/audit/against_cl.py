@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where a posted program leaves the CL path that it was made from.
 
-CL line      the straight lines from row to row of the CL file, rapids included: a post may make feed moves of them.
-off          the distance of the real tip, or of the centre of a ball that is known, from the nearest place of the CL line of the
-             same point, at its largest in each feed block.
+CL line      the straight lines from row to row of the CL file, rapids included: a post may make feed moves of
+             them.
+off          the distance of the real tip, or of the centre of a ball that is known, from the nearest place of
+             the CL line of the same point, at its largest in each feed block.
 missed row   a row of the CL file, reached at feed, that no feed block comes near: a pass that is not cut.
-axis off     the angle between the tool axis at a block's end and that of the CL path at the nearest place; of several places that
-             are as near (passes that cross, the tool turning on the spot) the one that suits best counts.
+axis off     the angle between the tool axis at a block's end and that of the CL path at the nearest place; of
+             several places that are as near (passes that cross, the tool turning on the spot) the one that
+             suits best counts.
 
-**Proof.** The distance from one straight line is convex: between two places on a chord it is at most the larger end value, and
-the real tip is within ``bend / 8`` of the chord. This serves for blocks along one CL line, its neighbours included; otherwise
-the distance of the nearest line changes by no more than the way: ``(d0 + d1 + way) / 2``.
+**Proof.** The distance from one straight line is convex: between two places on a chord it is at most the
+larger end value, and the real tip is within ``bend / 8`` of the chord. This serves for blocks along one CL
+line, its neighbours included; otherwise the distance of the nearest line changes by no more than the way:
+``(d0 + d1 + way) / 2``.
 
-The order in which the rows are visited is not compared. A block that is set over to the next pass lies on the CL line there; the
-row that it should have reached is then a missed row.
+The order in which the rows are visited is not compared. A block that is set over to the next pass lies on the
+CL line there; the row that it should have reached is then a missed row.
 """
 
 from __future__ import annotations
@@ -42,9 +45,11 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 from .real_path import Ends, Peaks, RealPath, peaks
 
 SHARE = 0.1
-"""Of the tolerance: how much of it the chords may cost by which the real path is replaced for the missed rows."""
+"""Of the tolerance: how much of it the chords may cost by which the real path is replaced for the missed
+rows."""
 ROUGH = 50.0
-"""A place that is so many reaches of a piece (some 12 mean lines) off is known to a tenth of its distance, no better."""
+"""A place that is so many reaches of a piece (some 12 mean lines) off is known to a tenth of its distance, no
+better."""
 MOST_CHORDS = 64
 """For one block."""
 TIED = 16
@@ -57,9 +62,10 @@ ALL_ALIKE = 0.9
 
 @dataclass(frozen=True, eq=False)
 class AgainstPath:
-    """``block`` (n,) the feed blocks, rows of the Program; ``off`` (n,) mm the largest distance from the CL line, at ``u`` (n,)
-    and ``place`` (n, 3); ``bound`` (n,) proven; ``end`` (n,) mm that of the block's end; ``axis`` (n,) rad at the end. ``missed``
-    (k,) rows of the CL file, ``distance`` (k,) mm of the nearest feed block from each."""
+    """``block`` (n,) the feed blocks, rows of the Program; ``off`` (n,) mm the largest distance from the CL
+    line, at ``u`` (n,) and ``place`` (n, 3); ``bound`` (n,) proven; ``end`` (n,) mm that of the block's end;
+    ``axis`` (n,) rad at the end. ``missed`` (k,) rows of the CL file, ``distance`` (k,) mm of the nearest
+    feed block from each."""
 
     block: Ints
     off: Floats
@@ -78,13 +84,17 @@ class AgainstPath:
 
 
 def against_path(
-    kinematics: Chain, program: Program, deviation: Deviation, path: CLPath, tolerance: float, axis_tolerance: float,
+    kinematics: Chain, program: Program, deviation: Deviation, path: CLPath, tolerance: float,
+    axis_tolerance: float,
     progress: Progress = silent, above: float = 0.0,
 ) -> AgainstPath:  # fmt: skip
-    """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad; ``above`` mm: compared is the point so far over
-    the tip, with the same point of the CL path (of a ball the centre). Raises ProgramError for a path of one row."""
+    """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad; ``above`` mm: compared is
+    the point so far over the tip, with the same point of the CL path (of a ball the centre). Raises
+    ProgramError for a path of one row."""
     if len(path.tip) < 2:
-        raise ProgramError(say("the CL file holds fewer than two rows: there is no path to compare with"), len(path.tip))
+        raise ProgramError(
+            say("the CL file holds fewer than two rows: there is no path to compare with"), len(path.tip)
+        )
     given, path = path, replace(path, tip=path.tip + above * path.axis)
     lines = Segments(path.tip[:-1], path.tip[1:])
     pieces, rows, real = lines.pieces(), feed_blocks(program), RealPath(kinematics, program, above)
@@ -98,13 +108,19 @@ def against_path(
         else Peaks(np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(0))
     )
     ends, ones = real.places(rows, np.ones(len(rows))), np.ones(len(rows))
-    stands = axis_at(kinematics, program.words[rows - 1], program.words[rows], ones) if len(rows) else np.zeros((0, 3))
+    stands = (
+        axis_at(kinematics, program.words[rows - 1], program.words[rows], ones)
+        if len(rows)
+        else np.zeros((0, 3))
+    )
     at_end = _at_ends(path, lines, pieces, ends, stands, tolerance, progress)
     missed, distance = _missed(real, rows, deviation, path, tolerance, progress)
     against = AgainstPath(
         rows, found.value, found.u, found.place, found.bound, at_end[:, 0], at_end[:, 1], missed, distance
     )  # fmt: skip
-    findings = _findings(program, against, _own_ways(against, ends, stands, tolerance), given, tolerance, axis_tolerance)
+    findings = _findings(
+        program, against, _own_ways(against, ends, stands, tolerance), given, tolerance, axis_tolerance
+    )
     return AgainstPath(**{**vars(against), "findings": findings})
 
 
@@ -126,9 +142,16 @@ def _bound(lines: Segments) -> Callable[[Ends], Floats]:
 
 
 def _at_ends(
-    path: CLPath, lines: Segments, pieces: Pieces, places: Floats, axis: Floats, tolerance: float, progress: Progress
+    path: CLPath,
+    lines: Segments,
+    pieces: Pieces,
+    places: Floats,
+    axis: Floats,
+    tolerance: float,
+    progress: Progress,
 ) -> Floats:
-    """Distance mm from the CL line and angle rad of the axes (n, 2) at ``places`` (n, 3) with tool axes ``axis`` (n, 3)."""
+    """Distance mm from the CL line and angle rad of the axes (n, 2) at ``places`` (n, 3) with tool axes
+    ``axis`` (n, 3)."""
     with_axis = np.concatenate([places, axis], axis=1)
 
     def squared(here: Floats, element: Ints) -> Floats:
@@ -146,8 +169,9 @@ def _at_ends(
 
 
 def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element: Ints) -> Floats:
-    """Angle (n, k) rad between ``axis`` (n, 3) and that of the CL path at the feet on the lines ``element`` (n, k): on the great
-    arc between the axes of a line's ends; where the line is a point, the nearest of that arc."""
+    """Angle (n, k) rad between ``axis`` (n, 3) and that of the CL path at the feet on the lines ``element``
+    (n, k): on the great arc between the axes of a line's ends; where the line is a point, the nearest of that
+    arc."""
     first, last = path.axis[element], path.axis[element + 1]
     share = lines.share(place, element)
     here = axis[:, None]
@@ -163,7 +187,8 @@ def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element:
 def _missed(
     real: RealPath, rows: Ints, deviation: Deviation, path: CLPath, tolerance: float, progress: Progress
 ) -> tuple[Ints, Floats]:
-    """The rows of the CL path reached at feed that the real path of the feed blocks misses by more than the tolerance."""
+    """The rows of the CL path reached at feed that the real path of the feed blocks misses by more than the
+    tolerance."""
     wanted = np.flatnonzero(path.motion != Motion.RAPID)
     if not len(rows) or not len(wanted):
         return wanted, np.full(len(wanted), math.inf)
@@ -182,8 +207,8 @@ def _missed(
 
 
 def _own_ways(against: AgainstPath, places: Floats, axis: Floats, tolerance: float) -> Bools:
-    """The blocks (n,) of ways of the post's own: from a place of the path out along the tool, and back to the same place.
-    ``places``, ``axis`` (n, 3): where the blocks end, and how the tool stands there."""
+    """The blocks (n,) of ways of the post's own: from a place of the path out along the tool, and back to the
+    same place. ``places``, ``axis`` (n, 3): where the blocks end, and how the tool stands there."""
     off = against.off > tolerance
     first = np.flatnonzero(off & ~np.append(False, off[:-1])[: len(off)])
     first = first[first > 0]
@@ -194,7 +219,9 @@ def _own_ways(against: AgainstPath, places: Floats, axis: Floats, tolerance: flo
     last = last[len(last) - len(first) :]
     back = np.linalg.norm(places[last] - places[first - 1], axis=1) <= max(tolerance, ROUNDED)
     on_path = (against.end[first - 1] <= tolerance) & (against.end[last] <= tolerance) & (last > first)
-    run = np.repeat(np.arange(len(first)), last - first)  # all but the last block of each way end off the path
+    run = np.repeat(
+        np.arange(len(first)), last - first
+    )  # all but the last block of each way end off the path
     row = np.arange(len(run)) - np.repeat(np.cumsum(last - first) - (last - first), last - first) + first[run]
     height = ((places[row] - places[first[run] - 1]) * axis[first[run] - 1]).sum(axis=1)
     lowest = np.full(len(first), np.inf)
@@ -214,17 +241,27 @@ def _findings(
     between &= ~own
     off = np.flatnonzero((against.off > tolerance) & ~between & ~own)
     if len(off):
-        found.append(_place_finding(program, against, off, Code.OFF_CL_PATH, _ends_text(against, ends), tolerance))
+        found.append(
+            _place_finding(program, against, off, Code.OFF_CL_PATH, _ends_text(against, ends), tolerance)
+        )
     if between.any():
         text = say(
-            "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip off. Divide blocks "
+            "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip "
+            "off. Divide blocks "
             "({linearize}).",
             linearize=Choice("linearize", ("on",)),
         )
-        found.append(_place_finding(program, against, np.flatnonzero(between), Code.BETWEEN_CL_ROWS, text, tolerance))
+        found.append(
+            _place_finding(program, against, np.flatnonzero(between), Code.BETWEEN_CL_ROWS, text, tolerance)
+        )
     if own.any():
-        text = say("leave the CL path out along the tool and come back to the same place: ways of the post's own, as to rewind.")
-        found.append(_place_finding(program, against, np.flatnonzero(own), Code.WAY_NOT_IN_CL_PATH, text, tolerance))
+        text = say(
+            "leave the CL path out along the tool and come back to the same place: ways of the post's own, "
+            "as to rewind."
+        )
+        found.append(
+            _place_finding(program, against, np.flatnonzero(own), Code.WAY_NOT_IN_CL_PATH, text, tolerance)
+        )
     leaning = np.flatnonzero((against.axis > axis_tolerance) & (against.end <= max(100.0 * tolerance, 1.0)))
     if len(leaning):
         found.append(_axis_finding(program, against, leaning, axis_tolerance))
@@ -235,10 +272,14 @@ def _findings(
 
 def _ends_text(against: AgainstPath, ends: Bools) -> Sentence:
     if ends.mean() < ALL_ALIKE:
-        return say("leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, as retracts.")
+        return say(
+            "leave the CL path, and end off it: a word is wrong there, or they are moves of the post's own, "
+            "as retracts."
+        )
     off = np.percentile(against.end, (5, 95))
     return say(
-        "are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another machine, work zero or "
+        "are off the CL path, nearly all alike ({least} to {most} at their ends): the post had another "
+        "machine, work zero or "
         "tool length in mind. See {origin} and {tool_length}; {recover} finds the machine that fits.",
         recover=Task("recover"),
         least=Length(off[0], ".4g", bare=True),
@@ -248,14 +289,18 @@ def _ends_text(against: AgainstPath, ends: Bools) -> Sentence:
     )
 
 
-def _place_finding(program: Program, against: AgainstPath, at: Ints, code: Code, text: str, tolerance: float) -> Finding:
+def _place_finding(
+    program: Program, against: AgainstPath, at: Ints, code: Code, text: str, tolerance: float
+) -> Finding:
     worst = int(at[against.off[at].argmax()])
     row = int(against.block[worst])
     whole = plural(
         len(at),
-        "1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first "
+        "1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} "
+        "allowed); first "
         "NC line {first}.",
-        "{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first NC line {first}.",
+        "{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first "
+        "NC line {first}.",
         all=len(against.block),
         what=text,
         line=program.line[row],

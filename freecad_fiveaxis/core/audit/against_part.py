@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How deep the ball of the cutter enters the part (STL) along the feed blocks of a program, as the machine really drives them.
+"""How deep the ball of the cutter enters the part (STL) along the feed blocks of a program, as the machine
+really drives them.
 
-overcut     the depth to which the ball is inside the part's surface: radius less the distance of the ball's centre from the mesh,
-            the centre's distance counting below 0 where it is inside the part itself.
+overcut     the depth to which the ball is inside the part's surface: radius less the distance of the ball's
+            centre from the mesh, the centre's distance counting below 0 where it is inside the part itself.
 clearance   the same with the other sign; the largest is only a number.
 
-**Proof.** d^2(p) - p^2 is concave, whatever the part: it is the least of functions that are linear in p. Along a chord of
-length c between two places d0, d1 from the part, outside it, the centre is therefore nowhere nearer than
-``sqrt(min(d0, d1)^2 - c^2 / 4)``, and the real centre is within ``bend / 8`` of the chord. Elsewhere the distance
-changes by no more than the way.
+**Proof.** d^2(p) - p^2 is concave, whatever the part: it is the least of functions that are linear in p.
+Along a chord of length c between two places d0, d1 from the part, outside it, the centre is therefore nowhere
+nearer than ``sqrt(min(d0, d1)^2 - c^2 / 4)``, and the real centre is within ``bend / 8`` of the chord.
+Elsewhere the distance changes by no more than the way.
 
-Only the ball is looked at, neither shank nor holder: :mod:`.tool_in_part` does that. Stock is not known: whether the part is cut
-at all is not said.
+Only the ball is looked at, neither shank nor holder: :mod:`.tool_in_part` does that. Stock is not known:
+whether the part is cut at all is not said.
 """
 
 from __future__ import annotations
@@ -39,9 +40,9 @@ NEAR = 0.05
 
 @dataclass(frozen=True, eq=False)
 class AgainstPart:
-    """``block`` (n,) the feed blocks, rows of the Program; ``depth`` (n,) mm of the deepest overcut found (below 0: clear, by so
-    much or more) at ``u`` (n,), the ball's centre then at ``place`` (n, 3); ``bound`` (n,) proven; ``clearance`` mm the largest
-    at a block's end, NaN where it is not known."""
+    """``block`` (n,) the feed blocks, rows of the Program; ``depth`` (n,) mm of the deepest overcut found
+    (below 0: clear, by so much or more) at ``u`` (n,), the ball's centre then at ``place`` (n, 3); ``bound``
+    (n,) proven; ``clearance`` mm the largest at a block's end, NaN where it is not known."""
 
     block: Ints
     depth: Floats
@@ -56,7 +57,12 @@ class AgainstPart:
 
 
 def against_part(
-    kinematics: Chain, program: Program, mesh: Mesh, radius: float, tolerance: float, progress: Progress = silent
+    kinematics: Chain,
+    program: Program,
+    mesh: Mesh,
+    radius: float,
+    tolerance: float,
+    progress: Progress = silent,
 ) -> AgainstPart:
     """The program's ball of ``radius`` mm against the part, in the work frame."""
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
@@ -77,12 +83,14 @@ def against_part(
     return AgainstPart(rows, found.value, found.u, found.place, found.bound, clearance, finding)
 
 
-def _distance(place: Floats, facets: Facets, pieces: Pieces, enough: float, progress: Progress = silent) -> Floats:
-    """Distance (n,) mm of the places (n, 3), below 0 inside the part; where it is outside and at least ``enough``, something from
-    there to the truth.
+def _distance(
+    place: Floats, facets: Facets, pieces: Pieces, enough: float, progress: Progress = silent
+) -> Floats:
+    """Distance (n,) mm of the places (n, 3), below 0 inside the part; where it is outside and at least
+    ``enough``, something from there to the truth.
 
-    About each place is a ball without any surface in it (``clear_by``); a place in another's ball is on the same side. So of a
-    run of places one side is enough, and outside the part's box there is no question.
+    About each place is a ball without any surface in it (``clear_by``); a place in another's ball is on the
+    same side. So of a run of places one side is enough, and outside the part's box there is no question.
     """
     clear = pieces.clear_by(place)
     far = clear >= enough
@@ -120,7 +128,9 @@ def _bound(radius: float) -> Callable[[Ends], Floats]:
     return upper
 
 
-def _findings(program: Program, rows: Ints, found: Peaks, tolerance: float, radius: float) -> tuple[Finding, ...]:
+def _findings(
+    program: Program, rows: Ints, found: Peaks, tolerance: float, radius: float
+) -> tuple[Finding, ...]:
     at = np.flatnonzero(found.value > tolerance)
     if not len(at):
         return ()

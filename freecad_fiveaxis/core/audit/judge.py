@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an audit says of a program beyond its deviation: limits, axis rates, feed, and where it leaves a path or enters a part."""
+"""What an audit says of a program beyond its deviation: limits, axis rates, feed, and where it leaves a path
+or enters a part."""
 
 from __future__ import annotations
 
@@ -29,9 +30,10 @@ from .units import units_against
 
 @dataclass(frozen=True)
 class AuditOptions:
-    """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; the ``cutter``; ``body``: cutter, shank
-    and holder where all of them, and rapids, are held against the part, None: a ball cutter's ball alone; ``above`` mm: so far
-    over the driven point lies the one that is held against a CL path; ``rapids``: how the controller drives them."""
+    """``tolerance`` mm, of overcuts too, and ``axis_tolerance`` rad against the CL path; the ``cutter``;
+    ``body``: cutter, shank and holder where all of them, and rapids, are held against the part, None: a ball
+    cutter's ball alone; ``above`` mm: so far over the driven point lies the one that is held against a CL
+    path; ``rapids``: how the controller drives them."""
 
     tolerance: float
     axis_tolerance: float
@@ -52,7 +54,8 @@ class Audit:
     findings: tuple[Finding, ...] = ()
 
     def off(self) -> tuple[Floats, Floats]:
-        """Distance off the path, or depth in the part, and its proven bound (m,) mm of every block; 0 in rapids."""
+        """Distance off the path, or depth in the part, and its proven bound (m,) mm of every block; 0 in
+        rapids."""
         value, bound = np.zeros((2, len(self.rates.ratio)))
         if self.path is not None:
             value[self.path.block], bound[self.path.block] = self.path.off, self.path.bound
@@ -62,18 +65,32 @@ class Audit:
 
 
 def audit_program(
-    kinematics: Chain, program: Program, deviation: Deviation, against: CLPath | Mesh | None, options: AuditOptions,
+    kinematics: Chain, program: Program, deviation: Deviation, against: CLPath | Mesh | None,
+    options: AuditOptions,
     progress: Progress = silent,
 ) -> Audit:  # fmt: skip
     """The audit of a program whose deviation is measured, against a CL path, a part, or neither."""
     rates, limits = commanded_rates(kinematics, program, progress), check_limits(kinematics, program)
-    found = (*limits.findings, *rate_findings(kinematics, program, rates), *feed_findings(kinematics, program, rates))
+    found = (
+        *limits.findings,
+        *rate_findings(kinematics, program, rates),
+        *feed_findings(kinematics, program, rates),
+    )
     path = part = None
     if against is not None:
         found += units_against(kinematics, program, against)
     if isinstance(against, CLPath):
         above = options.above if program.guided is None else 0.0
-        path = against_path(kinematics, program, deviation, against, options.tolerance, options.axis_tolerance, progress, above)
+        path = against_path(
+            kinematics,
+            program,
+            deviation,
+            against,
+            options.tolerance,
+            options.axis_tolerance,
+            progress,
+            above,
+        )
         found += path.findings
     elif against is not None:
         part = _in_part(kinematics, program, against, options, progress)
@@ -81,8 +98,12 @@ def audit_program(
     return Audit(rates, limits, path, part, found)
 
 
-def _in_part(kinematics: Chain, program: Program, mesh: Mesh, options: AuditOptions, progress: Progress) -> AgainstPart:
+def _in_part(
+    kinematics: Chain, program: Program, mesh: Mesh, options: AuditOptions, progress: Progress
+) -> AgainstPart:
     cutter, body, tolerance = options.cutter, options.body, options.tolerance
     if body is None and is_ball(cutter):
         return against_part(kinematics, program, mesh, cutter.radius, tolerance, progress)
-    return tool_in_part(kinematics, program, mesh, cutter, body or body_of(cutter), tolerance, progress, options.rapids)
+    return tool_in_part(
+        kinematics, program, mesh, cutter, body or body_of(cutter), tolerance, progress, options.rapids
+    )

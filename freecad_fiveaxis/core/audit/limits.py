@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Words that lead beyond the machine's limits.
 
-limits   of the words, as the chain has them: the machine file's limits of the joints, less what the work zero (``--origin``), the
-         tool's length and the gauge point shift them by.
-excess   how far a word lies beyond its limit, mm or **degrees**; both ends of a block stand for all of it, because every axis
-         moves evenly between them (where the controller guides the tip, only its ends are judged).
-modulo   a rotary word that the control takes by the shorter way may stand any number of turns off: the turn that suits the limits
-         best counts. Other rotary words count as they are, turns and all.
+limits   of the words, as the chain has them: the machine file's limits of the joints, less what the work zero
+         (``--origin``), the tool's length and the gauge point shift them by.
+excess   how far a word lies beyond its limit, mm or **degrees**; both ends of a block stand for all of it,
+         because every axis moves evenly between them (where the controller guides the tip, only its ends are
+         judged).
+modulo   a rotary word that the control takes by the shorter way may stand any number of turns off: the turn
+         that suits the limits best counts. Other rotary words count as they are, turns and all.
 """
 
 from __future__ import annotations
@@ -25,14 +26,15 @@ from freecad_fiveaxis.core.motion.program import Program
 from .rates import DEGREES
 
 SLACK = 5.01e-4
-"""mm, deg: half the coarsest step that a dialect writes. A word at the limit may be rounded beyond it by so much."""
+"""mm, deg: half the coarsest step that a dialect writes. A word at the limit may be rounded beyond it by so
+much."""
 CIRCLE = 360.0
 
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """One row a block: ``excess`` (m,) mm or **degrees** beyond a limit, the largest of all words, 0 within them; ``axis`` (m,)
-    the word that it is of."""
+    """One row a block: ``excess`` (m,) mm or **degrees** beyond a limit, the largest of all words, 0 within
+    them; ``axis`` (m,) the word that it is of."""
 
     excess: Floats
     axis: Bytes
@@ -43,7 +45,8 @@ class Limits:
 
 
 def check_limits(kinematics: Chain, program: Program) -> Limits:
-    """The excess of every block, rapids and the first position too, and an error for each limit that is exceeded."""
+    """The excess of every block, rapids and the first position too, and an error for each limit that is
+    exceeded."""
     count = len(program.words)
     excess, axis, found = np.zeros(count), np.zeros(count, np.int8), []
     for k in range(5):
@@ -60,7 +63,8 @@ def check_limits(kinematics: Chain, program: Program) -> Limits:
 
 
 def _nearest_turn(kinematics: Chain, program: Program, k: int) -> Floats:
-    """The words (m,) of one axis, mm or degrees; modulo ones by the turn nearest to the middle of the limits."""
+    """The words (m,) of one axis, mm or degrees; modulo ones by the turn nearest to the middle of the
+    limits."""
     word: Floats = program.words[:, k]
     low, high = float(kinematics.low[k]), float(kinematics.high[k])
     if k < 3 or program.wrap[k - 3] != "modulo" or not np.isfinite([low, high]).all():
@@ -69,13 +73,16 @@ def _nearest_turn(kinematics: Chain, program: Program, k: int) -> Floats:
     return np.asarray(word - CIRCLE * np.rint((word - middle) / CIRCLE))
 
 
-def _finding(kinematics: Chain, program: Program, k: int, limit: float, beyond: Floats, word: Floats) -> Finding:
+def _finding(
+    kinematics: Chain, program: Program, k: int, limit: float, beyond: Floats, word: Floats
+) -> Finding:
     rows = np.flatnonzero(beyond > SLACK)
     worst, letter, unit = int(beyond.argmax()), program.letters[k], "mm" if k < 3 else "deg"
     blocks = plural(len(rows), "1 block leads", "{count} blocks lead")
     help_ = (
         say(
-            "Words count from the work zero: is {origin} where it stood on the machine? Else move it ({setup} finds a place)",
+            "Words count from the work zero: is {origin} where it stood on the machine? Else move it "
+            "({setup} finds a place)",
             origin=Option("origin"),
             setup=Task("setup"),
         )

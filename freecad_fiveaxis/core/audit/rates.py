@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a program asks of the axes, and at which speed the tip then moves over the part.
 
-asked rate   how fast an axis would have to move so that a block takes the time which its F word means: ``|change of the word| /
-             minutes``. The axes of a block move evenly, so it is the rate everywhere in the block; where the controller guides
-             the tip it is the mean.
-minutes      under G93 ``1 / F``; under G94 what F is measured over (``post.dialect.feed_distance``), divided by F.
+asked rate   how fast an axis would have to move so that a block takes the time which its F word means:
+             ``|change of the word| / minutes``. The axes of a block move evenly, so it is the rate everywhere
+             in the block; where the controller guides the tip it is the mean.
+minutes      under G93 ``1 / F``; under G94 what F is measured over (``post.dialect.feed_distance``), divided
+             by F.
 tip feed     length of the tip's real path over the part in a block, over its minutes: what F ought to mean.
 untimed      a feed block without F, or with a feed per turn of the spindle: nothing can be said of it.
 
@@ -33,15 +34,16 @@ PORTION = 65536
 RATE_ROUNDING = 1e-3
 """Share; excess over a rate that is rounding of F and of the words."""
 OTHER_THAN_F, OTHER_THAN_MEDIAN = 2.0, 5.0
-"""A tip feed off by this factor is worth a finding: off the F word under G94; under G93, where approaches are rightly slower than
-cuts, off the median of all feed blocks."""
+"""A tip feed off by this factor is worth a finding: off the F word under G94; under G93, where approaches are
+rightly slower than cuts, off the median of all feed blocks."""
 DEGREES = np.array([1.0, 1.0, 1.0, math.degrees(1.0), math.degrees(1.0)])
 
 
 @dataclass(frozen=True, eq=False)
 class Rates:
-    """One row a block, 0 in rapids and untimed blocks: ``rate`` (m, 5) mm/min and rad/min, unsigned; ``ratio`` (m,) the largest
-    rate over its axis' maximum, ``axis`` (m,) the word that it is of; ``tip_feed`` (m,) mm/min; ``travel`` (m,) mm of the tip."""
+    """One row a block, 0 in rapids and untimed blocks: ``rate`` (m, 5) mm/min and rad/min, unsigned;
+    ``ratio`` (m,) the largest rate over its axis' maximum, ``axis`` (m,) the word that it is of; ``tip_feed``
+    (m,) mm/min; ``travel`` (m,) mm of the tip."""
 
     rate: Floats
     ratio: Floats
@@ -77,7 +79,8 @@ def commanded_rates(kinematics: Chain, program: Program, progress: Progress = si
 
 
 def _tip_travel(kinematics: Chain, program: Program, q: Floats, rows: slice) -> Floats:
-    """Length (n,) mm of the tip's path in the blocks ``rows``, ``q`` (n + 1, 5) their ends: straight where it is guided."""
+    """Length (n,) mm of the tip's path in the blocks ``rows``, ``q`` (n + 1, 5) their ends: straight where it
+    is guided."""
     wanted = program.motion[rows] != Motion.RAPID
     if program.guided is None:
         return tip_travel(kinematics, q, wanted)
@@ -103,7 +106,8 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
         commanded, most = float(rates.rate[worst, k] * DEGREES[k]), float(kinematics.rate[k] * DEGREES[k])
         unit = "mm/min" if k < 3 else "deg/min"
         text = say(
-            "{blocks} more of {letter} than it can: at most NC line {line}, {commanded_rate}, {share} times its "
+            "{blocks} more of {letter} than it can: at most NC line {line}, {commanded_rate}, {share} times "
+            "its "
             "maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. "
             "Give a lower F there, or inverse time (G93) made for this machine, as {post} does.",
             post=Task("post"),
@@ -120,13 +124,21 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
 
 
 def feed_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
-    """A finding where the tip moves over the part at quite another speed than F says (G94), or than elsewhere (G93)."""
+    """A finding where the tip moves over the part at quite another speed than F says (G94), or than elsewhere
+    (G93)."""
     rows = timed_feeds(program)
     rows = rows[rates.travel[rows] > STILL]
     inverse = program.inverse_time[rows]
     return (
         *_unlike(kinematics, program, rates, rows[~inverse], program.feed[rows[~inverse]], OTHER_THAN_F),
-        *_unlike(kinematics, program, rates, rows[inverse], _median(rates.tip_feed[rows[inverse]]), OTHER_THAN_MEDIAN),
+        *_unlike(
+            kinematics,
+            program,
+            rates,
+            rows[inverse],
+            _median(rates.tip_feed[rows[inverse]]),
+            OTHER_THAN_MEDIAN,
+        ),
     )
 
 
@@ -134,8 +146,11 @@ def _median(values: Floats) -> Floats:
     return np.full(len(values), np.median(values)) if len(values) else values
 
 
-def _unlike(kinematics: Chain, program: Program, rates: Rates, rows: Ints, wanted: Floats, factor: float) -> tuple[Finding, ...]:
-    """``wanted`` (n,) mm/min: what the tip feed of ``rows`` (n,) should be, within ``factor`` to either side."""
+def _unlike(
+    kinematics: Chain, program: Program, rates: Rates, rows: Ints, wanted: Floats, factor: float
+) -> tuple[Finding, ...]:
+    """``wanted`` (n,) mm/min: what the tip feed of ``rows`` (n,) should be, within ``factor`` to either
+    side."""
     share = rates.tip_feed[rows] / wanted
     off = np.maximum(share, 1.0 / share)
     far = np.flatnonzero(off > factor)
@@ -145,7 +160,11 @@ def _unlike(kinematics: Chain, program: Program, rates: Rates, rows: Ints, wante
     row, feed = int(rows[at]), float(rates.tip_feed[rows[at]])
     by_f = not program.inverse_time[row]
     speed = Feed(wanted[at], ".5g", bare=True)
-    meant = say("F says {speed}", speed=speed) if by_f else say("the median of all blocks is {speed}", speed=speed)
+    meant = (
+        say("F says {speed}", speed=speed)
+        if by_f
+        else say("the median of all blocks is {speed}", speed=speed)
+    )
     first, last = (int(program.line[rows[far[i]]]) for i in (0, -1))
     where = plural(
         len(far),
@@ -165,9 +184,14 @@ def _unlike(kinematics: Chain, program: Program, rates: Rates, rows: Ints, wante
             meant=meant,
         )
     ) + (
-        say("With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).")
+        say(
+            "With rotary axes turning, F under G94 means other things on other controls. Post with inverse "
+            "time (G93)."
+        )
         if by_f
-        else say("Approaches and blocks in which an axis is at its limit are rightly slower; look at the others.")
+        else say(
+            "Approaches and blocks in which an axis is at its limit are rightly slower; look at the others."
+        )
     )
     found = _finding(Code.FEED_OVER_PART, text, feed, float(wanted[at]), "mm/min", kinematics, program, row)
     return (found if by_f else replace(found, severity=Severity.NOTE),)
@@ -178,7 +202,14 @@ def _blocks(rows: Ints) -> Sentence:
 
 
 def _finding(
-    code: Code, text: str, value: float, limit: float, unit: str, kinematics: Chain, program: Program, row: int
+    code: Code,
+    text: str,
+    value: float,
+    limit: float,
+    unit: str,
+    kinematics: Chain,
+    program: Program,
+    row: int,
 ) -> Finding:
     x, y, z = forward_tip(kinematics, words_to_q(program.words[row : row + 1]))[0].tolist()
     return report_finding(code, text, value, limit, row, int(program.line[row]), (x, y, z), unit=unit)

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a point of the tool really goes in the blocks of a program, and the largest value that something takes on the way.
+"""Where a point of the tool really goes in the blocks of a program, and the largest value that something
+takes on the way.
 
-driven    the point that is followed: on the tool axis, ``height`` mm above the tip (0: the tip, the radius: the ball's centre).
-bend      a bound of the second derivative of the driven point by u, mm. Between two samples, h of the block apart, the point is
-          then within ``bend h^2 / 8`` of the straight line between them, and travels at most ``|chord| + bend h^2 / 2``.
-guided    where the controller guides the tip, the driven point is taken to go straight: how it does is the controller's affair.
+driven    the point that is followed: on the tool axis, ``height`` mm above the tip (0: the tip, the radius:
+          the ball's centre).
+bend      a bound of the second derivative of the driven point by u, mm. Between two samples, h of the block
+          apart, the point is then within ``bend h^2 / 8`` of the straight line between them, and travels at
+          most ``|chord| + bend h^2 / 2``.
+guided    where the controller guides the tip, the driven point is taken to go straight: how it does is the
+          controller's affair.
 """
 
 from __future__ import annotations
@@ -24,11 +28,13 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.motion.trajectory import axis_at, frames, motion, tip_at
 
 MOST_HALVINGS = 14
-"""Of a block: pieces of a sixteen-thousandth. What is then not proven keeps its bound, and the report shows it."""
+"""Of a block: pieces of a sixteen-thousandth. What is then not proven keeps its bound, and the report shows
+it."""
 FAR = 1e-3
 """Relative error that does not matter of what is far beyond the tolerance."""
 MOST_OPEN = 2_000_000
-"""Pieces that are looked at in one round: bounds the memory; where there are more, the rest keep their bounds."""
+"""Pieces that are looked at in one round: bounds the memory; where there are more, the rest keep their
+bounds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +77,9 @@ class RealPath:
 
 @dataclass(frozen=True, eq=False)
 class Ends:
-    """Pieces of blocks by their two ends: ``block`` (n,) counts the blocks asked for; ``u`` (2, n); ``place`` (2, n, 3) mm;
-    ``value`` (2, n, w): what is measured there; ``bend`` (n,) mm of the piece itself (bend of the block times h^2)."""
+    """Pieces of blocks by their two ends: ``block`` (n,) counts the blocks asked for; ``u`` (2, n); ``place``
+    (2, n, 3) mm; ``value`` (2, n, w): what is measured there; ``bend`` (n,) mm of the piece itself (bend of
+    the block times h^2)."""
 
     block: Ints
     u: Floats
@@ -82,7 +89,9 @@ class Ends:
 
     def take(self, rows: Any) -> Ends:
         """Some of the pieces."""
-        return Ends(self.block[rows], self.u[:, rows], self.place[:, rows], self.value[:, rows], self.bend[rows])
+        return Ends(
+            self.block[rows], self.u[:, rows], self.place[:, rows], self.value[:, rows], self.bend[rows]
+        )
 
     @property
     def travel(self) -> Floats:
@@ -97,8 +106,8 @@ class Ends:
 
 @dataclass(frozen=True, eq=False)
 class Peaks:
-    """One row a block asked for: ``value`` (n,) the largest found, at ``u`` (n,) and ``place`` (n, 3) mm; ``bound`` (n,) what it
-    cannot exceed."""
+    """One row a block asked for: ``value`` (n,) the largest found, at ``u`` (n,) and ``place`` (n, 3) mm;
+    ``bound`` (n,) what it cannot exceed."""
 
     value: Floats
     u: Floats
@@ -111,15 +120,26 @@ Measured = Callable[[Floats], Floats]
 
 
 def peaks(
-    path: RealPath, rows: Ints, measured: Measured, upper: Callable[[Ends], Floats], tolerance: float, progress: Progress = silent
+    path: RealPath,
+    rows: Ints,
+    measured: Measured,
+    upper: Callable[[Ends], Floats],
+    tolerance: float,
+    progress: Progress = silent,
 ) -> Peaks:
     """The largest value in each of the blocks ``rows`` (n,), none of them row 0.
 
-    ``upper`` (n,) bounds the value between the ends of pieces. Pieces are halved until their bound exceeds neither the largest
-    value found in their block nor ``tolerance`` by more than a tenth of the latter (or a thousandth of the former).
+    ``upper`` (n,) bounds the value between the ends of pieces. Pieces are halved until their bound exceeds
+    neither the largest value found in their block nor ``tolerance`` by more than a tenth of the latter (or a
+    thousandth of the former).
     """
     ends = _whole_blocks(path, rows, measured)
-    best = Peaks(np.full(len(rows), -np.inf), np.zeros(len(rows)), np.zeros((len(rows), 3)), np.full(len(rows), -np.inf))
+    best = Peaks(
+        np.full(len(rows), -np.inf),
+        np.zeros(len(rows)),
+        np.zeros((len(rows), 3)),
+        np.full(len(rows), -np.inf),
+    )
     for side in (0, 1):
         _raise(best, ends.block, ends.u[side], ends.place[side], ends.value[side, :, 0])
     for turn in range(MOST_HALVINGS + 1):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How deep the whole tool enters the part (STL) along a program: any cutter, shank and holder, rapids too, by the gouge check.
+"""How deep the whole tool enters the part (STL) along a program: any cutter, shank and holder, rapids too, by
+the gouge check.
 
-A ball cutter alone is measured by :mod:`.against_part`, which knows how far it stays clear as well; where the check is made for
-a ball, that gives the numbers of each block and the check the findings.
+A ball cutter alone is measured by :mod:`.against_part`, which knows how far it stays clear as well; where the
+check is made for a ball, that gives the numbers of each block and the check the findings.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ from freecad_fiveaxis.core.tool.body import Body
 from .against_part import AgainstPart, against_part
 
 REMEDY = say(
-    "Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? If they are, the part "
+    "Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? "
+    "If they are, the part "
     "is spoilt.",
     cutter=Option("cutter"),
     origin=Option("origin"),
@@ -32,20 +34,29 @@ REMEDY = say(
 
 
 def tool_in_part(
-    kinematics: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float, progress: Progress = silent,
+    kinematics: Chain, program: Program, mesh: Mesh, cutter: Cutter, body: Body, tolerance: float,
+    progress: Progress = silent,
     rapids: str = INTERPOLATED,
 ) -> AgainstPart:  # fmt: skip
-    """Every block of the program, rapids too, against the part, in the work frame; the rows are those of its feed blocks.
+    """Every block of the program, rapids too, against the part, in the work frame; the rows are those of its
+    feed blocks.
 
-    ``body``: cutter, shank and holder; ``rapids``: one of :data:`~.base.rapids.RAPIDS`. Of a cutter that is no ball the depth is
-    never below 0, ``clearance`` not known (NaN) and ``place`` that of the part's deepest point.
+    ``body``: cutter, shank and holder; ``rapids``: one of :data:`~.base.rapids.RAPIDS`. Of a cutter that is
+    no ball the depth is never below 0, ``clearance`` not known (NaN) and ``place`` that of the part's deepest
+    point.
     """
-    check = check_program(mesh, body, kinematics, program, tolerance, progress=progress, remedy="", rapids=rapids)
+    check = check_program(
+        mesh, body, kinematics, program, tolerance, progress=progress, remedy="", rapids=rapids
+    )
     findings = _with_remedy(check.findings)
     if is_ball(cutter):
-        return replace(against_part(kinematics, program, mesh, cutter.radius, tolerance, progress), findings=findings)
+        return replace(
+            against_part(kinematics, program, mesh, cutter.radius, tolerance, progress), findings=findings
+        )
     rows, entries = feed_blocks(program), check.cutter
-    depth, u, place, bound = (column[rows - 1] for column in (entries.depth, entries.u, entries.place, entries.bound))
+    depth, u, place, bound = (
+        column[rows - 1] for column in (entries.depth, entries.u, entries.place, entries.bound)
+    )
     return AgainstPart(rows, depth, u, place, bound, float("nan"), findings)
 
 
@@ -55,7 +66,8 @@ def is_ball(cutter: Cutter) -> bool:
 
 
 def _with_remedy(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """The first of them asks whether part and program belong together; not where the tool enters on no commanded way."""
+    """The first of them asks whether part and program belong together; not where the tool enters on no
+    commanded way."""
     if not findings or findings[0].code == Code.INDEPENDENT_RAPID:
         return findings
     first, *others = findings

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether a program, or the CL file beside it, is in another unit than it is read in.
 
-radians   Rotary words are degrees. Where all of them lie within half a turn in radians, and read so the tip goes less than half
-          the way that it goes by degrees, they are radians: linear words make up for turns that are 57 times as large. The other
-          way round the tip would go farther, not less far.
-bound     The tool axis turns by no more than both rotary words do: where a CL file's axis turns farther, they are no degrees.
-inches    Sizes of two files that should be one, 25.4 apart; or travels that only a 25.4th of which the machine has.
+radians   Rotary words are degrees. Where all of them lie within half a turn in radians, and read so the tip
+          goes less than half the way that it goes by degrees, they are radians: linear words make up for
+          turns that are 57 times as large. The other way round the tip would go farther, not less far.
+bound     The tool axis turns by no more than both rotary words do: where a CL file's axis turns farther, they
+          are no degrees.
+inches    Sizes of two files that should be one, 25.4 apart; or travels that only a 25.4th of which the
+          machine has.
 """
 
 from __future__ import annotations
@@ -36,14 +38,16 @@ FAR_LARGER = 12.0
 FEWEST = 10
 """Steps of each file that sizes are compared by."""
 IN_INCHES = re.compile(
-    rb"(?<![A-Za-z0-9_])G0*(?:20|70|700)(?![0-9.])|^[^;\n]*BEGIN PGM [^\n]* INCH", re.IGNORECASE | re.MULTILINE
+    rb"(?<![A-Za-z0-9_])G0*(?:20|70|700)(?![0-9.])|^[^;\n]*BEGIN PGM [^\n]* INCH",
+    re.IGNORECASE | re.MULTILINE,
 )
 """Words that say inches: ISO, Siemens, klartext."""
 REMARK = re.compile(rb"\([^)\n]*\)?|;[^\n]*")
 
 
 def unit_findings(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding, ...]:
-    """Say of a program that it seems to have radians for degrees, or inches that must be mm; ``text``: of its file."""
+    """Say of a program that it seems to have radians for degrees, or inches that must be mm; ``text``: of its
+    file."""
     return (*_radians_by_way(kinematics, program), *_travels(text, kinematics, program))
 
 
@@ -56,11 +60,15 @@ def units_against(kinematics: Chain, program: Program, against: CLPath | Mesh) -
     if isinstance(against, Mesh):
         part = _size(against.vertex)
         return (_two_sizes(size, part, say("the part")),) if size > FAR_LARGER * part > 0.0 else ()
-    return (*radians_by_axis(program, against), *_apart(size, _size(against.tip[against.motion != Motion.RAPID])))
+    return (
+        *radians_by_axis(program, against),
+        *_apart(size, _size(against.tip[against.motion != Motion.RAPID])),
+    )
 
 
 def units_of_steps(program: Program, path: CLPath) -> tuple[Finding, ...]:
-    """The same where the machine is not known: by the steps during which nothing turns, which every machine makes as they are."""
+    """The same where the machine is not known: by the steps during which nothing turns, which every machine
+    makes as they are."""
     feeds = feed_blocks(program)
     still = ~(np.diff(program.words[:, 3:], axis=0) != 0.0).any(axis=1)
     moved = np.linalg.norm(np.diff(program.words[:, :3], axis=0), axis=1)[feeds - 1][still[feeds - 1]]
@@ -87,8 +95,10 @@ def _apart(size: float, of_path: float) -> tuple[Finding, ...]:
 
 def _two_sizes(size: float, other: float, name: str) -> Finding:
     text = say(
-        "The program goes over {size} where {name} goes over {other}, {times} times: one of them is read in inches and means "
-        "mm, or the other way round. Give {option} where the file does not say its unit, else set right what it says.",
+        "The program goes over {size} where {name} goes over {other}, {times} times: one of them is read in "
+        "inches and means "
+        "mm, or the other way round. Give {option} where the file does not say its unit, else set right what "
+        "it says.",
         size=Length(size, ".4g"),
         name=name,
         other=Length(other, ".4g"),
@@ -115,13 +125,18 @@ def _radians_by_way(kinematics: Chain, program: Program) -> tuple[Finding, ...]:
     if len(turning) < FEWEST or not radians < SHORTER * degrees:
         return ()
     text = say(
-        "All rotary words lie within {most}, and read as radians the tip goes {radians} instead of {degrees}: they seem to be "
+        "All rotary words lie within {most}, and read as radians the tip goes {radians} instead of "
+        "{degrees}: they seem to be "
         "radians, where controllers take degrees. Have the post write degrees.",
         most=Number(HALF_TURN, ".3g"),
         radians=Length(radians, ".4g"),
         degrees=Length(degrees, ".4g"),
     )
-    return (report_finding(Code.UNIT_SUSPECTED, text, radians, degrees, line=int(program.line[turning[0]]), unit="mm"),)
+    return (
+        report_finding(
+            Code.UNIT_SUSPECTED, text, radians, degrees, line=int(program.line[turning[0]]), unit="mm"
+        ),
+    )
 
 
 def _way(kinematics: Chain, words: Floats, blocks: Floats | Bools) -> float:
@@ -139,12 +154,17 @@ def radians_by_axis(program: Program, path: CLPath) -> tuple[Finding, ...]:
     if not 1.05 * turned + 1.0 < wanted <= 1.05 * np.degrees(turned) + 1.0:
         return ()
     text = say(
-        "The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, but radians would do. "
+        "The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, "
+        "but radians would do. "
         "Have the post write degrees.",
         wanted=Angle(wanted, ".4g"),
         turned=Number(turned, ".4g"),
     )
-    return (report_finding(Code.UNIT_SUSPECTED, text, turned, wanted, line=int(program.line[feeds[0]]), unit="deg"),)
+    return (
+        report_finding(
+            Code.UNIT_SUSPECTED, text, turned, wanted, line=int(program.line[feeds[0]]), unit="deg"
+        ),
+    )
 
 
 def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding, ...]:
@@ -152,12 +172,16 @@ def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding,
     feeds = feed_blocks(program)
     if not len(feeds) or program.guided is not None or not IN_INCHES.search(REMARK.sub(b"", text)):
         return ()
-    goes, has = np.ptp(program.words[feeds, :3], axis=0), np.asarray(kinematics.high[:3] - kinematics.low[:3], float)
+    goes, has = (
+        np.ptp(program.words[feeds, :3], axis=0),
+        np.asarray(kinematics.high[:3] - kinematics.low[:3], float),
+    )
     if not (goes > has).any() or (goes > INCH * has).any():
         return ()
     k = int((goes / has).argmax())
     found = say(
-        "The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its numbers seem to be mm "
+        "The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its "
+        "numbers seem to be mm "
         "({mm}). Set right what the program says of its unit.",
         letter=program.letters[k],
         goes=Length(goes[k], ".4g"),
@@ -165,5 +189,12 @@ def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding,
         mm=Length(goes[k] / INCH, ".4g"),
     )
     return (
-        report_finding(Code.UNIT_SUSPECTED, found, float(goes[k]), float(has[k]), line=int(program.line[feeds[0]]), unit="mm"),
+        report_finding(
+            Code.UNIT_SUSPECTED,
+            found,
+            float(goes[k]),
+            float(has[k]),
+            line=int(program.line[feeds[0]]),
+            unit="mm",
+        ),
     )

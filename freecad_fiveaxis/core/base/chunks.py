@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Work on long columns by several threads: the one place of the core that knows threads.
 
-portion   some rows of long columns, worked on by themselves: nothing that is done to them depends on other portions, so the
-          result is the same to the last bit with one thread or many, whoever does which.
-helper    a thread beside the calling one, as many as there are processors. It lives as long as the call, and never longer.
+portion   some rows of long columns, worked on by themselves: nothing that is done to them depends on other
+          portions, so the result is the same to the last bit with one thread or many, whoever does which.
+helper    a thread beside the calling one, as many as there are processors. It lives as long as the call, and
+          never longer.
 
-numpy lets Python go on in another thread during each of its calls, but not between them. So threads are faster only where
-calls are long, with tens of thousands of rows; with short ones each only waits for the others.
+numpy lets Python go on in another thread during each of its calls, but not between them. So threads are
+faster only where calls are long, with tens of thousands of rows; with short ones each only waits for the
+others.
 """
 
 from __future__ import annotations
@@ -27,7 +29,8 @@ P = TypeVar("P")
 R = TypeVar("R")
 
 PORTION = 98304
-"""Rows of a portion: long enough for two threads to work side by side, short enough for its columns to stay in the cache."""
+"""Rows of a portion: long enough for two threads to work side by side, short enough for its columns to stay
+in the cache."""
 
 PROCESSORS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 """That this process may use."""
@@ -39,8 +42,9 @@ _inside = threading.local()
 
 
 def chunks(count: int, most: int | None = None) -> list[slice]:
-    """Slices of nearly the same length, at most ``most`` rows (None: PORTION), that make up ``count`` rows: one for up to PORTION
-    rows, else an even number, so that two threads have as much to do. It does not depend on the processors that there are."""
+    """Slices of nearly the same length, at most ``most`` rows (None: PORTION), that make up ``count`` rows:
+    one for up to PORTION rows, else an even number, so that two threads have as much to do. It does not
+    depend on the processors that there are."""
     if not count:
         return []
     number = 2 * math.ceil(count / (2 * (most or PORTION))) if count > PORTION else 1
@@ -49,17 +53,20 @@ def chunks(count: int, most: int | None = None) -> list[slice]:
 
 
 def batches(count: int, rows: int) -> list[slice]:
-    """Slices of ``rows`` rows, the last one shorter, that make up ``count``: for work whose progress is to be told between them,
-    and that may be stopped there."""
+    """Slices of ``rows`` rows, the last one shorter, that make up ``count``: for work whose progress is to be
+    told between them, and that may be stopped there."""
     return [slice(start, min(start + rows, count)) for start in range(0, count, rows)]
 
 
-def in_threads(work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None) -> list[R]:
-    """What ``work`` gives for each of ``parts``, in their order; as many of them at a time as there are processors.
+def in_threads(
+    work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None
+) -> list[R]:
+    """What ``work`` gives for each of ``parts``, in their order; as many of them at a time as there are
+    processors.
 
-    ``progress`` gets the share that is done, always on the calling thread. An exception in ``work`` or from ``progress``
-    (:class:`~freecad_fiveaxis.core.base.errors.Cancelled` too) passes through once all threads have ended the part they are at.
-    Within ``work`` another on_all keeps to its thread.
+    ``progress`` gets the share that is done, always on the calling thread. An exception in ``work`` or from
+    ``progress`` (:class:`~freecad_fiveaxis.core.base.errors.Cancelled` too) passes through once all threads
+    have ended the part they are at. Within ``work`` another on_all keeps to its thread.
     """
     results: dict[int, R] = {}
     todo = deque(enumerate(parts))
@@ -99,8 +106,8 @@ def keep_to_one_thread() -> Iterator[None]:
 
 
 def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
-    """What ``work`` gives, done while the helper does ``second``, under the same rules for floating-point errors; one after the
-    other where all is kept to one thread."""
+    """What ``work`` gives, done while the helper does ``second``, under the same rules for floating-point
+    errors; one after the other where all is kept to one thread."""
     if getattr(_inside, "alone", False):
         second()
         return work()
@@ -108,7 +115,8 @@ def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
 
 
 def _beside(others: Sequence[Callable[[], Any]], work: Callable[[], R]) -> R:
-    """What ``work`` gives, done while a helper does each of the others, under the same rules for floating-point errors."""
+    """What ``work`` gives, done while a helper does each of the others, under the same rules for
+    floating-point errors."""
     rules = np.geterr()
 
     def help_with(other: Callable[[], Any]) -> None:

@@ -25,8 +25,9 @@ NOTE, WARNING, ERROR = Severity
 
 
 class Code(str, Enum):
-    """What a finding is about. ``severity``: where the place that reports it knows no better; ``unit``: of its value, "" for a
-    count or where it has none; ``meaning``: a clause for the list and the verdict, which is translated as the sentences are."""
+    """What a finding is about. ``severity``: where the place that reports it knows no better; ``unit``: of
+    its value, "" for a count or where it has none; ``meaning``: a clause for the list and the verdict, which
+    is translated as the sentences are."""
 
     severity: Severity
     unit: str
@@ -46,45 +47,120 @@ class Code(str, Enum):
     CORNERS_JOINED = "corners-joined", NOTE, "1", "corners that lie next to each other were joined"
     DEGENERATE_FACETS = "degenerate-facets", NOTE, "1", "facets without an area were dropped"
     DOUBLED_FACETS = "doubled-facets", NOTE, "1", "facets that were there twice; one of each was kept"
-    INCONSISTENT_WINDING = "inconsistent-winding", WARNING, "1", "neighbouring facets disagree about which side is outside"
+    INCONSISTENT_WINDING = (
+        "inconsistent-winding",
+        WARNING,
+        "1",
+        "neighbouring facets disagree about which side is outside",
+    )
     INWARD_FACETS = "inward-facets", NOTE, "1", "the facets of a closed mesh looked inward and were turned"
     NON_MANIFOLD_EDGES = "non-manifold-edges", WARNING, "1", "passes end at edges with more than two facets"
     OPEN_SHELL = "open-shell", WARNING, "1", "the mesh is open, and passes end at its edges"
-    T_JUNCTIONS_JOINED = "t-junctions-joined", NOTE, "1", "facets were divided at corners that lie on their sides"
-    UNIT_SUSPECTED = "unit-suspected", WARNING, "mm", "part, path or limits look as if they were in another unit"
+    T_JUNCTIONS_JOINED = (
+        "t-junctions-joined",
+        NOTE,
+        "1",
+        "facets were divided at corners that lie on their sides",
+    )
+    UNIT_SUSPECTED = (
+        "unit-suspected",
+        WARNING,
+        "mm",
+        "part, path or limits look as if they were in another unit",
+    )
 
     # ---------------------------------------------------------------------------------------- what is milled
     FACES_AVOIDED = "faces-avoided", NOTE, "mm2", "the faces that are to be avoided, and their area"
     FACES_CHOSEN = "faces-chosen", NOTE, "mm2", "the faces that are to be milled, and their area"
     FACES_MISSED = "faces-missed", WARNING, "mm2", "only a part of the chosen faces lies on the mesh"
-    FACETS_ACROSS_AXIS = "facets-across-axis", NOTE, "mm2", "facets at the ends of a rotary axis get no rotary passes"
-    FACETS_BEYOND_AXIS_ANGLE = "facets-beyond-axis-angle", WARNING, "mm2", "facets lean more than the largest axis angle"
-    FACETS_BEYOND_MACHINE = "facets-beyond-machine", WARNING, "mm2", "facets need rotary positions beyond the limits"
+    FACETS_ACROSS_AXIS = (
+        "facets-across-axis",
+        NOTE,
+        "mm2",
+        "facets at the ends of a rotary axis get no rotary passes",
+    )
+    FACETS_BEYOND_AXIS_ANGLE = (
+        "facets-beyond-axis-angle",
+        WARNING,
+        "mm2",
+        "facets lean more than the largest axis angle",
+    )
+    FACETS_BEYOND_MACHINE = (
+        "facets-beyond-machine",
+        WARNING,
+        "mm2",
+        "facets need rotary positions beyond the limits",
+    )
     FACETS_LOOKING_DOWN = (
         "facets-looking-down",
         NOTE,
         "mm2",
         "facets that no allowed tool axis reaches from above, or that the part stands on",
     )
-    FACETS_NEAR_AVOIDED = "facets-near-avoided", WARNING, "mm2", "facets lie nearer to faces to avoid than the allowance"
-    FACETS_WITHOUT_FREE_AXIS = "facets-without-free-axis", WARNING, "mm2", "no tool axis is free at these facets"
+    FACETS_NEAR_AVOIDED = (
+        "facets-near-avoided",
+        WARNING,
+        "mm2",
+        "facets lie nearer to faces to avoid than the allowance",
+    )
+    FACETS_WITHOUT_FREE_AXIS = (
+        "facets-without-free-axis",
+        WARNING,
+        "mm2",
+        "no tool axis is free at these facets",
+    )
     NEAR_AVOIDED_FACES = "near-avoided-faces", WARNING, "mm2", "a strip beside the faces to avoid stays uncut"
     OUTSIDE_BOUNDARY = "outside-boundary", NOTE, "mm2", "facets outside the boundary are left out"
     OUTSIDE_FRAMES = "outside-frames", WARNING, "mm2", "the tool is free there in none of the frames"
     SIDE_NOT_MACHINED = "side-not-machined", WARNING, "mm2", "no pass touches a side of the part"
 
-    # ---------------------------------------------------------------------------------------- passes and the cutter on them
+    # -------------------------------------------------------------------------- passes and the cutter on them
     CORNER_NOT_REACHED = "corner-not-reached", WARNING, "", "an inside corner is tighter than the cutter"
     CUT_AT_BOUNDARY = "cut-at-boundary", NOTE, "mm", "passes end at the boundary"
-    HEEL_IN_HOLLOW = "heel-in-hollow", WARNING, "", "the cutter's bottom stands in the part before or behind its contact"
-    LEAST_INTERVAL = "least-interval", WARNING, "mm", "the scallop asks for passes nearer than the least interval"
-    OFF_FLANK = "off-flank", WARNING, "mm", "a barrel cutter touches with the ball at its tip, not with its flank"
-    SURFACE_TIGHTER_THAN_CUTTER = "surface-tighter-than-cutter", WARNING, "", "the surface curls tighter than the cutter"
+    HEEL_IN_HOLLOW = (
+        "heel-in-hollow",
+        WARNING,
+        "",
+        "the cutter's bottom stands in the part before or behind its contact",
+    )
+    LEAST_INTERVAL = (
+        "least-interval",
+        WARNING,
+        "mm",
+        "the scallop asks for passes nearer than the least interval",
+    )
+    OFF_FLANK = (
+        "off-flank",
+        WARNING,
+        "mm",
+        "a barrel cutter touches with the ball at its tip, not with its flank",
+    )
+    SURFACE_TIGHTER_THAN_CUTTER = (
+        "surface-tighter-than-cutter",
+        WARNING,
+        "",
+        "the surface curls tighter than the cutter",
+    )
 
     # ---------------------------------------------------------------------------------------- tool axes
-    AXIS_BEYOND_LIMITS = "axis-beyond-limits", WARNING, "mm", "tool axes that the machine cannot reach are left out"
-    AXIS_INTO_PART = "axis-into-part", WARNING, "mm", "contacts at which the tool would stand in the part are left out"
-    FLANK_INTO_PART = "flank-into-part", WARNING, "mm", "contacts at which a cone's flank would enter are left out"
+    AXIS_BEYOND_LIMITS = (
+        "axis-beyond-limits",
+        WARNING,
+        "mm",
+        "tool axes that the machine cannot reach are left out",
+    )
+    AXIS_INTO_PART = (
+        "axis-into-part",
+        WARNING,
+        "mm",
+        "contacts at which the tool would stand in the part are left out",
+    )
+    FLANK_INTO_PART = (
+        "flank-into-part",
+        WARNING,
+        "mm",
+        "contacts at which a cone's flank would enter are left out",
+    )
     FRAMES = "frames", NOTE, "1", "the part is cut in frames, each with a tool axis of its own"
     NO_FREE_AXIS = "no-free-axis", WARNING, "", "no tool axis keeps tool and holder out of the part"
     NO_WAY_OUT = "no-way-out", WARNING, "mm", "stretches that the tool could not leave are left out"
@@ -98,12 +174,17 @@ class Code(str, Enum):
     )
 
     # ---------------------------------------------------------------------------------------- gouge avoidance
-    LEFT_OUT = "left-out", WARNING, "mm", "stretches of passes are left out, since the tool would enter the part"
+    LEFT_OUT = (
+        "left-out",
+        WARNING,
+        "mm",
+        "stretches of passes are left out, since the tool would enter the part",
+    )
     LIFTED = "lifted", WARNING, "mm", "the tool was lifted out of the part"
     NOT_FREED = "not-freed", WARNING, "mm", "no allowed tilt keeps shank and holder out of the part"
     TILTED = "tilted", NOTE, "deg", "the tool axis was turned away from the part"
 
-    # ---------------------------------------------------------------------------------------- joints and the program
+    # --------------------------------------------------------------------------------- joints and the program
     LEAD_IN_SMALLER = "lead-in-smaller", NOTE, "1", "lead-in or lead-out arcs are smaller than asked, or none"
     RAPIDS_DIVIDED = "rapids-divided", NOTE, "1", "rapids were divided, so that every way of the axes is free"
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
@@ -113,7 +194,12 @@ class Code(str, Enum):
     FEED_ABOVE_LARGEST = "feed-above-largest", NOTE, "mm/min", "F exceeds the controller's largest"
     FEED_BELOW_STEP = "feed-below-step", WARNING, "mm/min", "F lies below the controller's smallest step"
     FEED_HELD_BACK = "feed-held-back", NOTE, "1", "an axis would exceed its rate; the block runs slower"
-    FIRST_POSITION_RAPID = "first-position-rapid", NOTE, "", "the path starts with a feed; the program goes there in rapid"
+    FIRST_POSITION_RAPID = (
+        "first-position-rapid",
+        NOTE,
+        "",
+        "the path starts with a feed; the program goes there in rapid",
+    )
     NO_INVERSE_TIME = "no-inverse-time", NOTE, "", "the controller knows no inverse time feeds"
     TIP_GUIDED_BY_CONTROLLER = (
         "tip-guided-by-controller",
@@ -121,18 +207,53 @@ class Code(str, Enum):
         "mm",
         "the controller guides the tip between block ends",
     )
-    TURNED_THE_SHORTER_WAY = "turned-the-shorter-way", WARNING, "1", "a rotary axis that wraps takes the shorter way"
-    WRAP_NOT_WRITTEN = "wrap-not-written", WARNING, "", "the controller does not take the shorter way that the machine file names"
+    TURNED_THE_SHORTER_WAY = (
+        "turned-the-shorter-way",
+        WARNING,
+        "1",
+        "a rotary axis that wraps takes the shorter way",
+    )
+    WRAP_NOT_WRITTEN = (
+        "wrap-not-written",
+        WARNING,
+        "",
+        "the controller does not take the shorter way that the machine file names",
+    )
     LINEARIZED = "linearized", NOTE, "1", "blocks were divided to hold the tolerance"
-    LINEARIZE_IMPOSSIBLE = "linearize-impossible", WARNING, "1", "no number of blocks holds the tolerance there"
+    LINEARIZE_IMPOSSIBLE = (
+        "linearize-impossible",
+        WARNING,
+        "1",
+        "no number of blocks holds the tolerance there",
+    )
     LINEARIZE_LIMIT = "linearize-limit", ERROR, "1", "a divided block would leave the limits in its middle"
-    LINEARIZE_ROUNDING = "linearize-rounding", WARNING, "mm", "the decimals of the words are too few for the tolerance"
+    LINEARIZE_ROUNDING = (
+        "linearize-rounding",
+        WARNING,
+        "mm",
+        "the decimals of the words are too few for the tolerance",
+    )
     ROTARY_WORDS_EVEN = "rotary-words-even", NOTE, "1", "rotary axes turn evenly in divided blocks"
 
-    # ---------------------------------------------------------------------------------------- start and end of a program
-    PART_BELOW_TABLE = "part-below-table", WARNING, "mm", "the part would reach below the table, which is not looked at"
-    PART_IN_TABLE = "part-in-table", NOTE, "mm", "the part would reach into the table, so its place is not known"
-    SAFE_START_BEYOND_LIMIT = "safe-start-beyond-limit", WARNING, "mm", "the safe height lies beyond the limits"
+    # ----------------------------------------------------------------------------- start and end of a program
+    PART_BELOW_TABLE = (
+        "part-below-table",
+        WARNING,
+        "mm",
+        "the part would reach below the table, which is not looked at",
+    )
+    PART_IN_TABLE = (
+        "part-in-table",
+        NOTE,
+        "mm",
+        "the part would reach into the table, so its place is not known",
+    )
+    SAFE_START_BEYOND_LIMIT = (
+        "safe-start-beyond-limit",
+        WARNING,
+        "mm",
+        "the safe height lies beyond the limits",
+    )
     SPINDLE_OFF = "spindle-off", WARNING, "", "the spindle stays off"
     START_THROUGH_PART = (
         "start-through-part",
@@ -140,32 +261,72 @@ class Code(str, Enum):
         "",
         "on its way to its first or from its last place the tool passes through the part",
     )
-    STARTS_AT_REFERENCE = "starts-at-reference", NOTE, "", "the program begins and ends at the reference point of Z"
+    STARTS_AT_REFERENCE = (
+        "starts-at-reference",
+        NOTE,
+        "",
+        "the program begins and ends at the reference point of Z",
+    )
 
-    # ---------------------------------------------------------------------------------------- what the machine really does
-    BOUND_OVER_TOLERANCE = "bound-over-tolerance", WARNING, "mm", "the tolerance is held as measured, not as proven"
+    # --------------------------------------------------------------------------- what the machine really does
+    BOUND_OVER_TOLERANCE = (
+        "bound-over-tolerance",
+        WARNING,
+        "mm",
+        "the tolerance is held as measured, not as proven",
+    )
     DEVIATION_OVER_TOLERANCE = "deviation-over-tolerance", ERROR, "mm", "a block leaves the commanded path"
-    SINGULAR_BLOCK = "singular-block", WARNING, "deg", "a block lies near the machine's pole: rotary axes swing"
+    SINGULAR_BLOCK = (
+        "singular-block",
+        WARNING,
+        "deg",
+        "a block lies near the machine's pole: rotary axes swing",
+    )
     SO2008_NO_ROOT = "so2008-no-root", NOTE, "1", "the formula of So et al. has no root in these blocks"
 
-    # ---------------------------------------------------------------------------------------- collisions and what stays
-    AVOIDED_FACES_NEAR = "avoided-faces-near", ERROR, "mm", "the tool comes nearer to faces to avoid than the allowance"
-    AVOIDED_FACES_UNPROVEN = "avoided-faces-unproven", WARNING, "mm", "a rapid may come too near to the faces to avoid"
+    # ------------------------------------------------------------------------------ collisions and what stays
+    AVOIDED_FACES_NEAR = (
+        "avoided-faces-near",
+        ERROR,
+        "mm",
+        "the tool comes nearer to faces to avoid than the allowance",
+    )
+    AVOIDED_FACES_UNPROVEN = (
+        "avoided-faces-unproven",
+        WARNING,
+        "mm",
+        "a rapid may come too near to the faces to avoid",
+    )
     BURIED = "buried", ERROR, "1", "the whole cutter is inside the part"
     CUT_TOO_DEEP = "cut-too-deep", ERROR, "mm", "more than the tolerance is missing on the surface"
     FIXTURE_COLLISION = "fixture-collision", ERROR, "mm", "the tool hits a fixture"
     FIXTURE_NEAR = "fixture-near", WARNING, "mm", "the tool comes nearer to a fixture than the clearance"
     FIXTURE_UNPROVEN = "fixture-unproven", WARNING, "mm", "a rapid may hit a fixture on some way of the axes"
     HOLDER_COLLISION = "holder-collision", ERROR, "mm", "shank or holder enters the part"
-    INDEPENDENT_RAPID = "independent-rapid", ERROR, "mm", "a rapid whose axes run independently enters the part"
-    MACHINE_COLLISION = "machine-collision", ERROR, "mm", "tool, spindle or a body of the machine hits another one"
+    INDEPENDENT_RAPID = (
+        "independent-rapid",
+        ERROR,
+        "mm",
+        "a rapid whose axes run independently enters the part",
+    )
+    MACHINE_COLLISION = (
+        "machine-collision",
+        ERROR,
+        "mm",
+        "tool, spindle or a body of the machine hits another one",
+    )
     MACHINE_NEAR = (
         "machine-near",
         WARNING,
         "mm",
         "tool, spindle or a body of the machine comes nearer to another than the clearance",
     )
-    MACHINE_TOUCHING = "machine-touching", NOTE, "1", "bodies that touch at zero are not looked at against each other"
+    MACHINE_TOUCHING = (
+        "machine-touching",
+        NOTE,
+        "1",
+        "bodies that touch at zero are not looked at against each other",
+    )
     MACHINE_UNPROVEN = "machine-unproven", WARNING, "mm", "a collision with the machine is not excluded"
     OVERCUT = "overcut", ERROR, "mm", "the cutter enters the part in a feed move"
     RAPID_COLLISION = "rapid-collision", ERROR, "mm", "the cutter enters the part between passes"
@@ -174,27 +335,62 @@ class Code(str, Enum):
     UNCUT = "uncut", WARNING, "mm2", "more than the scallop stays"
     ADVICE = "advice", NOTE, "mm2", "what another setting would finish"
 
-    # ---------------------------------------------------------------------------------------- NC programs that are read
+    # ------------------------------------------------------------------------------ NC programs that are read
     ARC_NOT_INTERPRETED = "arc-not-interpreted", ERROR, "", "arcs that the reader cannot follow"
     ARC_WITHOUT_CENTRE = "arc-without-centre", ERROR, "", "no circle fits the words of an arc"
     AXIS_NOT_REACHABLE = "axis-not-reachable", ERROR, "", "the machine cannot stand as the program commands"
     AXIS_RATE = "axis-rate", WARNING, "mm/min", "a block asks more of an axis than its maximum rate"
     BLOCK_SKIP = "block-skip", NOTE, "", "lines that a switch of the control skips"
     BORING_SHIFT = "boring-shift", NOTE, "", "the shift at the bottom of a boring cycle is not followed"
-    CALL_NOT_INTERPRETED = "call-not-interpreted", ERROR, "", "calls of other programs, whose moves are missing"
-    COMPENSATION_NOT_INTERPRETED = "compensation-not-interpreted", ERROR, "", "cutter compensation in the control"
+    CALL_NOT_INTERPRETED = (
+        "call-not-interpreted",
+        ERROR,
+        "",
+        "calls of other programs, whose moves are missing",
+    )
+    COMPENSATION_NOT_INTERPRETED = (
+        "compensation-not-interpreted",
+        ERROR,
+        "",
+        "cutter compensation in the control",
+    )
     CORNER_NOT_INTERPRETED = "corner-not-interpreted", ERROR, "", "roundings, chamfers or angles of a contour"
     CUTTER_FROM_PROGRAM = "cutter-from-program", NOTE, "mm", "the cutter is that which the program names"
     CYCLE_NOT_INTERPRETED = "cycle-not-interpreted", ERROR, "", "cycles, whose moves are missing"
     DATUM_OF_TABLE = "datum-of-table", NOTE, "", "the work zero is a row of the control's table"
     FEED_BY_PARAMETER = "feed-by-parameter", WARNING, "", "a feed is given by a parameter or the tool"
-    FEED_OVER_PART = "feed-over-part", WARNING, "mm/min", "the tool moves over the part at another speed than F"
-    FEED_PER_TURN = "feed-per-turn", WARNING, "", "feeds are for each turn of the spindle, so no time is given"
+    FEED_OVER_PART = (
+        "feed-over-part",
+        WARNING,
+        "mm/min",
+        "the tool moves over the part at another speed than F",
+    )
+    FEED_PER_TURN = (
+        "feed-per-turn",
+        WARNING,
+        "",
+        "feeds are for each turn of the spindle, so no time is given",
+    )
     FEED_WORD_TOO_LARGE = "feed-word-too-large", WARNING, "", "F is larger than the controller takes"
     INVERSE_FEED_MISSING = "inverse-feed-missing", ERROR, "", "a block of inverse time has no F of its own"
-    KINEMATICS_NOT_KNOWN = "kinematics-not-known", ERROR, "", "the kinematics that the program switches to are not known"
-    KINEMATICS_NUMBER = "kinematics-number", NOTE, "", "which kinematics a number switches to, as LinuxCNC counts"
-    MACHINE_POSITION = "machine-position", WARNING, "", "moves to positions of the machine, which are not known"
+    KINEMATICS_NOT_KNOWN = (
+        "kinematics-not-known",
+        ERROR,
+        "",
+        "the kinematics that the program switches to are not known",
+    )
+    KINEMATICS_NUMBER = (
+        "kinematics-number",
+        NOTE,
+        "",
+        "which kinematics a number switches to, as LinuxCNC counts",
+    )
+    MACHINE_POSITION = (
+        "machine-position",
+        WARNING,
+        "",
+        "moves to positions of the machine, which are not known",
+    )
     MACRO_NOT_INTERPRETED = "macro-not-interpreted", ERROR, "", "variables, expressions or jumps"
     NO_DECIMAL_POINT = "no-decimal-point", NOTE, "", "words without a decimal point"
     NO_FEED = "no-feed", ERROR, "", "feed moves have no feed"
@@ -219,14 +415,29 @@ class Code(str, Enum):
     UNKNOWN_CODE = "unknown-code", WARNING, "", "a code that the reader does not know"
     WORD_NOT_INTERPRETED = "word-not-interpreted", WARNING, "", "words that the reader does not interpret"
     WORK_OFFSET_CHANGE = "work-offset-change", WARNING, "", "the work zero changes within the program"
-    WRAP_CONTRADICTED = "wrap-contradicted", WARNING, "", "the words of a rotary axis do not fit the way it wraps"
+    WRAP_CONTRADICTED = (
+        "wrap-contradicted",
+        WARNING,
+        "",
+        "the words of a rotary axis do not fit the way it wraps",
+    )
 
-    # ---------------------------------------------------------------------------------------- a program against its path
+    # ----------------------------------------------------------------------------- a program against its path
     AXIS_OFF_CL_PATH = "axis-off-cl-path", ERROR, "deg", "the tool axis differs from that of the path"
-    BETWEEN_CL_ROWS = "between-cl-rows", ERROR, "mm", "blocks leave the path between their ends, which lie on it"
+    BETWEEN_CL_ROWS = (
+        "between-cl-rows",
+        ERROR,
+        "mm",
+        "blocks leave the path between their ends, which lie on it",
+    )
     CL_ROWS_MISSED = "cl-rows-missed", ERROR, "mm", "rows of the path that no block reaches"
     OFF_CL_PATH = "off-cl-path", ERROR, "mm", "blocks end off the path"
-    WAY_NOT_IN_CL_PATH = "way-not-in-cl-path", NOTE, "mm", "blocks leave the path and come back to it: ways of the post's own"
+    WAY_NOT_IN_CL_PATH = (
+        "way-not-in-cl-path",
+        NOTE,
+        "mm",
+        "blocks leave the path and come back to it: ways of the post's own",
+    )
 
     # ---------------------------------------------------------------------------------------- CL files
     ARC_DOES_NOT_FIT = "arc-does-not-fit", ERROR, "", "an arc does not pass through the points beside it"
@@ -239,28 +450,63 @@ class Code(str, Enum):
     CYCLE_DWELL_LEFT_OUT = "cycle-dwell-left-out", WARNING, "", "dwells of drilling cycles are left out"
     CYCLE_STEP_NOT_SAID = "cycle-step-not-said", WARNING, "", "a pecking cycle without its step"
     NO_HOLE_IN_CYCLE = "no-hole-in-cycle", ERROR, "", "a statement within a drilling cycle drills no hole"
-    SEVERAL_COORDINATE_SYSTEMS = "several-coordinate-systems", ERROR, "", "the file has several coordinate systems"
-    SEVERAL_TOOLS = "several-tools", ERROR, "", "the file changes tools, and the program cuts all of it with one"
-    STATEMENT_NOT_INTERPRETED = "statement-not-interpreted", WARNING, "", "statements that the reader does not interpret"
+    SEVERAL_COORDINATE_SYSTEMS = (
+        "several-coordinate-systems",
+        ERROR,
+        "",
+        "the file has several coordinate systems",
+    )
+    SEVERAL_TOOLS = (
+        "several-tools",
+        ERROR,
+        "",
+        "the file changes tools, and the program cuts all of it with one",
+    )
+    STATEMENT_NOT_INTERPRETED = (
+        "statement-not-interpreted",
+        WARNING,
+        "",
+        "statements that the reader does not interpret",
+    )
     TOOL_CHOSEN = "tool-chosen", NOTE, "", "the tool that was taken of several"
 
-    # ---------------------------------------------------------------------------------------- machines that are imported
+    # ----------------------------------------------------------------------------- machines that are imported
     AXIS_HELD = "axis-held", WARNING, "", "the kinematics move axes that a machine file cannot hold"
-    BASE_FRAME_NOT_USED = "base-frame-not-used", ERROR, "", "what the machine's file says of its base frame is not used"
+    BASE_FRAME_NOT_USED = (
+        "base-frame-not-used",
+        ERROR,
+        "",
+        "what the machine's file says of its base frame is not used",
+    )
     CONSTANT_TOOL_OFFSET = "constant-tool-offset", WARNING, "", "a pin of the tool length is a constant"
     FORWARD_DIFFERS = "forward-differs", WARNING, "", "the control shows other positions than it drives"
     HAL_FILE_NOT_READ = "hal-file-not-read", NOTE, "", "a HAL file was not read"
     MACHINE_DEFAULT = "machine-default", NOTE, "", "what the machine's file does not say was taken as usual"
     OFFSET_FROM_PANEL = "offset-from-panel", WARNING, "", "an offset is where a slider of the screen starts"
-    OFFSET_NOT_SET = "offset-not-set", WARNING, "", "no HAL file sets an offset, so LinuxCNC's own value is taken"
+    OFFSET_NOT_SET = (
+        "offset-not-set",
+        WARNING,
+        "",
+        "no HAL file sets an offset, so LinuxCNC's own value is taken",
+    )
     OFFSET_NOT_USED = "offset-not-used", WARNING, "", "an offset is set that the kinematics do not use"
     ROTARY_ASSUMED = "rotary-assumed", WARNING, "", "what carries a rotary axis is assumed"
     SIGN_UNPROVEN = "sign-unproven", WARNING, "", "the direction of an axis is not proven at the machine"
     TOOL_LENGTH_IN_W = "tool-length-in-w", NOTE, "", "the tool length turns with the head only as a W offset"
 
     # ---------------------------------------------------------------------------------------- calibration
-    BLOCKS_WITHOUT_ROW = "blocks-without-row", NOTE, "1", "blocks of the program that belong to no row of the path"
-    LAYOUT_NOT_DETERMINED = "layout-not-determined", ERROR, "1", "other layouts of axes explain the rows as well"
+    BLOCKS_WITHOUT_ROW = (
+        "blocks-without-row",
+        NOTE,
+        "1",
+        "blocks of the program that belong to no row of the path",
+    )
+    LAYOUT_NOT_DETERMINED = (
+        "layout-not-determined",
+        ERROR,
+        "1",
+        "other layouts of axes explain the rows as well",
+    )
     LIMITS_UNKNOWN = "limits-unknown", NOTE, "", "limits and rates are assumed: no row tells them"
     MARK_NOT_GIVEN = "mark-not-given", WARNING, "mm", "how high part and clamps reach is not given"
     NOT_DETERMINED = "not-determined", ERROR, "", "the rows do not tell a dimension of the machine"
@@ -274,12 +520,32 @@ class Code(str, Enum):
     ZERO_ELSEWHERE = "zero-elsewhere", WARNING, "", "the program's zero is not that of the path or machine"
     ZEROS_ASSUMED = "zeros-assumed", NOTE, "", "zeros of rotary axes are taken as right"
 
-    # ---------------------------------------------------------------------------------------- where to clamp, and comparisons
+    # ------------------------------------------------------------------------ where to clamp, and comparisons
     CANNOT_BE_COMPARED = "cannot-be-compared", ERROR, "", "a machine on which the path cannot be driven"
-    NO_SETUP_FREE = "no-setup-free", ERROR, "mm", "in all setups that were tried tool or spindle hit the machine"
+    NO_SETUP_FREE = (
+        "no-setup-free",
+        ERROR,
+        "mm",
+        "in all setups that were tried tool or spindle hit the machine",
+    )
     NO_SETUP_ON_THE_TABLE = "no-setup-on-the-table", ERROR, "", "no position on the table is free"
-    NO_SETUP_WITHIN_LIMITS = "no-setup-within-limits", ERROR, "mm", "no position keeps the axes within their limits"
+    NO_SETUP_WITHIN_LIMITS = (
+        "no-setup-within-limits",
+        ERROR,
+        "mm",
+        "no position keeps the axes within their limits",
+    )
     SETUP_AT_EDGE = "setup-at-edge", NOTE, "1", "the best position lies at the edge of the region"
-    SETUPS_HIT_MACHINE = "setups-hit-machine", NOTE, "1", "setups are passed over: tool or spindle hit the machine there"
+    SETUPS_HIT_MACHINE = (
+        "setups-hit-machine",
+        NOTE,
+        "1",
+        "setups are passed over: tool or spindle hit the machine there",
+    )
     TABLE_UNKNOWN = "table-unknown", WARNING, "", "where the table is, is not known"
-    TURN_OUT_OF_REACH = "turn-out-of-reach", WARNING, "deg", "with the part turned the rotary limits allow no way"
+    TURN_OUT_OF_REACH = (
+        "turn-out-of-reach",
+        WARNING,
+        "deg",
+        "with the part turned the rotary limits allow no way",
+    )

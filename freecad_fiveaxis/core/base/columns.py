@@ -4,8 +4,8 @@
 column  the values of one component in all rows (m,), or a plain float where they are the same in all rows.
 turn    a rotation about a fixed unit axis, by an angle of each row given by its cosine and sine.
 
-Machines have mostly axes along X, Y and Z through points with zeros in them: leaving out the products with 0 and 1 makes
-one general formula as fast as one written for each machine.
+Machines have mostly axes along X, Y and Z through points with zeros in them: leaving out the products with 0
+and 1 makes one general formula as fast as one written for each machine.
 """
 
 from __future__ import annotations
@@ -35,7 +35,8 @@ def cache_chunks(count: int) -> Iterator[slice]:
 
 
 def split(rows: Floats) -> list[Floats]:
-    """The contiguous columns of an array (m, k) of any memory order: views where they are contiguous, not to be changed."""
+    """The contiguous columns of an array (m, k) of any memory order: views where they are contiguous, not to
+    be changed."""
     columns = rows.T
     return list(columns if columns.strides[-1] == columns.itemsize else np.ascontiguousarray(columns))
 
@@ -57,8 +58,9 @@ def clean(values: Floats) -> Floats:
 
 
 def cos_sin(angle: Floats) -> tuple[Floats, Floats]:
-    """Cosine and sine of the angles (m,) rad, within 4e-16: through the tangent of the half angle, one function instead of two,
-    and one that numpy has as vector code on many processors, where it has neither cosine nor sine."""
+    """Cosine and sine of the angles (m,) rad, within 4e-16: through the tangent of the half angle, one
+    function instead of two, and one that numpy has as vector code on many processors, where it has neither
+    cosine nor sine."""
     tan: Floats = np.tan(0.5 * angle)
     scale: Floats = tan * tan
     scale += 1.0
@@ -93,7 +95,9 @@ def dot(row: Sequence[float], columns: Columns) -> Column:
     total: Column = 0.0
     for factor, column in zip(row, columns, strict=True):
         if factor != 0.0:
-            total = plus(total, column if factor == 1.0 else -column if factor == -1.0 else times(factor, column))
+            total = plus(
+                total, column if factor == 1.0 else -column if factor == -1.0 else times(factor, column)
+            )
     return total
 
 
@@ -124,7 +128,8 @@ def crossed(a: Columns, b: Columns) -> list[Column]:
 
 @dataclass(frozen=True)
 class Turn:
-    """The matrices (3, 3) of the turns about a unit axis: ``R = along + cos across + sin cross`` (Rodrigues)."""
+    """The matrices (3, 3) of the turns about a unit axis: ``R = along + cos across + sin cross``
+    (Rodrigues)."""
 
     along: Matrix
     across: Matrix
@@ -143,10 +148,12 @@ class Turn:
         return [plus(along, plus(times(cos, across), times(sin, cross))) for along, across, cross in parts]
 
     def of_ez(self, cos: Floats, sin: Floats) -> list[Column]:
-        """ez turned; where the axis leans, 1 - cos is taken without cancellation, so that a small tilt keeps its direction."""
+        """ez turned; where the axis leans, 1 - cos is taken without cancellation, so that a small tilt keeps
+        its direction."""
         x, y, z = self.of((0.0, 0.0, 1.0), cos, sin)
         if not is_zero(self.along[0][2]) or not is_zero(self.along[1][2]):
-            # where cos is not above 0 the other branch counts; its size keeps the one that does not from dividing by 0
+            # where cos is not above 0 the other branch counts; its size keeps the one that does not from
+            # dividing by 0
             versine = np.where(cos > 0.0, sin * sin / (1.0 + np.abs(cos)), 1.0 - cos)
             x, y = (plus(times(versine, self.along[i][2]), times(sin, self.cross[i][2])) for i in (0, 1))
         return [x, y, z]

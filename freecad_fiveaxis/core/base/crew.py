@@ -4,8 +4,8 @@
 crew      makes executors of threads or processes, and can tell all of their workers to stop.
 worker    does one task after the other; between two steps of a task it looks whether it is to stop.
 
-Processes are begun anew (spawn), never forked: a copy of threads and locks that are in use is no beginning. They leave
-Ctrl-C to the process that began them, which tells them to stop; and they end where that has ended.
+Processes are begun anew (spawn), never forked: a copy of threads and locks that are in use is no beginning.
+They leave Ctrl-C to the process that began them, which tells them to stop; and they end where that has ended.
 """
 
 from __future__ import annotations
@@ -64,7 +64,8 @@ def read_workers(given: str) -> int:
     """How many workers a word of the command line asks for. Raises SettingsError."""
     if not (given.isascii() and given.isdigit() and 1 <= int(given) <= MOST_WORKERS):
         raise SettingsError(
-            say("{workers} {given} is no count; give a whole number from 1 on", workers=WORKERS, given=given), given
+            say("{workers} {given} is no count; give a whole number from 1 on", workers=WORKERS, given=given),
+            given,
         )
     return int(given)
 
@@ -84,8 +85,9 @@ def process_crew(workers: int) -> Crew:
 
 
 def _open_processes(number: int, context: Any, stop: Any) -> ProcessPoolExecutor:
-    """Processes that find ONE_THREAD in their environment: one that imports ``__main__`` may import numpy with it, before
-    begin_process is heard, and OpenBLAS then spins on every processor. What the user has set stays."""
+    """Processes that find ONE_THREAD in their environment: one that imports ``__main__`` may import numpy
+    with it, before begin_process is heard, and OpenBLAS then spins on every processor. What the user has set
+    stays."""
     for name in ONE_THREAD:
         os.environ.setdefault(name, "1")
     return ProcessPoolExecutor(number, context, begin_process, (stop,))
@@ -93,8 +95,8 @@ def _open_processes(number: int, context: Any, stop: Any) -> ProcessPoolExecutor
 
 @contextmanager
 def at_work(crew: Crew | None) -> Iterator[Executor | None]:
-    """The executor of a crew, which ends with the block, after all that its workers were at; None for none. Where the block is
-    left by an exception, they are told to stop first."""
+    """The executor of a crew, which ends with the block, after all that its workers were at; None for none.
+    Where the block is left by an exception, they are told to stop first."""
     if crew is None:
         yield None
         return
@@ -117,8 +119,8 @@ def end_pool(pool: Executor, wait: bool) -> None:
 
 
 def begin(stop: Stop, tell: Callable[[float], None] | None = None, alone: bool = False) -> None:
-    """What a worker does first: it remembers where to look, whom to ``tell`` how far its task is, and whether it works ``alone``,
-    so that it may use all threads."""
+    """What a worker does first: it remembers where to look, whom to ``tell`` how far its task is, and whether
+    it works ``alone``, so that it may use all threads."""
     _here.stop, _here.tell, _here.alone = stop, tell, alone
 
 
@@ -137,7 +139,8 @@ def begin_process(stop: Stop) -> None:
 
 
 def look_for_stop(stage: str, fraction: float) -> None:
-    """The progress of a worker: it raises Cancelled where the crew is told to stop, and tells whoever wants to hear it."""
+    """The progress of a worker: it raises Cancelled where the crew is told to stop, and tells whoever wants
+    to hear it."""
     stop, tell = getattr(_here, "stop", None), getattr(_here, "tell", None)
     if stop is not None and stop.is_set():
         raise Cancelled(say("stopped"))

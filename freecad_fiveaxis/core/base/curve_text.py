@@ -36,8 +36,9 @@ def name_source(source: str) -> str:
 
 
 def read_runs(source: str, what: str, most_bytes: float = float("inf")) -> list[Run]:
-    """Read the rows of cells of each curve, without the names of the columns; none where the file has more than ``most_bytes`` or
-    is no text. ``what`` it is, in a message. Raises FileError for a file that cannot be read."""
+    """Read the rows of cells of each curve, without the names of the columns; none where the file has more
+    than ``most_bytes`` or is no text. ``what`` it is, in a message. Raises FileError for a file that cannot
+    be read."""
     text = source.replace(END_OF_LINE, "\n")
     if not is_inline(source):
         data = read_bytes(source, what)
@@ -48,7 +49,11 @@ def read_runs(source: str, what: str, most_bytes: float = float("inf")) -> list[
         rows = list(csv.reader(io.StringIO(text, newline="")))
     except csv.Error:
         return []
-    runs = [list(run) for some, run in itertools.groupby(rows, lambda row: any(cell.strip() for cell in row)) if some]
+    runs = [
+        list(run)
+        for some, run in itertools.groupby(rows, lambda row: any(cell.strip() for cell in row))
+        if some
+    ]
     if runs and not is_number(runs[0][0][0]):
         runs = [run for run in (runs[0][1:], *runs[1:]) if run]
     return runs

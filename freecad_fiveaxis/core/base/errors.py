@@ -14,7 +14,8 @@ from .sentences import say
 class FiveAxisError(Exception):
     """Input that cannot be used. ``value`` is what was given; ``text`` names it and the remedy.
 
-    ``text`` is the message as it was made: a Sentence can be said in another language (core/base/sentences.py).
+    ``text`` is the message as it was made: a Sentence can be said in another language
+    (core/base/sentences.py).
     """
 
     def __init__(self, message: str, value: object = None) -> None:

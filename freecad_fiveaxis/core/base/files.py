@@ -28,11 +28,13 @@ FORBIDDEN = re.compile(r'[\\/:*?"<>|\x00-\x1f]+')
 """What no file name can hold on one system or another."""
 
 written: list[str] = []
-"""The outputs that this process has written since its command began: what a message may truthfully say when a signal comes."""
+"""The outputs that this process has written since its command began: what a message may truthfully say when a
+signal comes."""
 
 
 def is_name(text: PathName) -> bool:
-    """Whether a file can have that name (or path) at all: no NUL, no character that the system cannot write."""
+    """Whether a file can have that name (or path) at all: no NUL, no character that the system cannot
+    write."""
     try:
         return b"\0" not in os.fsencode(text)
     except UnicodeEncodeError:
@@ -40,13 +42,14 @@ def is_name(text: PathName) -> bool:
 
 
 def plain_name(text: str, otherwise: str) -> str:
-    """Give a file's name without its ending after a ``text``; ``otherwise`` where nothing of that can be one."""
+    """Give a file's name without its ending after a ``text``; ``otherwise`` where nothing of that can be
+    one."""
     return FORBIDDEN.sub("_", text).strip(" .") or otherwise
 
 
 def open_file(path: PathName) -> BufferedReader:
-    """An ordinary file to read from. Raises FileError for a folder, a device, a pipe or a socket, which may have no end, and
-    OSError where the file cannot be opened."""
+    """An ordinary file to read from. Raises FileError for a folder, a device, a pipe or a socket, which may
+    have no end, and OSError where the file cannot be opened."""
     _check_regular(os.stat(path).st_mode, path)  # opening a device may already do something to it
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     file = os.fdopen(descriptor, "rb")
@@ -59,7 +62,8 @@ def open_file(path: PathName) -> BufferedReader:
 
 
 def read_bytes(path: PathName, what: str) -> bytes:
-    """The whole file. Raises FileError that says what is missing or unreadable, SettingsError where memory cannot hold it."""
+    """The whole file. Raises FileError that says what is missing or unreadable, SettingsError where memory
+    cannot hold it."""
     _check_name(path)
     try:
         with open_file(path) as file:
@@ -70,13 +74,19 @@ def read_bytes(path: PathName, what: str) -> bytes:
         raise
     except OSError as error:
         raise FileError(
-            say("{what} {path} cannot be read: {strerror}", what=what, path=os.fspath(path), strerror=error.strerror or error),
+            say(
+                "{what} {path} cannot be read: {strerror}",
+                what=what,
+                path=os.fspath(path),
+                strerror=error.strerror or error,
+            ),
             path,
         ) from error
 
 
 def same_file(one: PathName, other: PathName) -> bool:
-    """Whether two names are one file, by whatever links; of files that are not there yet, whether they would be."""
+    """Whether two names are one file, by whatever links; of files that are not there yet, whether they would
+    be."""
     try:
         return os.path.samefile(one, other)
     except (OSError, ValueError):
@@ -84,7 +94,8 @@ def same_file(one: PathName, other: PathName) -> bool:
 
 
 class _Output:
-    """One file on its way to its target. ``old``: the file that is there; ``backup``: a second name or a copy of it."""
+    """One file on its way to its target. ``old``: the file that is there; ``backup``: a second name or a copy
+    of it."""
 
     def __init__(self, path: PathName, data: bytes) -> None:
         self.path, self.data = path, data
@@ -95,7 +106,8 @@ class _Output:
 
     @property
     def in_place(self) -> bool:
-        """A file with other names (hard links) stays the file of all of them: its content is exchanged, not the file."""
+        """A file with other names (hard links) stays the file of all of them: its content is exchanged, not
+        the file."""
         return self.old is not None and self.old.st_nlink > 1
 
     def prepare(self) -> None:
@@ -138,7 +150,8 @@ class _Output:
         return tempfile.mkstemp(prefix="fiveaxis-", suffix=".part", dir=os.path.dirname(self.target))
 
     def _give_access(self, name: str) -> None:
-        """mkstemp makes files for the owner alone; the result is an ordinary file, or what the old one was."""
+        """mkstemp makes files for the owner alone; the result is an ordinary file, or what the old one
+        was."""
         if self.old is None:
             os.chmod(name, 0o666 & ~_umask())
             return
@@ -148,7 +161,8 @@ class _Output:
         os.chmod(name, stat.S_IMODE(self.old.st_mode))
 
     def _back_up(self) -> None:
-        """By a second name, which costs nothing, or by a copy where the file itself will be written or has no second name."""
+        """By a second name, which costs nothing, or by a copy where the file itself will be written or has no
+        second name."""
         if not self.in_place:
             os.unlink(self.backup)
             with contextlib.suppress(OSError, NotImplementedError):
@@ -160,8 +174,9 @@ class _Output:
 def write_all(files: Mapping[str, bytes] | Mapping[PathName, bytes]) -> None:
     """Write all files, or none: an old file is then as it was, and nothing stays beside it.
 
-    All are written beside their targets first and then renamed, so nobody ever sees half a file. A symbolic link is followed, a
-    file's access rights and hard links are kept. A signal that comes meanwhile waits. Raises FileError that names the file.
+    All are written beside their targets first and then renamed, so nobody ever sees half a file. A symbolic
+    link is followed, a file's access rights and hard links are kept. A signal that comes meanwhile waits.
+    Raises FileError that names the file.
     """
     for path in files:
         check_target(path)
@@ -172,7 +187,9 @@ def write_all(files: Mapping[str, bytes] | Mapping[PathName, bytes]) -> None:
         try:
             for at in outputs:
                 at.prepare()
-            for at in sorted(outputs, key=lambda output: not output.in_place):  # what may fail most comes first
+            for at in sorted(
+                outputs, key=lambda output: not output.in_place
+            ):  # what may fail most comes first
                 at.place()
         except BaseException as error:
             lost = _put_back(outputs)
@@ -186,7 +203,8 @@ def write_all(files: Mapping[str, bytes] | Mapping[PathName, bytes]) -> None:
 
 
 def write_whole(path: PathName, data: bytes) -> None:
-    """Write one file, whole or not at all (:func:`write_all`). Raises FileError; an old file then stays as it was."""
+    """Write one file, whole or not at all (:func:`write_all`). Raises FileError; an old file then stays as it
+    was."""
     write_all({path: data})
 
 
@@ -211,7 +229,8 @@ def _not_written(output: _Output, error: OSError, lost: list[str]) -> FileError:
 
 
 def _exchange(source: str, target: str) -> None:
-    """The content of ``source`` into the file ``target``, which is cut to its length last: what room it had, it keeps."""
+    """The content of ``source`` into the file ``target``, which is cut to its length last: what room it had,
+    it keeps."""
     with open(source, "rb") as new, open(target, "r+b") as old:
         shutil.copyfileobj(new, old)
         old.truncate()
@@ -225,12 +244,15 @@ def check_readable(path: PathName) -> None:
     except FileNotFoundError as error:
         raise FileError(say("{path} does not exist; name the file to read", path=path), path) from error
     except OSError as error:
-        raise FileError(say("{path} cannot be read: {strerror}", path=path, strerror=error.strerror or error), path) from error
+        raise FileError(
+            say("{path} cannot be read: {strerror}", path=path, strerror=error.strerror or error), path
+        ) from error
     _check_regular(mode, path)
 
 
 def check_target(path: PathName) -> None:
-    """What is there may be replaced: an ordinary file that its owner may write, or none yet. Raises FileError."""
+    """What is there may be replaced: an ordinary file that its owner may write, or none yet. Raises
+    FileError."""
     _check_name(path)
     old = _state(path)
     if old is None:
@@ -239,7 +261,9 @@ def check_target(path: PathName) -> None:
         raise FileError(say("{path} is a folder; name a file", path=path), path)
     if not stat.S_ISREG(old.st_mode):
         raise FileError(say("{path} is no ordinary file; name a file to write", path=path), path)
-    if not old.st_mode & stat.S_IWUSR or not os.access(path, os.W_OK):  # root may write anything: what counts is the mark
+    if not old.st_mode & stat.S_IWUSR or not os.access(
+        path, os.W_OK
+    ):  # root may write anything: what counts is the mark
         raise FileError(say("{path} is read-only; make it writable, or choose another name", path=path), path)
 
 
@@ -264,7 +288,8 @@ def check_writable(path: PathName) -> None:
 
 
 def _state(path: PathName) -> os.stat_result | None:
-    """Of the file behind the name, None where there is none yet. Raises FileError where that is not to be had."""
+    """Of the file behind the name, None where there is none yet. Raises FileError where that is not to be
+    had."""
     try:
         return os.stat(path)
     except FileNotFoundError:
@@ -275,7 +300,9 @@ def _state(path: PathName) -> os.stat_result | None:
         why = error.strerror or error
         text = say("{target} cannot be written: {strerror}; choose another folder", target=path, strerror=why)
         if error.errno in (errno.ENAMETOOLONG, errno.ELOOP):
-            text = say("{target} cannot be written: {strerror}; choose another name", target=path, strerror=why)
+            text = say(
+                "{target} cannot be written: {strerror}; choose another name", target=path, strerror=why
+            )
         raise FileError(text, path) from error
 
 
@@ -291,7 +318,9 @@ def _check_regular(mode: int, path: PathName) -> None:
 
 def _check_name(path: PathName) -> None:
     if not is_name(path):
-        raise FileError(say("{path} cannot be the name of a file; give another", path=repr(os.fspath(path))), path)
+        raise FileError(
+            say("{path} cannot be the name of a file; give another", path=repr(os.fspath(path))), path
+        )
 
 
 def _umask() -> int:

@@ -14,9 +14,9 @@ from .codes import Code, Severity
 
 @dataclass(frozen=True)
 class Hit:
-    """A collision or a near miss: what ``enters`` or would (cutter, shank, holder, spindle) and what is ``entered``: a fixture or
-    a body of the machine by its name, "" for the part; ``u``: when within the block it is deepest or nearest, 0 to 1, None where
-    that is not known."""
+    """A collision or a near miss: what ``enters`` or would (cutter, shank, holder, spindle) and what is
+    ``entered``: a fixture or a body of the machine by its name, "" for the part; ``u``: when within the block
+    it is deepest or nearest, 0 to 1, None where that is not known."""
 
     enters: str
     entered: str
@@ -28,8 +28,9 @@ class Finding:
     """One poor spot. ``code`` is a stable kebab-case word, ``text`` a full sentence with its remedy.
 
     ``value`` and ``limit`` are in ``unit`` (``mm``, ``deg``, ``mm2``, ``1`` ...); ``block`` is a row of the
-    Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm. ``hit``: of a collision
-    with a fixture or the machine; ``near``: of what comes nearer to one than is asked for.
+    Program, ``line`` a line of the NC file (counted from 1), ``place`` a point in the work frame, mm.
+    ``hit``: of a collision with a fixture or the machine; ``near``: of what comes nearer to one than is asked
+    for.
     """
 
     severity: Severity
@@ -62,4 +63,16 @@ def report_finding(
     """Make a finding of the list: ``severity`` and ``unit`` are those of its code where none are given."""
     if unit is None:
         unit = "" if value is None else code.unit
-    return Finding(code.severity if severity is None else severity, code, text, value, limit, unit, block, line, place, hit, near)
+    return Finding(
+        code.severity if severity is None else severity,
+        code,
+        text,
+        value,
+        limit,
+        unit,
+        block,
+        line,
+        place,
+        hit,
+        near,
+    )

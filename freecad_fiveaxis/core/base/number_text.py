@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of fixed-point numbers as text, byte for byte what ``%.4f`` gives; for NC, CL and CSV files.
 
-piece   a few bytes of every row, taken from a lookup table by the digits of the number: the integer part with its prefix,
-        sign and point, then four decimals at a time.
+piece   a few bytes of every row, taken from a lookup table by the digits of the number: the integer part with
+        its prefix, sign and point, then four decimals at a time.
 pad     the byte 0, which fills a piece up to its fixed width from the left and is deleted at the end.
 
-A row is a fixed number of bytes while it is put together, so that every step works on a whole column. Pads stand in one
-run before each number: the deletion then mispredicts one branch a number, not two.
+A row is a fixed number of bytes while it is put together, so that every step works on a whole column. Pads
+stand in one run before each number: the deletion then mispredicts one branch a number, not two.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ from .progress import Progress, silent
 from .records import Bools, Floats, Ints
 
 CHUNK = 65536
-"""Rows put together at a time: few enough for their buffer to stay in the cache, enough for two threads to work side by side."""
+"""Rows put together at a time: few enough for their buffer to stay in the cache, enough for two threads to
+work side by side."""
 HELD = 1 << 21
 """Rows whose portions are held until all of them are put together: about 100 MB of text."""
 OFTEN = 0.75
@@ -33,7 +34,8 @@ OFTEN = 0.75
 GROUP = 10_000
 """A piece holds four digits: its table then stays in the cache."""
 EXACT = 1e15
-"""Scaled numbers below this are exact in a double, with room to tell a tie from its neighbours (2^52 = 4.5e15)."""
+"""Scaled numbers below this are exact in a double, with room to tell a tie from its neighbours (2^52 =
+4.5e15)."""
 MOST_DECIMALS = 9
 _WORDS = {1: "u1", 2: "u2", 4: "u4", 8: "u8"}
 """Pieces of these widths are copied as numbers, which is faster."""
@@ -41,7 +43,8 @@ _WORDS = {1: "u1", 2: "u2", 4: "u4", 8: "u8"}
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """``prefix`` and then ``values`` (n,) with ``decimals`` (0 to 9; integers take 0); nothing where ``show`` (n,) is False."""
+    """``prefix`` and then ``values`` (n,) with ``decimals`` (0 to 9; integers take 0); nothing where ``show``
+    (n,) is False."""
 
     prefix: bytes
     values: Floats | Ints
@@ -51,7 +54,8 @@ class Column:
 
 @dataclass(frozen=True, eq=False)
 class Units:
-    """``prefix`` and then ``values`` (n,) counted in units of the last decimal: 12345 with 4 ``decimals`` is 1.2345."""
+    """``prefix`` and then ``values`` (n,) counted in units of the last decimal: 12345 with 4 ``decimals`` is
+    1.2345."""
 
     prefix: bytes
     values: Ints
@@ -71,11 +75,12 @@ Part = Column | Units | Choice | bytes
 
 
 def table(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent) -> bytes:
-    """All rows as text: in each row the parts one after the other and then ``end``. A bare ``bytes`` is the same in every row.
+    """All rows as text: in each row the parts one after the other and then ``end``. A bare ``bytes`` is the
+    same in every row.
 
-    Equal to joining ``prefix + "%.<decimals>f" % value`` row by row: the same rounding (of the exact binary value, ties to
-    even), the same signs ("-0.0000" too), "nan" and "inf" and numbers of any size. Raises ValueError for columns of
-    different lengths, decimals out of range, or a byte 0 in a text.
+    Equal to joining ``prefix + "%.<decimals>f" % value`` row by row: the same rounding (of the exact binary
+    value, ties to even), the same signs ("-0.0000" too), "nan" and "inf" and numbers of any size. Raises
+    ValueError for columns of different lengths, decimals out of range, or a byte 0 in a text.
     """
     text = BytesIO()  # keeps one copy where a list of portions would keep two
     for portion in table_parts(parts, end, progress):
@@ -83,7 +88,9 @@ def table(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
     return text.getvalue()
 
 
-def table_parts(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent) -> Iterator[bytes | memoryview]:
+def table_parts(
+    parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
+) -> Iterator[bytes | memoryview]:
     """The same, in portions of CHUNK rows, for writing to a file as they come."""
     rows = _checked_rows(parts, end)
 
@@ -100,7 +107,8 @@ def _tell(progress: Progress, first: int, stop: int, rows: int, done: float) -> 
 
 
 def rounded(values: Floats, decimals: int) -> Floats:
-    """The doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text reads "-0.0000"."""
+    """The doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text reads
+    "-0.0000"."""
     scale = 10.0**decimals
     result: Floats = values * scale
     np.rint(result, out=result)
@@ -110,9 +118,11 @@ def rounded(values: Floats, decimals: int) -> Floats:
 
 
 def nearest_whole(values: Floats) -> Ints:
-    """The whole numbers nearest to ``values`` below EXACT, ties to even, in the memory of ``values``, which are lost.
+    """The whole numbers nearest to ``values`` below EXACT, ties to even, in the memory of ``values``, which
+    are lost.
 
-    From 2^52 to 2^53 the last bit of a double is worth 1: adding 1.5 2^52 rounds, and leaves the number in the lower bits.
+    From 2^52 to 2^53 the last bit of a double is worth 1: adding 1.5 2^52 rounds, and leaves the number in
+    the lower bits.
     """
     shift = np.array(1.5 * 2.0**52)
     values += shift
@@ -122,16 +132,24 @@ def nearest_whole(values: Floats) -> Ints:
 
 
 def _checked_rows(parts: Sequence[Part], end: bytes) -> int:
-    lengths = {len(part.codes if isinstance(part, Choice) else part.values) for part in parts if not isinstance(part, bytes)}
+    lengths = {
+        len(part.codes if isinstance(part, Choice) else part.values)
+        for part in parts
+        if not isinstance(part, bytes)
+    }
     if len(lengths) != 1:
         raise ValueError(f"columns of a text table have lengths {sorted(lengths)}; need one length")
     texts = [end]
     for part in parts:
-        texts += [part] if isinstance(part, bytes) else part.texts if isinstance(part, Choice) else [part.prefix]
+        texts += (
+            [part] if isinstance(part, bytes) else part.texts if isinstance(part, Choice) else [part.prefix]
+        )
         if isinstance(part, (Column, Units)):
             most = MOST_DECIMALS if isinstance(part, Units) or part.values.dtype.kind == "f" else 0
             if not 0 <= part.decimals <= most:
-                raise ValueError(f"a column of {part.values.dtype} has {part.decimals} decimals; give 0 to {most}")
+                raise ValueError(
+                    f"a column of {part.values.dtype} has {part.decimals} decimals; give 0 to {most}"
+                )
     if any(b"\0" in text for text in texts):
         raise ValueError("a text of the table holds a byte 0, which is the padding")
     return lengths.pop()
@@ -159,7 +177,8 @@ class _Piece(NamedTuple):
 def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
     """The text of one chunk.
 
-    A piece's leading pads lie over the end of the piece before it, which is written after it: the rows are shorter then.
+    A piece's leading pads lie over the end of the piece before it, which is written after it: the rows are
+    shorter then.
     """
     pieces: list[tuple[Ints | slice, _Piece]] = []
     for part in parts:
@@ -180,7 +199,8 @@ def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
 
 
 def _shown(part: Part) -> tuple[Ints | slice, Part]:
-    """The rows to work out of a part, and the part of these rows: of a word that is often left out only those where it stands."""
+    """The rows to work out of a part, and the part of these rows: of a word that is often left out only those
+    where it stands."""
     if isinstance(part, (bytes, Choice)) or part.show is None:
         return slice(None), part
     place = np.flatnonzero(part.show)
@@ -197,7 +217,9 @@ def _pieces(part: Part, rows: int) -> list[_Piece] | None:
     if isinstance(part, Choice):
         return [_Piece(_texts(tuple(part.texts)).take(part.codes))] if any(part.texts) else []
     scaled = _scaled(part)
-    top = float(scaled.view(np.uint64).max(initial=0))  # the least int64 has no absolute value, and comes out huge
+    top = float(
+        scaled.view(np.uint64).max(initial=0)
+    )  # the least int64 has no absolute value, and comes out huge
     if not top < EXACT:
         return None
     unit = 10**part.decimals
@@ -213,7 +235,8 @@ def _pieces(part: Part, rows: int) -> list[_Piece] | None:
 
 
 def _scaled(part: Column | Units) -> Ints:
-    """|values| in units of the last decimal, rounded as ``%`` rounds; not below EXACT where a double cannot hold that exactly."""
+    """|values| in units of the last decimal, rounded as ``%`` rounds; not below EXACT where a double cannot
+    hold that exactly."""
     if part.values.dtype.kind != "f":
         return np.abs(part.values, dtype=np.int64)
     values = np.abs(part.values)
@@ -304,7 +327,9 @@ def _numbers(part: Column | Units) -> list[bytes]:
         return [b"%.*f" % (part.decimals, value) for value in part.values.tolist()]
     if not part.decimals:
         return [b"%d" % value for value in part.values.tolist()]
-    pairs = [(b"-" if value < 0 else b"", *divmod(abs(value), 10**part.decimals)) for value in part.values.tolist()]
+    pairs = [
+        (b"-" if value < 0 else b"", *divmod(abs(value), 10**part.decimals)) for value in part.values.tolist()
+    ]
     return [b"%s%d.%0*d" % (sign, whole, part.decimals, fraction) for sign, whole, fraction in pairs]
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quantities as people write them, turned once, at the border, into the core's units.
 
-length    mm inside; ``12``, ``12mm``, ``1.2cm``, ``0.5in``, ``0.5"``.    angle   rad inside; ``30``, ``30deg``, ``0.5rad``.
+length    mm inside; ``12``, ``12mm``, ``1.2cm``, ``0.5in``, ``0.5"``.    angle   rad inside; ``30``,
+          ``30deg``, ``0.5rad``.
 """
 
 from __future__ import annotations
@@ -22,12 +23,18 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\
 
 
 def parse(text: str | float, units: dict[str, float], what: str) -> float:
-    """The number of ``text`` in the core's unit. Raises SettingsError that names the text and the units known."""
+    """The number of ``text`` in the core's unit. Raises SettingsError that names the text and the units
+    known."""
     match = _QUANTITY.fullmatch(str(text)) if isinstance(text, str | float | int) else None
     if not match or match.group(2).lower() not in units or not math.isfinite(float(match.group(1))):
         known = ", ".join(unit for unit in units if unit)
         raise SettingsError(
-            say("{what} {text} is not a number with one of the units {known}", what=what, text=shown(text), known=known)
+            say(
+                "{what} {text} is not a number with one of the units {known}",
+                what=what,
+                text=shown(text),
+                known=known,
+            )
             if known
             else say("{what} {text} is not a number", what=what, text=shown(text)),
             text,
@@ -40,8 +47,11 @@ def parse_length(text: str | float, what: str = "length") -> float:
     return parse(text, LENGTHS, what)
 
 
-def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: str = "stack") -> tuple[tuple[float, float], ...]:
-    """Cylinders upon each other, mm: ``DIAMETERxLENGTH``, as ``16x30`` or ``40x25,63x50`` (also ``0.5inx2in``); (d, l) each."""
+def parse_stack(
+    text: str | list[str] | tuple[tuple[float, float], ...], what: str = "stack"
+) -> tuple[tuple[float, float], ...]:
+    """Cylinders upon each other, mm: ``DIAMETERxLENGTH``, as ``16x30`` or ``40x25,63x50`` (also
+    ``0.5inx2in``); (d, l) each."""
     if not isinstance(text, str):
         return tuple(row if isinstance(row, tuple) else _stack_row(row, what) for row in text)
     rows = []
@@ -50,7 +60,8 @@ def parse_stack(text: str | list[str] | tuple[tuple[float, float], ...], what: s
         if not times:
             raise SettingsError(
                 say(
-                    "{what} {text} is no stack; write diameter x length from the cutter upwards, as 40x25,63x50",
+                    "{what} {text} is no stack; write diameter x length from the cutter upwards, as "
+                    "40x25,63x50",
                     what=what,
                     text=repr(text),
                 ),
@@ -75,7 +86,10 @@ def _stack_row(text: str, what: str) -> tuple[float, float]:
     rows = parse_stack(text, what) if isinstance(text, str) else ()
     if len(rows) != 1:
         raise SettingsError(
-            say("{what} {text} is no cylinder; write diameter x length, as 40x25", what=what, text=shown(text)), text
+            say(
+                "{what} {text} is no cylinder; write diameter x length, as 40x25", what=what, text=shown(text)
+            ),
+            text,
         )
     return rows[0]
 
@@ -100,10 +114,14 @@ def parse_feed(text: str | float, what: str = "feed") -> float:
     return parse(text, FEEDS, what)
 
 
-def parse_triple(text: str | list[float] | tuple[float, ...], units: dict[str, float], what: str) -> tuple[float, float, float]:
+def parse_triple(
+    text: str | list[float] | tuple[float, ...], units: dict[str, float], what: str
+) -> tuple[float, float, float]:
     """Three quantities, as ``X,Y,Z``."""
     parts = text.split(",") if isinstance(text, str) else list(text)
     if len(parts) != 3:
-        raise SettingsError(say("{what} {text} needs three numbers, as 0,0,50", what=what, text=shown(text)), text)
+        raise SettingsError(
+            say("{what} {text} needs three numbers, as 0,0,50", what=what, text=shown(text)), text
+        )
     x, y, z = (parse(part, units, what) for part in parts)
     return x, y, z

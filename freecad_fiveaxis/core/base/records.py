@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Frozen dataclasses of arrays: one row a point, checked for shape and set read-only when made.
 
-A long ``(n, 3)`` array is best kept in Fortran order (``np.empty((3, n)).T``): its columns are then contiguous, and
-elementwise work on ``p[:, 0]`` runs at memory speed. Nothing depends on the order but speed.
+A long ``(n, 3)`` array is best kept in Fortran order (``np.empty((3, n)).T``): its columns are then
+contiguous, and elementwise work on ``p[:, 0]`` runs at memory speed. Nothing depends on the order but speed.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ _KINDS: dict[str, Any] = {"f": np.float64, "i": np.int64, "b": np.bool_, "m": np
 def freeze(record: object, rows: int | None, **columns: str) -> None:
     """Check and lock the columns of a frozen dataclass, from its ``__post_init__``.
 
-    Each keyword is a field and its form: a kind (f float64, i int64, b bool, m int8) and the width of a row, as in
-    ``point="f3"``, ``pass_="i"``. ``rows`` is the number of rows that all must have (None: that of the first).
-    Raises ValueError with the field's name, its shape and the shape that is needed.
+    Each keyword is a field and its form: a kind (f float64, i int64, b bool, m int8) and the width of a row,
+    as in ``point="f3"``, ``pass_="i"``. ``rows`` is the number of rows that all must have (None: that of the
+    first). Raises ValueError with the field's name, its shape and the shape that is needed.
     """
     for name, form in columns.items():
         given = getattr(record, name)
@@ -54,8 +54,8 @@ def take_rows(table: Floats, rows: Ints) -> Floats:
 
 
 def run_ids(count: Ints) -> Ints:
-    """Of the runs of ``count`` (k,) rows, at least 1 each, the one of each row: ``np.repeat(np.arange(k), count)``, which would
-    keep a second thread waiting."""
+    """Of the runs of ``count`` (k,) rows, at least 1 each, the one of each row: ``np.repeat(np.arange(k),
+    count)``, which would keep a second thread waiting."""
     begins = np.zeros(int(count.sum()), np.int64)
     begins[np.cumsum(count[:-1])] = 1
     return np.cumsum(begins, out=begins)
@@ -66,7 +66,8 @@ SHORTEST = 64
 
 
 class Insertion:
-    """Rows put in before the rows ``at`` (m,), ascending, of tables of ``count`` rows, at least one; ``count`` is their end."""
+    """Rows put in before the rows ``at`` (m,), ascending, of tables of ``count`` rows, at least one;
+    ``count`` is their end."""
 
     def __init__(self, count: int, at: Ints) -> None:
         self.count, self.place = count, at + np.arange(len(at))
@@ -85,7 +86,8 @@ class Insertion:
     def interleave(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
         """The table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order.
 
-        Whole runs between the cuts go at a time: at the speed of the memory, where picking row by row is half as fast.
+        Whole runs between the cuts go at a time: at the speed of the memory, where picking row by row is half
+        as fast.
         """
         given = own.T
         columns = np.empty((*given.shape[:-1], self.count + len(self.place)), own.dtype)

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sentences that can be said again in another language and in other units.
 
-template  English with places for values, as "The tool enters the part by {depth}."; what a translator translates.
-sentence  a str: the template with its values in the core's units, as the command line and the reports say it. It remembers
-          template and values, so that a window says it in its user's language and units (:func:`render`).
+template  English with places for values, as "The tool enters the part by {depth}."; what a translator
+          translates.
+sentence  a str: the template with its values in the core's units, as the command line and the reports say it.
+          It remembers template and values, so that a window says it in its user's language and units
+          (:func:`render`).
 measure   a value with its unit: a length, an area, an angle, a feed, a time.
-name      of a setting, of choices of one, of a task: in the words of the command line, which a window says by its own labels.
+name      of a setting, of choices of one, of a task: in the words of the command line, which a window says by
+          its own labels.
 
-The templates are found in the source by ``scripts/translations``: the texts of :func:`say`, :func:`plural` and
+The templates are found in the source by ``scripts/translations``: the texts of :func:`say`, :func:`plural`
+and
 :class:`Template` are therefore written out as literals.
 """
 
@@ -24,7 +28,8 @@ CONTEXT = "FiveAxisCore"
 
 
 IN_FULL = "in full"
-"""The form of a number with seven digits and no exponent, however small: a bound that somebody has to keep to."""
+"""The form of a number with seven digits and no exponent, however small: a bound that somebody has to keep
+to."""
 
 
 def formed(value: float, form: str) -> str:
@@ -45,7 +50,8 @@ class Number:
 
 @dataclass(frozen=True)
 class Measure:
-    """A value, or several with one unit behind the last. ``bare``: the reports leave the unit out, a window never does."""
+    """A value, or several with one unit behind the last. ``bare``: the reports leave the unit out, a window
+    never does."""
 
     value: float | tuple[float, ...]
     form: str = "g"
@@ -125,7 +131,9 @@ class Time(Measure):
     unit = "s"
 
 
-MEASURES: dict[str, type[Measure]] = {kind.unit: kind for kind in (Length, Area, Volume, Angle, Feed, TurnRate, Turn, Time)}
+MEASURES: dict[str, type[Measure]] = {
+    kind.unit: kind for kind in (Length, Area, Volume, Angle, Feed, TurnRate, Turn, Time)
+}
 """The kinds of measures by their unit."""
 
 
@@ -136,7 +144,8 @@ def measure(value: float, unit: str, form: str = "g", bare: bool = False) -> Mea
 
 @dataclass(frozen=True)
 class Option:
-    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its label in a window.
+    """A setting by its name in the core (``max_axis_angle``): ``--max-axis-angle`` on the command line, its
+    label in a window.
 
     ``flag``: with the two dashes; ``given``: what stands for its value on the command line, as ``S``."""
 
@@ -145,13 +154,17 @@ class Option:
     given: str = ""
 
     def __str__(self) -> str:
-        return ("--" if self.flag else "") + self.name.rstrip("_").replace("_", "-") + (f" {self.given}" if self.given else "")
+        return (
+            ("--" if self.flag else "")
+            + self.name.rstrip("_").replace("_", "-")
+            + (f" {self.given}" if self.given else "")
+        )
 
 
 @dataclass(frozen=True)
 class Choice:
-    """Choices of a setting, by their names in the core: ``gouge lift, leave-out`` on the command line, label and choices in a
-    window. ``flag``: with the two dashes; ``alone``: the choices without the setting."""
+    """Choices of a setting, by their names in the core: ``gouge lift, leave-out`` on the command line, label
+    and choices in a window. ``flag``: with the two dashes; ``alone``: the choices without the setting."""
 
     option: str
     choices: tuple[str, ...]
@@ -174,7 +187,8 @@ class Task:
 
 
 Translate = Callable[[str, str], str]
-"""Context and English text -> the text in the user's language; the English one where there is no translation."""
+"""Context and English text -> the text in the user's language; the English one where there is no
+translation."""
 Units = Callable[[Measure], str]
 """A measure -> its text in the user's units."""
 Names = Callable[[Option | Choice | Task], str]
@@ -190,7 +204,9 @@ class Sentence(str):
 
     def __new__(cls, template: str, values: Mapping[str, Any], translated: bool = True) -> Sentence:
         """Make the English text of it, and keep what it is made of."""
-        sentence = super().__new__(cls, template.format_map({name: str(value) for name, value in values.items()}))
+        sentence = super().__new__(
+            cls, template.format_map({name: str(value) for name, value in values.items()})
+        )
         sentence.template, sentence.values, sentence.translated = template, values, translated
         return sentence
 
@@ -205,8 +221,8 @@ class Sentence(str):
 
 
 def say(template: str, **values: Any) -> Sentence:
-    """The sentence of a template. A value is a Measure, a Number, a name of a setting or a task, a sentence, an
-    error, a number or a text."""
+    """The sentence of a template. A value is a Measure, a Number, a name of a setting or a task, a sentence,
+    an error, a number or a text."""
     return Sentence(template, {name: _value(value) for name, value in values.items()})
 
 
@@ -231,7 +247,8 @@ def joined(parts: Iterable[str], between: str = " ") -> Sentence:
 
 
 CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
-"""What moves the cursor, ends the line or turns the way of writing; a file's name may hold it, a line that is shown may not."""
+"""What moves the cursor, ends the line or turns the way of writing; a file's name may hold it, a line that is
+shown may not."""
 
 
 def one_line(text: str) -> str:
@@ -243,16 +260,20 @@ class Part:
     """A value of a sentence that is a text of its own, shown in another form."""
 
     def rendered(self, render: Callable[[str], str], translate: Translate) -> str:
-        """Give the part in another language; ``render`` does so with a text. Raises NotImplementedError where there is none."""
+        """Give the part in another language; ``render`` does so with a text. Raises NotImplementedError where
+        there is none."""
         raise NotImplementedError
 
 
 def render(text: str, translate: Translate, units: Units, names: Names = str) -> str:
-    """A sentence in another language, other units and a window's names. A text that is no sentence comes back as it is."""
+    """A sentence in another language, other units and a window's names. A text that is no sentence comes back
+    as it is."""
     if not isinstance(text, Sentence):
         return text
     template = translate(CONTEXT, text.template) if text.translated else text.template
-    return template.format_map({name: _render_value(value, translate, units, names) for name, value in text.values.items()})
+    return template.format_map(
+        {name: _render_value(value, translate, units, names) for name, value in text.values.items()}
+    )
 
 
 def _render_value(value: Any, translate: Translate, units: Units, names: Names) -> str:
@@ -266,7 +287,8 @@ def _render_value(value: Any, translate: Translate, units: Units, names: Names) 
 
 
 def _value(value: Any) -> Any:
-    """What a sentence keeps: no arrays' numbers, of an error its text, and of what comes from outside one line."""
+    """What a sentence keeps: no arrays' numbers, of an error its text, and of what comes from outside one
+    line."""
     if isinstance(value, Sentence | Measure | Number | Option | Choice | Task):
         return value
     if isinstance(value, BaseException) and value.args and isinstance(value.args[0], Sentence):

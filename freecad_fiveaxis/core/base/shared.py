@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What all tasks of a job share: pickled once, carried to each computer as seldom as can be, and made again once in each process.
+"""What all tasks of a job share: pickled once, carried to each computer as seldom as can be, and made again
+once in each process.
 
-file      of the system's folder for temporary files: what is not small is written there once, and tasks carry its name and the
-          hash of what is in it. Workers of the same computer read it, whatever engine they are of.
-lost      what a worker answers that cannot read the file: it is on another computer, or the file is gone. From the first such
-          answer on tasks carry the bytes themselves.
+file      of the system's folder for temporary files: what is not small is written there once, and tasks carry
+          its name and the hash of what is in it. Workers of the same computer read it, whatever engine they
+          are of.
+lost      what a worker answers that cannot read the file: it is on another computer, or the file is gone.
+          From the first such answer on tasks carry the bytes themselves.
 """
 
 from __future__ import annotations
@@ -50,7 +52,8 @@ class Shared(Generic[C]):
                 self._packed = _hash(data), "", data
 
     def close(self) -> None:
-        """Remove the file, if there is one. A task that is pickled after this finds nothing, and nobody waits for it."""
+        """Remove the file, if there is one. A task that is pickled after this finds nothing, and nobody waits
+        for it."""
         with self._lock:
             if self._file:
                 _remove(self._file)
@@ -62,7 +65,8 @@ class Lost:
 
 
 def find_shared(key: str, file: str, data: bytes) -> Shared[Any] | Lost:
-    """What is common: what this process has of this ``key``, else made from ``file``, or from ``data`` where no file is named."""
+    """What is common: what this process has of this ``key``, else made from ``file``, or from ``data`` where
+    no file is named."""
     shared = _kept.get(key)
     if shared is None:
         packed = data if not file else _read(key, file)
@@ -102,7 +106,8 @@ def _write(data: bytes) -> str:
 
 
 def _read(key: str, file: str) -> bytes | None:
-    """The bytes of that hash; None where they are not there: of a file that others could write nothing is unpickled."""
+    """The bytes of that hash; None where they are not there: of a file that others could write nothing is
+    unpickled."""
     try:
         with open(file, "rb") as stream:
             data = stream.read()

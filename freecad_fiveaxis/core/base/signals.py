@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Signals that ask a process to end: SIGINT (Ctrl-C), SIGTERM (``kill``, a service that stops), SIGHUP (the terminal is gone).
+"""Signals that ask a process to end: SIGINT (Ctrl-C), SIGTERM (``kill``, a service that stops), SIGHUP (the
+terminal is gone).
 
-A command line turns each into an exception, so that what is half done is tidied up; while files take their place, they wait.
-A signal that is ignored (``nohup``) stays so, and one that another program handles (FreeCAD) stays its own.
+A command line turns each into an exception, so that what is half done is tidied up; while files take their
+place, they wait. A signal that is ignored (``nohup``) stays so, and one that another program handles
+(FreeCAD) stays its own.
 """
 
 from __future__ import annotations
@@ -28,7 +30,8 @@ class Stopped(KeyboardInterrupt):
 
 
 def exit_code(stop: BaseException) -> int:
-    """128 + the signal's number, as shells have it: 130 SIGINT, 143 SIGTERM, 129 SIGHUP; 130 for any other way to stop."""
+    """128 + the signal's number, as shells have it: 130 SIGINT, 143 SIGTERM, 129 SIGHUP; 130 for any other
+    way to stop."""
     return 128 + (stop.number if isinstance(stop, Stopped) else signal.SIGINT)
 
 
@@ -58,7 +61,8 @@ class _Watch:
             os._exit(exit_code(self.first))
 
     def leave_at_once(self, number: int, frame: FrameType | None) -> None:
-        """Nothing is left to tidy up, and an exception in Python's own last steps would be shown to the user."""
+        """Nothing is left to tidy up, and an exception in Python's own last steps would be shown to the
+        user."""
         os._exit(128 + number)
 
 
@@ -66,7 +70,8 @@ _watch = _Watch()
 
 
 def watch(last_words: Callable[[], None] = _nothing_written) -> None:
-    """From now on the first signal raises :class:`Stopped` in the main thread; for a command line, not for a library.
+    """From now on the first signal raises :class:`Stopped` in the main thread; for a command line, not for a
+    library.
 
     ``last_words`` are said where a second signal comes before the first is told."""
     _watch.last_words = last_words
@@ -77,7 +82,8 @@ def watch(last_words: Callable[[], None] = _nothing_written) -> None:
 
 
 def _keep_quiet_of_signals(ignored: sys.UnraisableHookArgs) -> None:
-    """Show what Python had to ignore, but a signal, which is told of when the work ends (:func:`raise_received`)."""
+    """Show what Python had to ignore, but a signal, which is told of when the work ends
+    (:func:`raise_received`)."""
     if not isinstance(ignored.exc_value, Stopped):
         sys.__unraisablehook__(ignored)
 
@@ -96,25 +102,30 @@ def unwatch() -> None:
 
 
 def received() -> Stopped | None:
-    """The signal that came, also where other code has made another exception of it (as numpy does while it is loaded)."""
+    """The signal that came, also where other code has made another exception of it (as numpy does while it is
+    loaded)."""
     return _watch.first
 
 
 def raise_received() -> None:
-    """Raise the signal that came but did not end the work: Python ignores exceptions in what runs when an object is deleted."""
+    """Raise the signal that came but did not end the work: Python ignores exceptions in what runs when an
+    object is deleted."""
     if _watch.first is not None:
         raise _watch.first
 
 
 @contextmanager
 def deferred() -> Iterator[None]:
-    """Signals that come meanwhile are delivered at the end. Only Python's main thread gets signals; elsewhere nothing is done."""
+    """Signals that come meanwhile are delivered at the end. Only Python's main thread gets signals; elsewhere
+    nothing is done."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
     waiting: list[int] = []
     before = {number: signal.getsignal(number) for number in ENDING}
-    deferrable = [number for number in ENDING if before[number] not in (None, signal.SIG_IGN)]  # None: not Python's to restore
+    deferrable = [
+        number for number in ENDING if before[number] not in (None, signal.SIG_IGN)
+    ]  # None: not Python's to restore
     try:
         for number in deferrable:
             signal.signal(number, lambda came, frame: waiting.append(came))

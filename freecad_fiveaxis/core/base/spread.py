@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Spread the tasks of one job over the workers of an executor: whoever does which, and in whatever order they end, the results
-are the same and in the same order.
+"""Spread the tasks of one job over the workers of an executor: whoever does which, and in whatever order they
+end, the results are the same and in the same order.
 
-task      a small frozen value that pickles; what is done with it is a function of a module, which processes find by its name.
-common    what all tasks of a job share, as a path: pickled once, and made again once in each process (:mod:`.shared`).
+task      a small frozen value that pickles; what is done with it is a function of a module, which processes
+          find by its name.
+common    what all tasks of a job share, as a path: pickled once, and made again once in each process
+          (:mod:`.shared`).
 weight    how long a task takes, in any unit: for the progress only.
 
-A worker keeps to one thread, for the others have the other processors. Tasks that were not begun are cancelled where the
-work is stopped. Those that run hear of it at their next step in threads of any pool; in processes where they are those of a
-:class:`~freecad_fiveaxis.core.base.crew.Crew` that is told to stop, as in :func:`~freecad_fiveaxis.core.base.crew.at_work`.
+A worker keeps to one thread, for the others have the other processors. Tasks that were not begun are
+cancelled where the work is stopped. Those that run hear of it at their next step in threads of any pool; in
+processes where they are those of a
+:class:`~freecad_fiveaxis.core.base.crew.Crew` that is told to stop, as in
+:func:`~freecad_fiveaxis.core.base.crew.at_work`.
 """
 
 from __future__ import annotations
@@ -41,13 +45,16 @@ Work = Callable[[C, T, Progress], R]
 
 
 def spread(
-    work: Work[C, T, R], common: C, tasks: Sequence[T], executor: Executor | None, progress: Progress, stage: str,
+    work: Work[C, T, R], common: C, tasks: Sequence[T], executor: Executor | None, progress: Progress,
+    stage: str,
     weights: Sequence[float] = (),
 ) -> list[R]:  # fmt: skip
-    """What ``work`` gives for each task, in their order. ``executor`` None: one after the other, here, with all threads.
+    """What ``work`` gives for each task, in their order. ``executor`` None: one after the other, here, with
+    all threads.
 
-    ``progress`` gets ``stage`` and the share that is done, by ``weights`` (none: all alike). Raises what a task or progress
-    raises, and SettingsError where the executor gives back anything but a task's own result or its workers die.
+    ``progress`` gets ``stage`` and the share that is done, by ``weights`` (none: all alike). Raises what a
+    task or progress raises, and SettingsError where the executor gives back anything but a task's own result
+    or its workers die.
     """
     overall = _TaskProgress(progress, stage, weights or [1.0] * len(tasks))
     overall(0.0)
@@ -79,9 +86,12 @@ def spread(
 
 
 class _Given(Generic[C, T, R]):
-    """What an executor is to do; ``todo``: the tasks' places by the futures of those that have not been looked at."""
+    """What an executor is to do; ``todo``: the tasks' places by the futures of those that have not been
+    looked at."""
 
-    def __init__(self, executor: Executor, work: Work[C, T, R], shared: Shared[C], tasks: Sequence[T]) -> None:
+    def __init__(
+        self, executor: Executor, work: Work[C, T, R], shared: Shared[C], tasks: Sequence[T]
+    ) -> None:
         self.todo = dict[Future[Any], int]()
         self._executor, self._work, self._shared, self._tasks = executor, work, shared, tasks
         self._ended = SimpleQueue[Future[Any]]()
@@ -169,10 +179,15 @@ def _own_result(future: Future[Any], at: int) -> Any:
     if not isinstance(given, _Result) or given.at != at:
         what = f"{given.at + 1}" if isinstance(given, _Result) else type(given).__name__
         raise SettingsError(
-            say("the executor gave back {given} for the job {job}; choose another one", given=what, job=at + 1), what
+            say(
+                "the executor gave back {given} for the job {job}; choose another one", given=what, job=at + 1
+            ),
+            what,
         )
     return given.result
 
 
 def _died() -> SettingsError:
-    return SettingsError(say("a process died, as when memory runs out; give fewer {workers}", workers=WORKERS), None)
+    return SettingsError(
+        say("a process died, as when memory runs out; give fewer {workers}", workers=WORKERS), None
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The terminal: text that always comes out, and progress as a bar a stage, by tqdm or by a plain line where tqdm is missing."""
+"""The terminal: text that always comes out, and progress as a bar a stage, by tqdm or by a plain line where
+tqdm is missing."""
 
 from __future__ import annotations
 
@@ -19,9 +20,11 @@ GONE = (errno.EPIPE, errno.EINVAL) if sys.platform == "win32" else (errno.EPIPE,
 
 
 def show(text: str, stream: TextIO | None) -> None:
-    """Print a text at once; a character that the stream cannot take (a file name that is no Unicode) comes as an escape.
+    """Print a text at once; a character that the stream cannot take (a file name that is no Unicode) comes as
+    an escape.
 
-    A reader that has gone away, or no stream at all, is no error. Raises FileError where the text cannot be written.
+    A reader that has gone away, or no stream at all, is no error. Raises FileError where the text cannot be
+    written.
     """
     if stream is None:
         return
@@ -32,7 +35,9 @@ def show(text: str, stream: TextIO | None) -> None:
         _silence(stream)
         if isinstance(error, BrokenPipeError) or error.errno in GONE:
             return
-        raise FileError(say("the text cannot be shown: {strerror}", strerror=error.strerror or error), text) from error
+        raise FileError(
+            say("the text cannot be shown: {strerror}", strerror=error.strerror or error), text
+        ) from error
 
 
 def _silence(stream: TextIO) -> None:
@@ -66,7 +71,10 @@ class _Bar:
         if stage != self._stage:
             self.close()
             self._bar = self._tqdm(
-                total=100, desc=f"{stage:24}", leave=False, bar_format="{desc} {bar} {percentage:3.0f}% {elapsed}"
+                total=100,
+                desc=f"{stage:24}",
+                leave=False,
+                bar_format="{desc} {bar} {percentage:3.0f}% {elapsed}",
             )
             self._stage = stage
         self._bar.n = round(100 * fraction)  # type: ignore[attr-defined]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths, inner products and great arcs of many vectors: by rows (..., 3), or by columns: three arrays, or one (3, ...)."""
+"""Lengths, inner products and great arcs of many vectors: by rows (..., 3), or by columns: three arrays, or
+one (3, ...)."""
 
 from __future__ import annotations
 
@@ -14,8 +15,8 @@ Vectors = Sequence[Any] | Floats
 """Three columns x, y and z, of one shape or that of numbers."""
 
 NO_DIRECTION = 1e-9
-"""Pure number: a sum or a part of unit vectors that is no longer than this has no direction but that of rounding. Two unit
-vectors of such a sum are opposite."""
+"""Pure number: a sum or a part of unit vectors that is no longer than this has no direction but that of
+rounding. Two unit vectors of such a sum are opposite."""
 
 COINCIDENT_MM = 1e-9
 """mm; two places nearer than this are one place: coordinates of a part are rounded to about 1e-13 mm."""
@@ -38,16 +39,20 @@ def length(vector: Vectors) -> Floats:
 
 
 def slerp(start: Floats, end: Floats, share: Floats) -> Floats:
-    """Unit vectors (..., 3) at ``share`` (...) of the angle from ``start`` to ``end``, unit vectors by rows (..., 3).
+    """Unit vectors (..., 3) at ``share`` (...) of the angle from ``start`` to ``end``, unit vectors by rows
+    (..., 3).
 
-    Spherical linear interpolation (Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985): on the great arc, at an
-    angle that grows evenly with the share. Between equal vectors nothing turns. Opposite ones (:data:`NO_DIRECTION`) name no
-    great arc: the way then goes over a direction that is square to ``start`` and to its smallest coordinate's axis.
+    Spherical linear interpolation (Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985): on
+    the great arc, at an angle that grows evenly with the share. Between equal vectors nothing turns. Opposite
+    ones (:data:`NO_DIRECTION`) name no great arc: the way then goes over a direction that is square to
+    ``start`` and to its smallest coordinate's axis.
     """
     wide = _norm(start + end)
     angle = 2.0 * np.arctan2(_norm(end - start), wide)
     rest = 1.0 - share
-    mixed = _times(rest * np.sinc(rest * angle / np.pi), start) + _times(share * np.sinc(share * angle / np.pi), end)
+    mixed = _times(rest * np.sinc(rest * angle / np.pi), start) + _times(
+        share * np.sinc(share * angle / np.pi), end
+    )
     lost = wide <= NO_DIRECTION
     if lost.any():
         turn = (share * angle)[lost]
@@ -70,8 +75,8 @@ def _square_to(rows: Floats) -> Floats:
 
 
 def away_from(point: Floats, through: Floats, about: Floats) -> tuple[Floats, Floats]:
-    """Find the unit direction (n, 3) from the line ``through`` a point, mm, along the unit vector ``about`` to each ``point``
-    (n, 3), mm, and the distance (n,), mm. On the line itself the direction is 0."""
+    """Find the unit direction (n, 3) from the line ``through`` a point, mm, along the unit vector ``about``
+    to each ``point`` (n, 3), mm, and the distance (n,), mm. On the line itself the direction is 0."""
     offset = point - through
     offset = offset - (offset @ about)[:, None] * about
     far = _norm(offset)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a Python that was started to work beside another one does: the other end of :mod:`.workers`.
 
-Tasks come in by stdin and answers go out by stdout, each as a length and a pickle. Once stdin ends the process ends at once, in
-the middle of a task too: that is how it learns that its work is not wanted any more, or that nobody is there to want it.
+Tasks come in by stdin and answers go out by stdout, each as a length and a pickle. Once stdin ends the
+process ends at once, in the middle of a task too: that is how it learns that its work is not wanted any more,
+or that nobody is there to want it.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ OFTEN = 0.1
 
 
 def identity() -> str:
-    """What a worker must have in common with whoever starts it: the versions of Python and of all that computes."""
+    """What a worker must have in common with whoever starts it: the versions of Python and of all that
+    computes."""
     import numpy as np
     import scipy
 
@@ -104,7 +106,8 @@ def _read_tasks(inward: IO[bytes], tasks: SimpleQueue[bytes]) -> None:
 
 
 def _answer(packed: bytes) -> tuple[int, Any]:
-    """What a task gives or raises. A process that cannot read it, or has no memory for it, ends: others do the task then."""
+    """What a task gives or raises. A process that cannot read it, or has no memory for it, ends: others do
+    the task then."""
     work, given, named = pickle.loads(packed)
     try:
         return RESULT, work(*given, **named)

@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An executor for programs that Python lives in, as FreeCAD: its workers are Pythons that it starts by themselves.
+"""An executor for programs that Python lives in, as FreeCAD: its workers are Pythons that it starts by
+themselves.
 
-multiprocessing would not do there. It starts ``sys.executable``, which is FreeCAD with its window; to name another program
-(``set_executable``) is to name it for every add-on of the same FreeCAD; each process imports ``__main__`` anew, which may be
-anybody's macro; and what it keeps beside its processes lives until FreeCAD ends. Here a worker is a plain process with two
-pipes (:mod:`.worker`): the same on every system, nothing is forked, nothing is shared with others, and it ends where we do.
+multiprocessing would not do there. It starts ``sys.executable``, which is FreeCAD with its window; to name
+another program (``set_executable``) is to name it for every add-on of the same FreeCAD; each process imports
+``__main__`` anew, which may be anybody's macro; and what it keeps beside its processes lives until FreeCAD
+ends. Here a worker is a plain process with two pipes (:mod:`.worker`): the same on every system, nothing is
+forked, nothing is shared with others, and it ends where we do.
 
-here     this process. The first tasks are done here, so that short work never waits for a process; only work that lasts longer
-         than a patience gets workers, no more than tasks are waiting. Once one of them is ready no other task is begun here.
-died     a worker whose pipe ended before its answer. Its task is done here, and so is what its thread takes from then on.
+here     this process. The first tasks are done here, so that short work never waits for a process; only work
+         that lasts longer than a patience gets workers, no more than tasks are waiting. Once one of them is
+         ready no other task is begun here.
+died     a worker whose pipe ended before its answer. Its task is done here, and so is what its thread takes
+         from then on.
 
-Which task is done where changes no result, as long as the workers compute with the same versions (``worker.identity``).
+Which task is done where changes no result, as long as the workers compute with the same versions
+(``worker.identity``).
 """
 
 from __future__ import annotations
@@ -39,7 +44,8 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 PATIENCE = 2.0
-"""s of work before workers are started: about what it takes until they pay (they are ready 0.5 to 1 s later)."""
+"""s of work before workers are started: about what it takes until they pay (they are ready 0.5 to 1 s
+later)."""
 READY = 60.0
 """s that a process gets until it says that it is ready; what hangs is killed then."""
 GREETING = 1 << 16
@@ -55,14 +61,19 @@ class Command:
 
 
 def python_code(call: str) -> str:
-    """What a worker's Python runs: ``call``, a function of :mod:`.worker`, of the package that is at work here, in a folder or a
-    zip. No module is looked for where FreeCAD was started; numpy and scipy are found where ours are."""
+    """What a worker's Python runs: ``call``, a function of :mod:`.worker`, of the package that is at work
+    here, in a folder or a zip. No module is looked for where FreeCAD was started; numpy and scipy are found
+    where ours are."""
     import numpy as np
     import scipy
 
-    package, *engines = (str(Path(str(file)).parents[1]) for file in (_package_file(), np.__file__, scipy.__file__))
+    package, *engines = (
+        str(Path(str(file)).parents[1]) for file in (_package_file(), np.__file__, scipy.__file__)
+    )
     path = f"[{package!r}, *filter(None, sys.path), *{engines!r}]"
-    return f"import sys\nsys.path[:] = {path}\nfrom freecad_fiveaxis.core.base import worker\nworker.{call}()\n"
+    return (
+        f"import sys\nsys.path[:] = {path}\nfrom freecad_fiveaxis.core.base import worker\nworker.{call}()\n"
+    )
 
 
 def _package_file() -> str:
@@ -79,7 +90,9 @@ def start(command: Command, code: str = "") -> subprocess.Popen[bytes]:
     environment = {**dict.fromkeys(crew.ONE_THREAD, "1"), **os.environ, **command.environment}
     pipe, nothing = subprocess.PIPE, subprocess.DEVNULL
     words = [*command.words, *([code] if code else [])]
-    return subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=nothing, env=environment, creationflags=flags)
+    return subprocess.Popen(
+        words, stdin=pipe, stdout=pipe, stderr=nothing, env=environment, creationflags=flags
+    )
 
 
 class TaskFuture(Future[T]):
@@ -153,8 +166,8 @@ class _Worker:
 
 
 def _without_sigpipe(act: Callable[..., None], *given: Any) -> None:
-    """Do something on a thread whose broken pipes are errors. FreeCAD 1.1 leaves this signal of POSIX as it is, so that one who
-    writes to a worker that has died would take FreeCAD along."""
+    """Do something on a thread whose broken pipes are errors. FreeCAD 1.1 leaves this signal of POSIX as it
+    is, so that one who writes to a worker that has died would take FreeCAD along."""
     if sys.platform != "win32":
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGPIPE})
     act(*given)
@@ -171,8 +184,9 @@ def skip_greeting(pipe: IO[bytes]) -> None:
 
 
 class WorkerProcesses(Executor):
-    """See the module. ``find`` gives the command of a worker, or None: it is asked once, in a thread, when the patience is over.
-    ``count``: the most processes at a time; ``patience`` s. ``ready`` and ``died`` count workers. No program waits to end."""
+    """See the module. ``find`` gives the command of a worker, or None: it is asked once, in a thread, when
+    the patience is over. ``count``: the most processes at a time; ``patience`` s. ``ready`` and ``died``
+    count workers. No program waits to end."""
 
     def __init__(self, find: Callable[[], Command | None], count: int, patience: float = PATIENCE) -> None:
         self.ready = self.died = 0
@@ -207,8 +221,8 @@ class WorkerProcesses(Executor):
             thread.join()
 
     def stop(self) -> None:
-        """Leave everything at once: what waits is cancelled, every process has ended when this returns, and a task that is done
-        here ends at its next word of progress."""
+        """Leave everything at once: what waits is cancelled, every process has ended when this returns, and a
+        task that is done here ends at its next word of progress."""
         self._stop.set()
         self.shutdown(wait=False, cancel_futures=True)
         with self._changed:
@@ -217,7 +231,9 @@ class WorkerProcesses(Executor):
             worker.kill()
 
     def _begin(self, act: Callable[..., None], *given: Any) -> None:
-        thread = threading.Thread(target=_without_sigpipe, args=(act, *given), name="FiveAxisTasks", daemon=True)
+        thread = threading.Thread(
+            target=_without_sigpipe, args=(act, *given), name="FiveAxisTasks", daemon=True
+        )
         self._threads.append(thread)
         thread.start()
 
@@ -226,7 +242,8 @@ class WorkerProcesses(Executor):
             self._tasks.popleft().future.cancel()
 
     def _next(self, here: bool = False) -> _Task[Any] | None:
-        """The next task for a thread that works ``here`` or has a worker; None where there is none to come for it."""
+        """The next task for a thread that works ``here`` or has a worker; None where there is none to come
+        for it."""
         with self._changed:
             while True:
                 self._changed.wait_for(lambda: self._tasks or self._closed or (here and self._manned))
@@ -243,12 +260,16 @@ class WorkerProcesses(Executor):
 
     def _hire(self) -> None:
         with self._changed:
-            if self._changed.wait_for(lambda: self._closed and not self._tasks, max(self._due - time.monotonic(), 0.0)):
+            if self._changed.wait_for(
+                lambda: self._closed and not self._tasks, max(self._due - time.monotonic(), 0.0)
+            ):
                 return
         command = self._find_once()
         while True:
             with self._changed:
-                self._changed.wait_for(lambda: self._closed or (len(self._tasks) > self._free and self._hired < self._count))
+                self._changed.wait_for(
+                    lambda: self._closed or (len(self._tasks) > self._free and self._hired < self._count)
+                )
                 if not self._tasks:
                     return
                 if self._hired == self._count:
@@ -264,7 +285,8 @@ class WorkerProcesses(Executor):
         return self._find()
 
     def _employ(self, command: Command | None) -> None:
-        """One worker, from its start to its end; where there is none any more this thread does its tasks here."""
+        """One worker, from its start to its end; where there is none any more this thread does its tasks
+        here."""
         crew.begin(self._stop)
         worker = self._started(command)
         with self._changed:

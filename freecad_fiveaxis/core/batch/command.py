@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 NAMED_HERE = ("output", "cl", "report", "blocks")
 """Options of ``mill`` that name files of one job; a batch names its files itself."""
-TEXT = "mill many parts, or parts in many ways, side by side: a folder of STL, STEP or FreeCAD files, or a table (JSON)"
+TEXT = (
+    "mill many parts, or parts in many ways, side by side: a folder of STL, STEP or FreeCAD files, or "
+    "a table (JSON)"
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,15 +34,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         help="a table of jobs, or a folder of parts (STL, STEP, IGES, BREP, FCStd)",
     )
-    parser.add_argument("--out", metavar="FOLDER", required=True, help="the folder to write to; made where it is missing")
+    parser.add_argument(
+        "--out", metavar="FOLDER", required=True, help="the folder to write to; made where it is missing"
+    )
     parser.add_argument("--workers", metavar="N", help="so many jobs at a time [the processors]")
     parser.add_argument(
         "--executor", default="processes",
         help="who does the jobs: processes, threads, serial, dask://HOST:PORT or mpi [processes]",
     )  # fmt: skip
-    parser.add_argument("--shard", metavar="I/N", help="only every N-th job from the I-th on: the others are for other computers")
-    parser.add_argument("--overwrite", action="store_true", help="replace files of the jobs' names that no batch wrote")
-    parser.add_argument("--merge", metavar="FOLDER", nargs="+", help="no jobs: one report over folders that batches wrote")
+    parser.add_argument(
+        "--shard",
+        metavar="I/N",
+        help="only every N-th job from the I-th on: the others are for other computers",
+    )
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace files of the jobs' names that no batch wrote"
+    )
+    parser.add_argument(
+        "--merge", metavar="FOLDER", nargs="+", help="no jobs: one report over folders that batches wrote"
+    )
 
 
 Ended = tuple[list[str], list[str], Sequence[Mapping[str, Any]]]
@@ -60,7 +73,9 @@ def _merge(arguments: argparse.Namespace) -> Ended:
     from . import rank, sheet
 
     if arguments.source is not None:
-        raise SettingsError(say("{merge} takes no jobs; leave {source} out", merge="--merge", source=arguments.source), "")
+        raise SettingsError(
+            say("{merge} takes no jobs; leave {source} out", merge="--merge", source=arguments.source), ""
+        )
     rows = rank.ranked(sheet.merged(arguments.merge, arguments.out))
     files = _report_files(arguments, None)
     sheet.write_report(files, rows)
@@ -95,7 +110,9 @@ def _plan_batch(
         raise SettingsError(say("no jobs given; name a folder of parts or a table (JSON)"), None)
     if not os.path.isdir(arguments.source):
         check_readable(arguments.source)
-    crew = find_crew(arguments.executor, PROCESSORS if arguments.workers is None else read_workers(arguments.workers))
+    crew = find_crew(
+        arguments.executor, PROCESSORS if arguments.workers is None else read_workers(arguments.workers)
+    )
     shard = plan.read_shard(arguments.shard) if arguments.shard else None
     jobs = plan.read_jobs(arguments.source, options, arguments.out, arguments.overwrite)
     return plan.of_shard(jobs, shard) if shard else jobs, shard, crew
@@ -109,7 +126,11 @@ def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) 
         os.makedirs(arguments.out, exist_ok=True)
     except OSError as error:
         raise FileError(
-            say("folder {folder} cannot be made: {strerror}; choose another one", folder=arguments.out, strerror=error.strerror),
+            say(
+                "folder {folder} cannot be made: {strerror}; choose another one",
+                folder=arguments.out,
+                strerror=error.strerror,
+            ),
             arguments.out,
         ) from error
     files = sheet.report_files(arguments.out, shard)

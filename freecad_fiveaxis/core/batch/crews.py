@@ -17,8 +17,8 @@ SERIAL, THREADS, PROCESSES, MPI, DASK = "serial", "threads", "processes", "mpi",
 
 
 def find_crew(name: str, workers: int) -> Crew | None:
-    """The crew of that name; None: one job after the other, here. Raises SettingsError where there is none of it, or its package
-    is missing."""
+    """The crew of that name; None: one job after the other, here. Raises SettingsError where there is none of
+    it, or its package is missing."""
     if name == SERIAL:
         return None
     if name == THREADS:
@@ -48,7 +48,9 @@ def _package(module: str, pip: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        missing = say("this executor needs a package that is not installed: {install}", install=f"`pip install {pip}`")
+        missing = say(
+            "this executor needs a package that is not installed: {install}", install=f"`pip install {pip}`"
+        )
         raise SettingsError(missing, module) from error
 
 
@@ -63,6 +65,10 @@ def _dask(distributed: Any, address: str) -> Executor:
         return _executor(distributed.Client(f"tcp://{address}").get_executor())
     except (OSError, ValueError) as error:
         raise SettingsError(
-            say("no dask scheduler answers at {address}: {error}; start one, or name another", address=address, error=error),
+            say(
+                "no dask scheduler answers at {address}: {error}; start one, or name another",
+                address=address,
+                error=error,
+            ),
             address,
         ) from error

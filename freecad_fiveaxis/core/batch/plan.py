@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which jobs a batch is made of: parts times options, each checked and named before any of them begins.
 
-table     a JSON file ``{"parts": ["a.stl"], "options": {"machine": ["trunnion_ac", "head_bc"], "scallop": 0.01}}``: an option
-          with a list of values is tried with each of them; paths are relative to the file.
-name      of a job's files: the part's, and behind it the options that have several values: ``a.machine=trunnion_ac``.
+table     a JSON file ``{"parts": ["a.stl"], "options": {"machine": ["trunnion_ac", "head_bc"], "scallop":
+          0.01}}``: an option with a list of values is tried with each of them; paths are relative to the
+          file.
+name      of a job's files: the part's, and behind it the options that have several values:
+          ``a.machine=trunnion_ac``.
 """
 
 from __future__ import annotations
@@ -38,9 +40,12 @@ Ways = Sequence[tuple[Mapping[str, Any], str]]
 
 
 def read_jobs(source: str, options: Mapping[str, Any], out: str, overwrite: bool = False) -> list[BatchJob]:
-    """All jobs of a folder of parts or of a table, in a stable order. ``options``: of every job, in place of the table's;
-    ``out``: the folder to write to. Raises FiveAxisError, before any work, for what cannot be used."""
-    parts, ways = (_of_folder(source), [(options, "")]) if os.path.isdir(source) else _of_table(source, options)
+    """All jobs of a folder of parts or of a table, in a stable order. ``options``: of every job, in place of
+    the table's; ``out``: the folder to write to. Raises FiveAxisError, before any work, for what cannot be
+    used."""
+    parts, ways = (
+        (_of_folder(source), [(options, "")]) if os.path.isdir(source) else _of_table(source, options)
+    )
     if any(read_part(part).is_meshed_first for part in parts):
         find_freecad()
     chosen = [(part, *way) for part in parts for way in ways]
@@ -63,14 +68,18 @@ def read_shard(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", text)
     first, step = map(int, found.groups()) if found else (0, 0)
     if not 1 <= first <= step:
-        raise SettingsError(say("{shard} {given} is not as 1/4, the first of four", shard=SHARD, given=text), text)
+        raise SettingsError(
+            say("{shard} {given} is not as 1/4, the first of four", shard=SHARD, given=text), text
+        )
     return first, step
 
 
 def _of_folder(folder: str) -> list[str]:
     names = sorted(name for name in os.listdir(folder) if name.lower().endswith((".stl", *ENDINGS)))
     if not names:
-        raise SettingsError(say("no part (STL, STEP, FCStd) is in the folder {folder}; name another", folder=folder), folder)
+        raise SettingsError(
+            say("no part (STL, STEP, FCStd) is in the folder {folder}; name another", folder=folder), folder
+        )
     return [os.path.join(folder, name) for name in names]
 
 
@@ -79,9 +88,14 @@ def _of_table(path: str, more: Mapping[str, Any]) -> tuple[list[str], Ways]:
     table = given if isinstance(given, dict) else {}
     parts, options = table.get("parts"), table.get("options", {})
     if not _are_texts(parts) or not isinstance(options, dict) or set(table) - {"parts", "options"}:
-        text = say('{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else', path=path)
+        text = say(
+            '{path} needs "parts", a list of files (STL, STEP, FCStd), may have "options", and nothing else',
+            path=path,
+        )
         raise SettingsError(text, path)
-    tried = with_current_names({name.replace("-", "_"): value for name, value in options.items()}) | dict(more)
+    tried = with_current_names({name.replace("-", "_"): value for name, value in options.items()}) | dict(
+        more
+    )
     beside = [os.path.join(os.path.dirname(path), part) for part in parts]
     return beside, [(beside_file(path, way) | dict(more), name) for way, name in _product(tried)]
 
@@ -104,7 +118,9 @@ def _product(options: Mapping[str, Any]) -> Ways:
 def _values(name: str, value: Any) -> list[Any]:
     """The values of an option to try. Raises SettingsError for an empty list."""
     if value == []:
-        raise SettingsError(say("{name} has an empty list of values; give one, or leave it out", name=name), name)
+        raise SettingsError(
+            say("{name} has an empty list of values; give one, or leave it out", name=name), name
+        )
     kinds = {leaf.name.rstrip("_"): leaf.metadata["kind"] for _, leaf in option_fields(MILL)}
     numbers = isinstance(value, list) and all(isinstance(one, int | float) for one in value)
     one_value = not isinstance(value, list) or (numbers and kinds.get(name) in TRIPLES)
@@ -134,11 +150,17 @@ def _stem(part: str) -> str:
 
 
 def _labels(parts: Sequence[str]) -> dict[str, str]:
-    """What the report calls each part: nothing where its file's name tells it from the others, else its path from the folder
-    that those of this name share."""
+    """What the report calls each part: nothing where its file's name tells it from the others, else its path
+    from the folder that those of this name share."""
     paths = {part: Path(part).resolve() for part in parts}
-    same = {name: {path for path in paths.values() if path.name == name} for name in {path.name for path in paths.values()}}
-    return {part: "" if len(same[path.name]) == 1 else _apart(path, same[path.name]) for part, path in paths.items()}
+    same = {
+        name: {path for path in paths.values() if path.name == name}
+        for name in {path.name for path in paths.values()}
+    }
+    return {
+        part: "" if len(same[path.name]) == 1 else _apart(path, same[path.name])
+        for part, path in paths.items()
+    }
 
 
 def _apart(path: Path, others: Iterable[Path]) -> str:
@@ -149,10 +171,13 @@ def _apart(path: Path, others: Iterable[Path]) -> str:
 
 
 def _unique_names(names: Iterable[str]) -> list[str]:
-    """The same names, with a number behind one that another has, in whatever letters, or that the report over all has."""
+    """The same names, with a number behind one that another has, in whatever letters, or that the report over
+    all has."""
     stems, taken = list[str](), set[str]()
     for name in names:
-        tries = itertools.chain([name] * (not OWN_NAME.fullmatch(name)), (f"{name}~{count}" for count in itertools.count(2)))
+        tries = itertools.chain(
+            [name] * (not OWN_NAME.fullmatch(name)), (f"{name}~{count}" for count in itertools.count(2))
+        )
         stems.append(next(one for one in tries if one.casefold() not in taken))
         taken.add(stems[-1].casefold())
     return stems
@@ -162,5 +187,8 @@ def _suffix(part: str, options: Mapping[str, Any]) -> str:
     """How the NC file ends. Raises FiveAxisError where these options are no job."""
     named = [name for name in options if name.replace("-", "_") in WRITTEN]
     if named:
-        raise SettingsError(say("{option} names a file of one job; leave it out: a batch names them", option=named[0]), named[0])
+        raise SettingsError(
+            say("{option} names a file of one job; leave it out: a batch names them", option=named[0]),
+            named[0],
+        )
     return machine_of(build_settings(MILL, part, options))[2].suffix

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which of the ways that were tried on a part leaves least, and is done soonest.
 
-rank      1 for the best of the jobs of a part. Those that leave and take the same share a rank, and the next ones are left out.
-          A job that failed, or whose program is NOT SAFE, has none; nor has the only job of a part.
+rank      1 for the best of the jobs of a part. Those that leave and take the same share a rank, and the next
+          ones are left out. A job that failed, or whose program is NOT SAFE, has none; nor has the only job
+          of a part.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ Row = Mapping[str, Any]
 
 
 def ranked(rows: Sequence[Row]) -> list[Row]:
-    """The rows of the report with their ``rank``; those of one part together, the best first, without a rank last, otherwise in
-    their order."""
+    """The rows of the report with their ``rank``; those of one part together, the best first, without a rank
+    last, otherwise in their order."""
     return [row for own in _by_part(rows) for row in _ranked_part(own)]
 
 
@@ -54,8 +55,8 @@ def _ranked_part(rows: Sequence[Row]) -> list[Row]:
 
 
 def _merit(row: Row) -> tuple[int, float, float]:
-    """What is smaller is better: 0 for a program that may be used, 1 for one that is NOT SAFE, 2 for none; the percentage that
-    stays unfinished; minutes. A number that is not known is worse than any other."""
+    """What is smaller is better: 0 for a program that may be used, 1 for one that is NOT SAFE, 2 for none;
+    the percentage that stays unfinished; minutes. A number that is not known is worse than any other."""
     grave = {FAILED: 2, Light.RED.value: 1}.get(str(row["verdict"]), 0)
     return grave, round(_known(row, "unfinished_percent"), SHARE_DIGITS), _known(row, "minutes")
 
@@ -72,12 +73,15 @@ def _known(row: Row, name: str) -> float:
 def _best_line(rows: Sequence[Row]) -> Sentence:
     best = [row for row in rows if row["rank"] == 1]
     if not best:
-        return say("{part}: none of {count} ways makes a program that is safe", part=rows[0]["part"], count=len(rows))
+        return say(
+            "{part}: none of {count} ways makes a program that is safe", part=rows[0]["part"], count=len(rows)
+        )
     names = ", ".join(map(_place, best))
     return say(
         "{part}: best of {count}: {names}, {share} % unfinished, {minutes} min",
         part=rows[0]["part"], count=len(rows), names=names,
-        share=_number(best[0], "unfinished_percent", f".{SHARE_DIGITS}f"), minutes=_number(best[0], "minutes", ".4g"),
+        share=_number(best[0], "unfinished_percent", f".{SHARE_DIGITS}f"),
+        minutes=_number(best[0], "minutes", ".4g"),
     )  # fmt: skip
 
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Many jobs on one executor: none lost, none twice, and the order in which they end changes nothing of what they write.
+"""Many jobs on one executor: none lost, none twice, and the order in which they end changes nothing of what
+they write.
 
-A process that dies (memory that ran out) breaks its pool, and takes along the jobs of the others. All that have not ended run
-again in a new pool; where that breaks too, each of them alone, so that only the one to blame fails.
+A process that dies (memory that ran out) breaks its pool, and takes along the jobs of the others. All that
+have not ended run again in a new pool; where that breaks too, each of them alone, so that only the one to
+blame fails.
 """
 
 from __future__ import annotations
@@ -27,13 +29,16 @@ Again = Callable[[int | None], Executor]
 
 
 def run_batch(
-    jobs: Sequence[BatchJob], executor: Executor | None = None, progress: Progress = silent, again: Again | None = None
+    jobs: Sequence[BatchJob],
+    executor: Executor | None = None,
+    progress: Progress = silent,
+    again: Again | None = None,
 ) -> Iterator[JobOutcome]:
-    """Yield the outcome of each job as it ends. ``executor`` None: one after the other, here. ``again``: makes a new executor
-    where processes died; without it their jobs fail.
+    """Yield the outcome of each job as it ends. ``executor`` None: one after the other, here. ``again``:
+    makes a new executor where processes died; without it their jobs fail.
 
-    Whatever progress raises, Ctrl-C, or closing the iterator cancels the jobs that have not begun. Raises SettingsError where
-    an executor gives back anything but the job's own outcome.
+    Whatever progress raises, Ctrl-C, or closing the iterator cancels the jobs that have not begun. Raises
+    SettingsError where an executor gives back anything but the job's own outcome.
     """
     done = _Done(len(jobs), progress)
     if executor is None:
@@ -112,7 +117,12 @@ def _outcome(future: Future[JobOutcome], job: BatchJob) -> JobOutcome | None:
     if not isinstance(outcome, JobOutcome) or outcome.stem != job.stem:
         given = outcome.stem if isinstance(outcome, JobOutcome) else type(outcome).__name__
         raise SettingsError(
-            say("the executor gave back {given} for the job {job}; choose another one", given=given, job=job.stem), given
+            say(
+                "the executor gave back {given} for the job {job}; choose another one",
+                given=given,
+                job=job.stem,
+            ),
+            given,
         )
     return outcome
 
@@ -133,5 +143,9 @@ def _fail(jobs: Sequence[BatchJob], done: _Done) -> Iterator[JobOutcome]:
     for job in jobs:
         done.ended += 1
         yield failed(
-            job, say("its process died, as when memory runs out; give fewer {workers}, or a coarser part", workers=WORKERS)
+            job,
+            say(
+                "its process died, as when memory runs out; give fewer {workers}, or a coarser part",
+                workers=WORKERS,
+            ),
         )

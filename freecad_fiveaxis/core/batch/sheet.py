@@ -45,22 +45,27 @@ def check_report(files: tuple[str, str, str], overwrite: bool) -> None:
 
 
 def write_report(files: tuple[str, str, str], rows: Sequence[Row]) -> None:
-    """Write the three files, all or none; ``rows`` by COLUMNS, ranked, and with ``folder`` where they are merged. Raises
-    FileError."""
+    """Write the three files, all or none; ``rows`` by COLUMNS, ranked, and with ``folder`` where they are
+    merged. Raises FileError."""
     record = {"version": VERSION, "kind": KIND, "rows": rows}
     texts = dict(zip(files, (as_csv(rows), as_html(rows), json_text(record)), strict=True))
     write_all({path: text.encode("utf-8", "backslashreplace") for path, text in texts.items()})
 
 
 def merged(folders: Sequence[str], out: str) -> list[Row]:
-    """The rows of the reports in several folders, the last one's where a job is in several; ``folder`` says where its files are,
-    seen from ``out``. Raises SettingsError for a folder without a report."""
+    """The rows of the reports in several folders, the last one's where a job is in several; ``folder`` says
+    where its files are, seen from ``out``. Raises SettingsError for a folder without a report."""
     rows = dict[tuple[str, str], Row]()
     for folder in folders:
-        found = [part for path in sorted(Path(folder).glob("batch*.json")) if (part := _read(str(path))) is not None]
+        found = [
+            part
+            for path in sorted(Path(folder).glob("batch*.json"))
+            if (part := _read(str(path))) is not None
+        ]
         if not found:
             raise SettingsError(
-                say("no batch.json of a batch is in {folder}; name a folder that one wrote", folder=folder), folder
+                say("no batch.json of a batch is in {folder}; name a folder that one wrote", folder=folder),
+                folder,
             )
         for row in (row for part in found for row in part):
             where = _seen_from(os.path.join(folder, str(row.get("folder") or ".")), out)
@@ -94,7 +99,10 @@ def as_html(rows: Sequence[Row]) -> str:
     columns = [name for name in COLUMNS[:-1] if name != "rank" or any(row["rank"] for row in rows)]
     head = "".join(f'<th scope="col">{escape(name.replace("_", " "))}</th>' for name in columns)
     lines = "".join(f"<tr>{''.join(_html_cells(row, columns))}</tr>\n" for row in rows)
-    table = f'<div class="scroll"><table class="numbers"><thead><tr>{head}</tr></thead>\n<tbody>{lines}</tbody></table></div>'
+    table = (
+        '<div class="scroll"><table '
+        f'class="numbers"><thead><tr>{head}</tr></thead>\n<tbody>{lines}</tbody></table></div>'
+    )
     lights = Counter(LOOK[row["verdict"]] for row in rows)
     mood = next((one for one in ("bad", "open") if lights[one]), "good")
     return page("Batch", "every job by itself", counted(rows), mood, [section("The jobs", table)])
@@ -106,13 +114,18 @@ def _html_cells(row: Row, columns: Sequence[str]) -> list[str]:
     cells[says] = escape(str(row["error"] or row["says"] or ""))
     if row["verdict"] != FAILED:
         cells[0] = f'<a href="{escape(_link(row))}">{cells[0]}</a>'
-    looks = {columns.index("verdict"): f' class="{LOOK[row["verdict"]]}"', says: ' style="white-space:normal;min-width:20rem"'}
+    looks = {
+        columns.index("verdict"): f' class="{LOOK[row["verdict"]]}"',
+        says: ' style="white-space:normal;min-width:20rem"',
+    }
     return [f"<td{looks.get(at, '')}>{cell}</td>" for at, cell in enumerate(cells)]
 
 
 def _link(row: Row) -> str:
     folder = row.get("folder", ".")
-    return ("" if folder == "." else quote(folder, "/:", errors="surrogateescape") + "/") + _quoted(row["name"] + ".html")
+    return ("" if folder == "." else quote(folder, "/:", errors="surrogateescape") + "/") + _quoted(
+        row["name"] + ".html"
+    )
 
 
 def _quoted(name: str) -> str:

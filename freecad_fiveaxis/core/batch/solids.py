@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts of a batch that are no facets yet: STEP, IGES, BREP and FreeCAD documents, meshed by a FreeCAD without a window.
+"""Parts of a batch that are no facets yet: STEP, IGES, BREP and FreeCAD documents, meshed by a FreeCAD
+without a window.
 
-part      ``blade.step``; of a document the only solid, or the one that is named behind it: ``jig.FCStd:Blade`` (label or name).
-program   ``freecadcmd`` of the PATH, or the one that FIVEAXIS_FREECAD names; it runs :mod:`freecad_fiveaxis.app.mesher`.
+part      ``blade.step``; of a document the only solid, or the one that is named behind it:
+          ``jig.FCStd:Blade`` (label or name).
+program   ``freecadcmd`` of the PATH, or the one that FIVEAXIS_FREECAD names; it runs
+          :mod:`freecad_fiveaxis.app.mesher`.
 
 A process that makes several jobs of one part keeps its mesh.
 """
@@ -68,7 +71,8 @@ def find_freecad() -> str:
     program = shutil.which(given) if given else next(filter(None, map(shutil.which, NAMES)), None)
     if program is None:
         text = say(
-            "a part that is no STL needs FreeCAD, and {given} is no program here; install FreeCAD, name its freecadcmd in "
+            "a part that is no STL needs FreeCAD, and {given} is no program here; install FreeCAD, name its "
+            "freecadcmd in "
             "{variable}, or give the part as STL",
             given=given or NAMES[0], variable=PROGRAM,
         )  # fmt: skip
@@ -77,8 +81,9 @@ def find_freecad() -> str:
 
 
 def mesh_solid(part: Solid, progress: Progress = silent) -> Mesh:
-    """Mesh a part, mm, LINEAR and ANGULAR at most off its surface. Raises SettingsError where there is no FreeCAD, FileError for
-    a file without one solid that is meant; what ``progress`` raises ends the process."""
+    """Mesh a part, mm, LINEAR and ANGULAR at most off its surface. Raises SettingsError where there is no
+    FreeCAD, FileError for a file without one solid that is meant; what ``progress`` raises ends the
+    process."""
     try:
         at = os.stat(part.file)
     except OSError as error:
@@ -113,7 +118,9 @@ def _check_outcome(file: Path, part: Solid) -> None:
     outcome = json.loads(file.read_text(encoding="ascii")) if file.is_file() else ended
     if "error" in outcome:
         name = part.file + (f":{part.named}" if part.named else "")
-        raise FileError(say("part {file} cannot be meshed: {reason}", file=name, reason=str(outcome["error"])), part.file)
+        raise FileError(
+            say("part {file} cannot be meshed: {reason}", file=name, reason=str(outcome["error"])), part.file
+        )
 
 
 def script() -> str:
@@ -122,13 +129,20 @@ def script() -> str:
 
 
 def _run(program: str, folder: str, progress: Progress) -> None:
-    """Run FreeCAD to its end; whatever is raised meanwhile ends it. It is a new user's: no other add-on is loaded."""
+    """Run FreeCAD to its end; whatever is raised meanwhile ends it. It is a new user's: no other add-on is
+    loaded."""
     environment = {**os.environ, FOLDER: folder, "FREECAD_USER_HOME": folder, "QT_QPA_PLATFORM": "offscreen"}
     flags, nothing = 0, subprocess.DEVNULL
     if sys.platform == "win32":
         flags = subprocess.CREATE_NO_WINDOW
     process = subprocess.Popen(
-        [program, script()], env=environment, cwd=folder, stdin=nothing, stdout=nothing, stderr=nothing, creationflags=flags
+        [program, script()],
+        env=environment,
+        cwd=folder,
+        stdin=nothing,
+        stdout=nothing,
+        stderr=nothing,
+        creationflags=flags,
     )
     due = time.monotonic() + LONGEST
     try:

@@ -17,18 +17,20 @@ OUT, OVERWRITE, SHARD = "--out", "--overwrite", "--shard"
 """Of the command line, which alone knows batches: no window has a name for them."""
 
 COLUMNS = (
-    "name", "part", "machine", "verdict", "deviation_mm", "bound_mm", "cut_mm", "links_mm", "rapids_mm", "minutes",
+    "name", "part", "machine", "verdict", "deviation_mm", "bound_mm", "cut_mm", "links_mm", "rapids_mm",
+    "minutes",
     "unfinished_percent", "rank", "errors", "says", "error",
 )  # fmt: skip
-"""Of the report's rows, in their order. ``minutes`` are those of the program; ``rank``: among the jobs of the same
-part, see :mod:`.rank`; ``errors`` counts the findings of that severity."""
+"""Of the report's rows, in their order. ``minutes`` are those of the program; ``rank``: among the jobs of the
+same part, see :mod:`.rank`; ``errors`` counts the findings of that severity."""
 
 
 @dataclass(frozen=True)
 class BatchJob:
-    """One job. ``part``: its STL, or what :mod:`.solids` meshes; ``options``: as a job file has them; ``stem``: folder and name
-    of its files, without an ending; ``suffix``: the NC file's ending; ``overwrite``: others' files there may be replaced;
-    ``label``: what the report calls the part, where its file's name would not tell it from others."""
+    """One job. ``part``: its STL, or what :mod:`.solids` meshes; ``options``: as a job file has them;
+    ``stem``: folder and name of its files, without an ending; ``suffix``: the NC file's ending;
+    ``overwrite``: others' files there may be replaced; ``label``: what the report calls the part, where its
+    file's name would not tell it from others."""
 
     part: str
     options: Mapping[str, Any] = field(hash=False)
@@ -61,8 +63,8 @@ class BatchJob:
 
 @dataclass(frozen=True)
 class JobOutcome:
-    """How a job ended. ``stem``: the job's; ``row``: by COLUMNS; ``files``: what it wrote, nothing where it failed;
-    ``error``: why it failed, in one line."""
+    """How a job ended. ``stem``: the job's; ``row``: by COLUMNS; ``files``: what it wrote, nothing where it
+    failed; ``error``: why it failed, in one line."""
 
     stem: str
     row: Mapping[str, Any] = field(hash=False)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One job from its part to its files, whatever happens: what fails becomes a row of the report.
 
-key     the hash of all that a job is made of: the bytes of the files that it reads, its options, the version of the program.
+key     the hash of all that a job is made of: the bytes of the files that it reads, its options, the version
+        of the program.
 own     a file that a batch wrote and nobody has changed since: NAME.json keeps the hash of each.
 """
 
@@ -41,7 +42,8 @@ _drawing = threading.Lock()
 
 
 def run_one(job: BatchJob, progress: Progress = silent) -> JobOutcome:
-    """Do a job, or read what it is known to have written already; an error is an outcome. Raises Cancelled from progress."""
+    """Do a job, or read what it is known to have written already; an error is an outcome. Raises Cancelled
+    from progress."""
     try:
         return read_finished(job) or _mill(job, progress)
     except Cancelled:
@@ -65,8 +67,8 @@ def failed(job: BatchJob, error: BaseException | str) -> JobOutcome:
 
 
 def read_finished(job: BatchJob) -> JobOutcome | None:
-    """Tell how a job ended that is done already, from its NAME.json; None where anything that it is made of has changed, or one
-    of its files."""
+    """Tell how a job ended that is done already, from its NAME.json; None where anything that it is made of
+    has changed, or one of its files."""
     mark = _mark(job)
     if mark is None or foreign_files(job) or not all(map(os.path.exists, job.files)):
         return None
@@ -78,7 +80,8 @@ def read_finished(job: BatchJob) -> JobOutcome | None:
 
 
 def foreign_files(job: BatchJob) -> list[str]:
-    """Name the files in a job's places that are not its own: no batch wrote them, or somebody has changed them."""
+    """Name the files in a job's places that are not its own: no batch wrote them, or somebody has changed
+    them."""
     mark = _mark(job)
     hashes = (mark or {}).get("files", {})
     there = [path for path in (job.nc, job.html) if os.path.lexists(path)]
@@ -115,7 +118,11 @@ def _mill(job: BatchJob, progress: Progress) -> JobOutcome:
     figures = pipeline.figures(result)
     row = _named(job) | _numbers(figures)
     files = _files(job, result, figures, progress)
-    mark = {"key": key, "files": {os.path.basename(path): _sha(data) for path, data in files.items()}, "row": row}
+    mark = {
+        "key": key,
+        "files": {os.path.basename(path): _sha(data) for path, data in files.items()},
+        "row": row,
+    }
     report = json_text(json.loads(as_json(figures)) | {MARK: mark})
     write_all(files | {job.json: report.encode("utf-8", "backslashreplace")})
     return JobOutcome(job.stem, row, job.files)
@@ -131,7 +138,11 @@ def _files(job: BatchJob, result: Result, figures: Figures, progress: Progress) 
 def _named(job: BatchJob) -> dict[str, Any]:
     machine = str(job.options.get("machine") or "")
     named = Path(machine).stem if machine.lower().endswith(".fcm") else machine
-    return {"name": os.path.basename(job.stem), "part": job.label or os.path.basename(job.part), "machine": named}
+    return {
+        "name": os.path.basename(job.stem),
+        "part": job.label or os.path.basename(job.part),
+        "machine": named,
+    }
 
 
 def _numbers(figures: Figures) -> dict[str, Any]:
@@ -143,7 +154,8 @@ def _numbers(figures: Figures) -> dict[str, Any]:
     return {
         "verdict": facts.light.value,
         "deviation_mm": deviation, "bound_mm": bound,
-        "cut_mm": numbers["cut_length"], "links_mm": numbers["link_length"], "rapids_mm": numbers["rapid_length"],
+        "cut_mm": numbers["cut_length"], "links_mm": numbers["link_length"],
+        "rapids_mm": numbers["rapid_length"],
         "minutes": numbers["time_s"] / 60.0,
         "unfinished_percent": None if share is None else 100.0 * share,
         "errors": numbers["findings"][Severity.ERROR.name.lower()],

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two tasks about the machine itself: ``recover``, what a post takes it to be; ``prove-signs``, whether it is what its file says.
+"""Two tasks about the machine itself: ``recover``, what a post takes it to be; ``prove-signs``, whether it is
+what its file says.
 
 ``run`` makes, ``write_outputs`` writes: the machine file or the NC file, and the reports.
 """
@@ -66,7 +67,8 @@ Work = Recovered | Proof
 
 
 def run(settings: Settings, progress: Progress = silent) -> Work:
-    """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes nothing."""
+    """Do the task that the settings name. Raises FiveAxisError for input that cannot be used; writes
+    nothing."""
     return (recover_machine if settings.task == RECOVER else prove)(settings, progress)
 
 
@@ -84,10 +86,18 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
         raise SettingsError(say("no machine file named; give one with -o OUT.fcm"), None)
     if Path(output).suffix.lower() != SUFFIX:
         raise SettingsError(
-            say("{output} does not end in {suffix}, as machine files do; name it so", output=output, suffix=SUFFIX), output
+            say(
+                "{output} does not end in {suffix}, as machine files do; name it so",
+                output=output,
+                suffix=SUFFIX,
+            ),
+            output,
         )
     if os.path.exists(output):
-        raise FileError(say("{output} exists already; choose another name, so that no machine is lost", output=output), output)
+        raise FileError(
+            say("{output} exists already; choose another name, so that no machine is lost", output=output),
+            output,
+        )
     for file in (settings.source, settings.recover.program):
         check_readable(file)
     apt, nc = read_bytes(settings.source, "CL file"), read_bytes(settings.recover.program, "NC file")
@@ -96,7 +106,9 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
     dialect = dialect_for(settings.machine.controller, start)
     dialect, read_as = (dialect, ()) if settings.machine.controller else dialect_of_text(nc, dialect)
     search = search_folders(settings, settings.recover.program)
-    assumed = Assumed(settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search, False)
+    assumed = Assumed(
+        settings.reading.units, settings.reading.decimal, start.no_motion if start else (), search, False
+    )
     program = read_nc(nc, chain(_reader(nc, start), Setup()), dialect, progress, assumed)
     _refuse_guided(program)
     units = units_of_steps(program, path)
@@ -111,13 +123,15 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
 
 
 def _refuse_guided(program: Program) -> None:
-    """Raises ProgramError where the controller guides the tip: X Y Z are then its place, whatever the machine."""
+    """Raises ProgramError where the controller guides the tip: X Y Z are then its place, whatever the
+    machine."""
     if program.guided is None or not program.guided.on.any():
         return
     line = int(program.line[int(program.guided.on.argmax())])
     raise ProgramError(
         say(
-            "from line {line} on the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI or FUNCTION TCPM): X Y Z "
+            "from line {line} on the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI or "
+            "FUNCTION TCPM): X Y Z "
             "are tips and say nothing of pivots; post it again without tool centre point control",
             line=line,
         ),
@@ -131,7 +145,8 @@ def _start(settings: Settings) -> tuple[Machine | None, Setup]:
     if start is not None and start.rotaries < 2:
         raise SettingsError(
             say(
-                "machine {name} has fewer than two rotary axes, and only five axes are recovered: leave {machine} out",
+                "machine {name} has fewer than two rotary axes, and only five axes are recovered: leave "
+                "{machine} out",
                 name=start.name,
                 machine=Option("machine"),
             ),
@@ -154,7 +169,11 @@ def _reader_machine(letters: str) -> Machine:
     ways = {"A": (1.0, 0.0, 0.0), "B": (0.0, 1.0, 0.0), "C": (0.0, 0.0, 1.0)}
     first, second = letters[1], letters[0]
     rotary = (Axis(first, True, "table", ways[first]), Axis(second, True, "table", ways[second]))
-    linear = (Axis("X", False, "head", ways["A"]), Axis("Y", False, "head", ways["B"]), Axis("Z", False, "head", ways["C"]))
+    linear = (
+        Axis("X", False, "head", ways["A"]),
+        Axis("Y", False, "head", ways["B"]),
+        Axis("Z", False, "head", ways["C"]),
+    )
     return Machine("program", (*rotary, *linear))
 
 
@@ -165,7 +184,8 @@ def _description(settings: Settings, found: Recovery) -> str:
 
 
 def prove(settings: Settings, progress: Progress = silent) -> Proof:
-    """The program that proves a machine's signs, and its sheet. Raises SettingsError where the limits leave no room."""
+    """The program that proves a machine's signs, and its sheet. Raises SettingsError where the limits leave
+    no room."""
     if not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
     machine, setup, dialect = clamped(settings)
@@ -201,13 +221,20 @@ def as_html(done: Work) -> str:
     return sheet_html(done.plan, done.program)
 
 
-REPORTS: dict[str, Callable[[Work], str]] = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
+REPORTS: dict[str, Callable[[Work], str]] = {
+    ".json": as_json,
+    ".html": as_html,
+    ".htm": as_html,
+    ".txt": as_text,
+}
 
 
 def write_outputs(done: Work) -> list[str]:
     """Write the machine or NC file and the reports, all or none; returns their names. Raises FileError."""
     reports = done.settings.output.report
-    files = {path: REPORTS[Path(path).suffix.lower()](done).encode("utf-8", "backslashreplace") for path in reports}
+    files = {
+        path: REPORTS[Path(path).suffix.lower()](done).encode("utf-8", "backslashreplace") for path in reports
+    }
     target = done.settings.output.output if isinstance(done, Proof) else done.settings.recover.machine_file
     assert target  # checked before the work
     if isinstance(done, Recovered):

@@ -25,7 +25,12 @@ def find_dialect(name: str) -> Dialect:
     """The dialect of that name, in any case. Raises SettingsError that lists the names."""
     if name.lower() not in DIALECTS:
         raise SettingsError(
-            say("unknown controller {name}; known are {dialects}", name=repr(name), dialects=", ".join(DIALECTS)), name
+            say(
+                "unknown controller {name}; known are {dialects}",
+                name=repr(name),
+                dialects=", ".join(DIALECTS),
+            ),
+            name,
         )
     return DIALECTS[name.lower()]
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A controller dialect is a table; the writer, the reader and the feeds take from it all that differs between controllers.
+"""A controller dialect is a table; the writer, the reader and the feeds take from it all that differs between
+controllers.
 
-head, tail   template lines before and after the blocks. Each template gives exactly one line, whatever its slots hold, so
-             that the line of every block is known before anything is written.
+head, tail   template lines before and after the blocks. Each template gives exactly one line, whatever its
+             slots hold, so that the line of every block is known before anything is written.
 slots        see :mod:`~freecad_fiveaxis.core.nc.head`.
 block        one line: block number, motion word, axis words, F word. The motion word stands in every block.
-guide        the controller guides the tip (RTCP, TCPC, TCPM, TRAORI): X Y Z are then the tip's place on the part, and the tool
-             axis is given by the rotary words (``angles``) or by its vector (``vectors``).
+guide        the controller guides the tip (RTCP, TCPC, TCPM, TRAORI): X Y Z are then the tip's place on the
+             part, and the tool axis is given by the rotary words (``angles``) or by its vector (``vectors``).
 joint output the words are where the axes stand; the controller moves all of them evenly.
 """
 
@@ -30,11 +31,13 @@ ANGLES, VECTORS = "angles", "vectors"
 
 @dataclass(frozen=True)
 class Guide:
-    """How one controller is told to guide the tip. ``on``, ``off``: the lines that switch it, templates as in the head.
+    """How one controller is told to guide the tip. ``on``, ``off``: the lines that switch it, templates as in
+    the head.
 
-    ``vector``: the three words of the tool axis, tip to holder, in the work frame; None where the rotary words give it.
-    ``vector_decimals`` of them. ``straight``: the motion word of all blocks, "" the dialect's own. ``rotary_in_feed``: as in
-    Dialect, but over the tip's way. ``needs_tool``: the switch names the number of the length offset.
+    ``vector``: the three words of the tool axis, tip to holder, in the work frame; None where the rotary
+    words give it. ``vector_decimals`` of them. ``straight``: the motion word of all blocks, "" the dialect's
+    own. ``rotary_in_feed``: as in Dialect, but over the tip's way. ``needs_tool``: the switch names the
+    number of the length offset.
     """
 
     on: tuple[str, ...]
@@ -48,33 +51,34 @@ class Guide:
 
 @dataclass(frozen=True)
 class Dialect:
-    """One controller. ``description`` is one line for lists; ``convention`` says in prose how words and F are meant.
+    """One controller. ``description`` is one line for lists; ``convention`` says in prose how words and F are
+    meant.
 
     ``language``: whose grammar the text follows: ``iso``, ``siemens`` or ``heidenhain``.
-    ``head``, ``tail``: joint output. ``guided_head``, ``guided_tail``: with the tip guided; the lines ``{guide}`` stand for the
-    guide's. ``guides``: by name, :data:`ANGLES` or :data:`VECTORS`; ``guide``: the one in force, None for joint output.
-    ``linear_decimals``, ``rotary_decimals``: the step of a word, mm and degrees. ``feed_decimals``, ``inverse_decimals``: of
-    F under G94 and under G93. ``largest_feed``, ``largest_inverse``: the largest F that the controller takes (mm/min or
-    deg/min, 1/min); a block that would need more takes longer. ``rotary_in_feed``: how F is meant under G94 where linear and
-    rotary axes move together: True: over all axes, a degree counted as a millimetre; False: over X Y Z alone. Where
-    only rotary axes move, F is in degrees a minute in both. ``inverse_time``: "" where the controller has none.
+    ``head``, ``tail``: joint output. ``guided_head``, ``guided_tail``: with the tip guided; the lines
+    ``{guide}`` stand for the guide's. ``guides``: by name, :data:`ANGLES` or :data:`VECTORS`; ``guide``: the
+    one in force, None for joint output. ``linear_decimals``, ``rotary_decimals``: the step of a word, mm and
+    degrees. ``feed_decimals``, ``inverse_decimals``: of F under G94 and under G93. ``largest_feed``,
+    ``largest_inverse``: the largest F that the controller takes (mm/min or deg/min, 1/min); a block that
+    would need more takes longer. ``rotary_in_feed``: how F is meant under G94 where linear and rotary axes
+    move together: True: over all axes, a degree counted as a millimetre; False: over X Y Z alone. Where only
+    rotary axes move, F is in degrees a minute in both. ``inverse_time``: "" where the controller has none.
     ``rapid_end``: what ends a block in rapid (Heidenhain's FMAX). ``plus``: positive numbers have their sign.
-    ``modal``: words that do not change are left out (never the motion word). ``order``: the order of the axis words.
-    ``work_offsets``: the work offsets that the controller has, as a regular expression and in words for messages; the
-    default is Fanuc's, whose basic machines have 48 of the additional ones.
-    ``number_step``: blocks are numbered by this step, after ``number_letter``, 0 for none, starting again after
-    ``number_most``; ``number_all``: every line is, head and tail too, from 0 on.
-    ``least_increment``: a word without a decimal point counts the least increment, if the controller is set so.
-    ``shorter_way``: the controller takes a rotary word of 0 to 360 by the shorter way, where the machine file says ``modulo``;
-    ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before and after the number.
-    ``high_speed``: lines that switch the high-speed mode on and off, empty where there is none.
-    ``metric``, ``absolute``: the words of the head for mm and for absolute words.
-    ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those that drive it to
-    its reference point (:mod:`~freecad_fiveaxis.core.nc.start`).
-    ``speed_call``: the line that sets the speed where no tool is called, if it is not the spindle's.
-    ``suffix``: how the names of its NC files end.
-    ``rapids``: how it drives its axes in a rapid, one of :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; the module of each
-    controller names its source.
+    ``modal``: words that do not change are left out (never the motion word). ``order``: the order of the axis
+    words. ``work_offsets``: the work offsets that the controller has, as a regular expression and in words
+    for messages; the default is Fanuc's, whose basic machines have 48 of the additional ones.
+    ``number_step``: blocks are numbered by this step, after ``number_letter``, 0 for none, starting again
+    after ``number_most``; ``number_all``: every line is, head and tail too, from 0 on. ``least_increment``: a
+    word without a decimal point counts the least increment, if the controller is set so. ``shorter_way``: the
+    controller takes a rotary word of 0 to 360 by the shorter way, where the machine file says ``modulo``;
+    ``shorter_on``, ``shorter_off``: the line that tells it so, or not; ``shorter_word``: what stands before
+    and after the number. ``high_speed``: lines that switch the high-speed mode on and off, empty where there
+    is none. ``metric``, ``absolute``: the words of the head for mm and for absolute words.
+    ``machine_retract``: the lines that drive Z to the machine coordinate ``{z}``; ``reference_return``: those
+    that drive it to its reference point (:mod:`~freecad_fiveaxis.core.nc.start`). ``speed_call``: the line
+    that sets the speed where no tool is called, if it is not the spindle's. ``suffix``: how the names of its
+    NC files end. ``rapids``: how it drives its axes in a rapid, one of
+    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; the module of each controller names its source.
     """
 
     name: str
@@ -147,14 +151,16 @@ class Dialect:
         return self.linear_decimals if column < 3 else self.rotary_decimals
 
     def guided(self, how: str) -> Dialect:
-        """The same controller with the tip guided by it, ``how`` one of the names of ``guides``. Raises SettingsError."""
+        """The same controller with the tip guided by it, ``how`` one of the names of ``guides``. Raises
+        SettingsError."""
         if how not in self.guides:
             raise SettingsError(self._no_guide(how), how)
         guide = self.guides[how]
         return replace(
             self, guide=guide, head=_with(_with(self.guided_head, guide.off, "{guide_off}"), guide.on),
             tail=_with(self.guided_tail, guide.off),
-            rotary_in_feed=guide.rotary_in_feed, rapid=guide.straight or self.rapid, straight=guide.straight or self.straight,
+            rotary_in_feed=guide.rotary_in_feed, rapid=guide.straight or self.rapid,
+            straight=guide.straight or self.straight,
         )  # fmt: skip
 
     def _no_guide(self, how: str) -> Sentence:
@@ -165,10 +171,16 @@ class Dialect:
                 rtcp=Option("rtcp"),
                 linearize=Choice("linearize", ("on",), flag=True),
             )
-        return say("{name} has no RTCP by {how}; give {guides}", name=self.name, how=how, guides=" or ".join(self.guides))
+        return say(
+            "{name} has no RTCP by {how}; give {guides}",
+            name=self.name,
+            how=how,
+            guides=" or ".join(self.guides),
+        )
 
     def fast(self) -> Dialect:
-        """The same controller in its high-speed mode, which stands before a guide. Raises SettingsError where it has none."""
+        """The same controller in its high-speed mode, which stands before a guide. Raises SettingsError where
+        it has none."""
         on, off = self.high_speed
         if not on:
             raise SettingsError(
@@ -192,12 +204,18 @@ class Dialect:
         pattern, words = self.work_offsets
         if not re.fullmatch(pattern, offset):
             raise SettingsError(
-                say("work offset {offset} is unknown to {name}; give {words}", offset=repr(offset), name=self.name, words=words),
+                say(
+                    "work offset {offset} is unknown to {name}; give {words}",
+                    offset=repr(offset),
+                    name=self.name,
+                    words=words,
+                ),
                 offset,
             )
 
     def remark(self, text: str) -> str:
-        """A comment of printable ASCII that no controller takes for an instruction: no brackets, no ``;`` ``%`` or comma.
+        """A comment of printable ASCII that no controller takes for an instruction: no brackets, no ``;``
+        ``%`` or comma.
 
         (LinuxCNC acts on comments as ``(LOGOPEN,file)``.) Accents are dropped, other characters become ``-``.
         """
@@ -212,9 +230,11 @@ def _with(lines: tuple[str, ...], guide: tuple[str, ...], slot: str = "{guide}")
 
 
 def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:
-    """What F measures in each block under G94, mm or degrees, for ``change`` (n, 5) of the words, mm and degrees.
+    """What F measures in each block under G94, mm or degrees, for ``change`` (n, 5) of the words, mm and
+    degrees.
 
-    Without a dialect: over X Y Z alone. NIST RS274NGC 3, 2.1.2.5, and LinuxCNC; Fanuc B-63324EN, 4.3 (see ``rotary_in_feed``).
+    Without a dialect: over X Y Z alone. NIST RS274NGC 3, 2.1.2.5, and LinuxCNC; Fanuc B-63324EN, 4.3 (see
+    ``rotary_in_feed``).
     """
     import numpy as np
 

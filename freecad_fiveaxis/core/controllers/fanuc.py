@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fanuc series 15i to 31i (B-63324EN, B-63944EN and later operator's manuals).
 
-Guided: tool center point control for 5-axis machining, type 1 (G43.4, rotary words) and type 2 (G43.5, I J K).
+Guided: tool center point control for 5-axis machining, type 1 (G43.4, rotary words) and type 2 (G43.5, I J
+K).
 
-Rapids: "either of the following tool paths can be selected according to bit 1 (LRP) of parameter No. 1401" (B-63944EN, 4.1
-Positioning): nonlinear, each axis at its own rate, or linear. What the builder has set is not known.
+Rapids: "either of the following tool paths can be selected according to bit 1 (LRP) of parameter No. 1401"
+(B-63944EN, 4.1 Positioning): nonlinear, each axis at its own rate, or linear. What the builder has set is not
+known.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ feed block. Under G94 F is the speed over all axes, a degree counted as a millim
 F300. takes sqrt(20^2 + 40^2)/300 min). Comments in capitals. G49 stands before the tool call, because it ends G43.4 too.
 Under G43.4 and G43.5 X Y Z are the tip's place in the work ("programming coordinate system" on the workpiece, parameter
 19696#5 = 0) and F is the tip's speed. Type 2: I J K is the tool's direction, all three in every block that has one, because
-an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI contour control.""",
+an omitted one counts as 0; the rotary axes take the shorter way. G05.1 Q1 is AI contour control.""",  # noqa: E501
     head=(
         "%",
         "O{program} {title}",

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""grbl's multi-axis forks: grbl-Mega-5X, grblHAL, FluidNC (grbl wiki, G-code; grblHAL wiki). Joint output only.
+"""grbl's multi-axis forks: grbl-Mega-5X, grblHAL, FluidNC (grbl wiki, G-code; grblHAL wiki). Joint output
+only.
 
-Rapids: the planner makes one line of every motion of all axes, rapids too, slowed down to the slowest axis (grbl 1.1,
-``planner.c``, ``plan_buffer_line`` and ``limit_value_by_axis_maximum``).
+Rapids: the planner makes one line of every motion of all axes, rapids too, slowed down to the slowest axis
+(grbl 1.1, ``planner.c``, ``plan_buffer_line`` and ``limit_value_by_axis_maximum``).
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ GRBL = Dialect(
 block, in every feed block: use it, because under G94 F is the speed over all axes in grbl-Mega-5X and FluidNC, a degree
 counted as a millimetre. There is no tool change (M6) and no G43 H: the operator puts in the tool and sets its length. Only
 G61 (exact path) is known. A line has no more than 80 characters; numbers are kept in single precision, seven digits: keep
-rotary words below some thousand degrees.""",
+rotary words below some thousand degrees.""",  # noqa: E501
     head=(
         "{title}",
         "G21 G17 G40 G80 G90",

@@ -3,8 +3,9 @@
 
 Guided: tool center point control, TCPC (G234); G49 ends it.
 
-Rapids: "Generally, rapid motion will not be in a single straight line. Each axis specified moves at its maximum speed, but all
-axes will not necessarily complete their motions at the same time" (Haas, G00 Rapid Motion Positioning).
+Rapids: "Generally, rapid motion will not be in a single straight line. Each axis specified moves at its
+maximum speed, but all axes will not necessarily complete their motions at the same time" (Haas, G00 Rapid
+Motion Positioning).
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ HAAS = Dialect(
 the speed of X Y Z; a rotary axis alone is timed by its diameter in settings 34 and 79, if they are not 0: use G93 where
 rotary axes move, and those settings do not matter. The axes count their turns on and do not take the shorter way to a word,
 so words are never folded. G234 H turns on TCPC: X Y Z are the tip in the work, F is the tip's speed. Additional work
-offsets are G154 P1 to P99. G187 sets smoothness (P1 rough, P2 medium, P3 finish) and corner rounding (E, mm).""",
+offsets are G154 P1 to P99. G187 sets smoothness (P1 rough, P2 medium, P3 finish) and corner rounding (E, mm).""",  # noqa: E501
     head=(
         "%",
         "O{program} {title}",

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Heidenhain TNC 320 to TNC7 and iTNC 530, conversational (klartext; User's manuals Klartext programming and Multiple-axis
-machining).
+"""Heidenhain TNC 320 to TNC7 and iTNC 530, conversational (klartext; User's manuals Klartext programming and
+Multiple-axis machining).
 
-Guided: FUNCTION TCPM, with the rotary words (AXIS POS, L blocks) or the tool vector (LN blocks with TX TY TZ); on older controls
-M128 and M129.
+Guided: FUNCTION TCPM, with the rotary words (AXIS POS, L blocks) or the tool vector (LN blocks with TX TY
+TZ); on older controls M128 and M129.
 
-Rapids: L blocks are straight, FMAX too: "the TNC moves the tool in a straight line from its current position to the straight-line
-end point" (TNC 320 User's manual, 6.4). Of the older controls of ``heidenhain_m128`` it is not known for rotary axes.
+Rapids: L blocks are straight, FMAX too: "the TNC moves the tool in a straight line from its current position
+to the straight-line end point" (TNC 320 User's manual, 6.4). Of the older controls of ``heidenhain_m128`` it
+is not known for rotary axes.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ mm/min, 0.001 to 99999.999. In joint output (no M116) F is the speed over all ax
 TCP it is the speed of the tip over the work. FMAX is rapid, for its block alone. Every line has its number, from 0 on. The
 work offset is the preset that is active at the control: the program calls none. L X Y Z and the rotary letters with their
 signs; a comment follows a semicolon. Cycle 32 TOLERANCE sets the high-speed mode: T, the tolerance of the path, HSC-MODE 0
-to finish, TA of rotary axes.""",
+to finish, TA of rotary axes.""",  # noqa: E501
     language="heidenhain",
     suffix=".h",
     metric="MM",

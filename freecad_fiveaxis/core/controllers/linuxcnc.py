@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """LinuxCNC 2.8 and later (manual: G-code reference; Kinematics, switchable kinematics).
 
-Joint output: trivial kinematics, the words are the joints. Guided: the ``trt`` and other switchable kinematics, whose remaps M428
-and M429 switch to the tip and back; the tool's length reaches the kinematics by ``motion.tooloffset.z``.
+Joint output: trivial kinematics, the words are the joints. Guided: the ``trt`` and other switchable
+kinematics, whose remaps M428 and M429 switch to the tip and back; the tool's length reaches the kinematics by
+``motion.tooloffset.z``.
 
-Rapids: "the axes will arrive at the same time, since the ones that would arrive before the last axis gets to the end are slowed
-down" (EMC Handbook, G0 Rapid linear motion).
+Rapids: "the axes will arrive at the same time, since the ones that would arrive before the last axis gets to
+the end are slowed down" (EMC Handbook, G0 Rapid linear motion).
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ LINUXCNC = Dialect(
 way, so words are never folded). Under G93 a block takes 60/F seconds, and every G1 needs its own F. Under G94 F is the
 speed of X Y Z; where only rotary axes move, degrees a minute. G61 (exact path) is the default: G64 without P rounds corners
 as far as the acceleration asks for, and what was proven is then not what is cut; with a blend tolerance the head says G64 P
-Q. A line may hold 255 characters. M2 ends the program and sets the modes back.""",
+Q. A line may hold 255 characters. M2 ends the program and sets the modes back.""",  # noqa: E501
     head=(
         "{title}",
         "G21 G17 G40 G80 G90",

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Siemens SINUMERIK 840D sl and ONE (Programming manuals Fundamentals, NC programming, and Job planning: 5-axis transformation).
+"""Siemens SINUMERIK 840D sl and ONE (Programming manuals Fundamentals, NC programming, and Job planning:
+5-axis transformation).
 
-Guided: TRAORI, with the rotary words (ORIAXES) or the direction vector A3= B3= C3= (ORIVECT, ORIWKS); TRAFOOF ends it.
+Guided: TRAORI, with the rotary words (ORIAXES) or the direction vector A3= B3= C3= (ORIVECT, ORIWKS); TRAFOOF
+ends it.
 
-Rapids: linear by RTLION, the default (MD20730); RTLIOF makes them nonlinear only under G60 and without a transformation
-(SINUMERIK ONE Programming Manual NC programming, 2.9 Motion commands). What we write is under G64 or G642, so linear.
+Rapids: linear by RTLION, the default (MD20730); RTLIOF makes them nonlinear only under G60 and without a
+transformation (SINUMERIK ONE Programming Manual NC programming, 2.9 Motion commands). What we write is under
+G64 or G642, so linear.
 """
 
 from __future__ import annotations
@@ -24,7 +27,7 @@ G64 is continuous path mode; G642 with CTOL rounds within the contour tolerance.
 the work offset is called again, because the switch drops it. ORIAXES interpolates the rotary axes, ORIVECT turns the vector
 in a plane. CYCLE832 is High Speed Settings: tolerance, mode, version. D1 is the cutting edge with the tool's length. SUPA
 suppresses all offsets for its block and D0 the tool's length, so that Z is a machine coordinate; G75 FP=1 Z1=0 drives the
-machine axis Z1 to its first fixed point.""",
+machine axis Z1 to its first fixed point.""",  # noqa: E501
     language="siemens",
     suffix=".mpf",
     metric="G710",
@@ -58,7 +61,12 @@ machine axis Z1 to its first fixed point.""",
     guided_tail=("{guide}", "M5", "M9", "G94", "M30"),
     guides={
         ANGLES: Guide(on=("TRAORI", "ORIMKS ORIAXES"), off=("TRAFOOF",), rotary_in_feed=True),
-        VECTORS: Guide(on=("TRAORI", "ORIWKS ORIVECT"), off=("TRAFOOF",), vector=("A3=", "B3=", "C3="), rotary_in_feed=True),
+        VECTORS: Guide(
+            on=("TRAORI", "ORIWKS ORIVECT"),
+            off=("TRAFOOF",),
+            vector=("A3=", "B3=", "C3="),
+            rotary_in_feed=True,
+        ),
     },
     feed_decimals=3,
     inverse_decimals=3,

@@ -2,12 +2,14 @@
 """Convex pieces, and how far two of them are apart in many poses at once.
 
 piece      all points within ``round`` of the convex hull of some corners.
-gap        of two pieces along a unit direction g: the least ``g . x`` of the one less the largest ``g . y`` of the other. They
-           are never nearer to each other than their gap along any direction whatever, so a gap above 0 is a proof.
+gap        of two pieces along a unit direction g: the least ``g . x`` of the one less the largest ``g . y``
+           of the other. They are never nearer to each other than their gap along any direction whatever, so a
+           gap above 0 is a proof.
 difference all ``x - y``: its point next to 0 is the shortest way between the pieces.
 
-The search is that of Gilbert, Johnson and Keerthi: a simplex of at most four points of the difference goes towards 0, and the
-way from 0 to the simplex is the next direction. All poses go at once; those that are decided leave.
+The search is that of Gilbert, Johnson and Keerthi: a simplex of at most four points of the difference goes
+towards 0, and the way from 0 to the simplex is the next direction. All poses go at once; those that are
+decided leave.
 """
 
 from __future__ import annotations
@@ -28,7 +30,8 @@ AT_ONCE = 2_000_000
 """Products of directions and corners at a time."""
 
 EVEN = 1e-7
-"""The share of a distance to which it is found; a simplex is flat where its area or volume is such a share of the most."""
+"""The share of a distance to which it is found; a simplex is flat where its area or volume is such a share of
+the most."""
 
 NOTHING = 1e-9
 """mm; pieces that are nearer than this touch."""
@@ -39,8 +42,8 @@ SIDES = np.array(list(combinations(range(4), 3)))
 
 @dataclass(frozen=True, eq=False)
 class Convex:
-    """``corner`` (v, 3) mm; ``plane`` (f, 4): outward unit normals and offsets of the hull's planes, ``n . x + d <= 0`` inside,
-    none where the corners lie in a plane; ``round`` mm."""
+    """``corner`` (v, 3) mm; ``plane`` (f, 4): outward unit normals and offsets of the hull's planes, ``n . x
+    + d <= 0`` inside, none where the corners lie in a plane; ``round`` mm."""
 
     corner: Floats
     plane: Floats
@@ -59,7 +62,9 @@ class Convex:
     @cached_property
     def inmost(self) -> tuple[Floats, float]:
         """The point (3,) mm that is deepest in the hull, and how deep, mm."""
-        from scipy.optimize import linprog  # here, for few programs have bodies to look at, and scipy's solvers start slowly
+        from scipy.optimize import (
+            linprog,
+        )  # here, for few programs have bodies to look at, and scipy's solvers start slowly
 
         if not len(self.plane):
             return self.middle, 0.0
@@ -74,7 +79,9 @@ class Convex:
         if by <= 0.0 or not len(self.plane):
             return self
         plane = self.plane + (0.0, 0.0, 0.0, by)
-        return Convex(np.unique(HalfspaceIntersection(plane, self.inmost[0]).intersections, axis=0), plane, self.round)
+        return Convex(
+            np.unique(HalfspaceIntersection(plane, self.inmost[0]).intersections, axis=0), plane, self.round
+        )
 
 
 def convex_hull(points: Floats, round_: float = 0.0) -> Convex:
@@ -103,9 +110,10 @@ class Poses(NamedTuple):
 
 
 class Gaps(NamedTuple):
-    """Of n poses: ``way`` (n, 3), the unit direction from the standing piece to the moved one along which ``least`` (n,) mm was
-    found, the largest gap so far, rounds taken off; ``met`` (n,): whether they are no farther apart than was asked for;
-    ``place`` (n, 3) mm: a point of the moved piece next to the standing one, seen from that."""
+    """Of n poses: ``way`` (n, 3), the unit direction from the standing piece to the moved one along which
+    ``least`` (n,) mm was found, the largest gap so far, rounds taken off; ``met`` (n,): whether they are no
+    farther apart than was asked for; ``place`` (n, 3) mm: a point of the moved piece next to the standing
+    one, seen from that."""
 
     way: Floats
     least: Floats
@@ -113,9 +121,12 @@ class Gaps(NamedTuple):
     place: Floats
 
 
-def find_gaps(moved: Convex, standing: Convex, poses: Poses, within: float, need: Floats, guess: Floats) -> Gaps:
-    """Find how far two pieces are apart, mm, less ``within``: a pose is decided when that is more than ``need`` (n,), or when the
-    pieces are met, no farther apart than ``within``. ``guess`` (n, 3): unit directions to begin with."""
+def find_gaps(
+    moved: Convex, standing: Convex, poses: Poses, within: float, need: Floats, guess: Floats
+) -> Gaps:
+    """Find how far two pieces are apart, mm, less ``within``: a pose is decided when that is more than
+    ``need`` (n,), or when the pieces are met, no farther apart than ``within``. ``guess`` (n, 3): unit
+    directions to begin with."""
     off = moved.round + standing.round + within
     count = len(poses.shift)
     found = Gaps(guess.copy(), np.full(count, -np.inf), np.zeros(count, np.bool_), np.zeros((count, 3)))
@@ -126,9 +137,11 @@ def find_gaps(moved: Convex, standing: Convex, poses: Poses, within: float, need
     return found
 
 
-def support_gap(moved: Convex, standing: Convex, poses: Poses, g: Floats, tilt: Floats | None = None) -> Floats:
-    """Give the gaps (n,) mm along unit directions ``g`` (n, 3), rounds taken off; with a ``tilt`` (n, 3) the moved piece's least
-    along ``g + tilt`` instead."""
+def support_gap(
+    moved: Convex, standing: Convex, poses: Poses, g: Floats, tilt: Floats | None = None
+) -> Floats:
+    """Give the gaps (n,) mm along unit directions ``g`` (n, 3), rounds taken off; with a ``tilt`` (n, 3) the
+    moved piece's least along ``g + tilt`` instead."""
     step, parts = max(1, AT_ONCE // (len(moved.corner) + len(standing.corner))), [np.zeros(0)]
     along = g if tilt is None else g + tilt
     for first in range(0, len(g), step):
@@ -152,8 +165,8 @@ def _local(turn: Floats, g: Floats) -> Floats:
 
 @dataclass(eq=False)
 class _Simplices:
-    """``rows`` (n,): which of the poses; ``point`` (n, 4, 3) of the difference, ``own`` (n, 4) the moved piece's corners in them,
-    ``weight`` (n, 4) those of the point next to 0, ``near`` (n, 3)."""
+    """``rows`` (n,): which of the poses; ``point`` (n, 4, 3) of the difference, ``own`` (n, 4) the moved
+    piece's corners in them, ``weight`` (n, 4) those of the point next to 0, ``near`` (n, 3)."""
 
     moved: Convex
     standing: Convex
@@ -169,7 +182,16 @@ class _Simplices:
         """Begin with one point, that of the guess."""
         count = len(rows)
         weight = np.tile((1.0, 0.0, 0.0, 0.0), (count, 1))
-        new = cls(moved, standing, poses, rows, np.empty((count, 4, 3)), np.empty((count, 4), np.int64), weight, guess)
+        new = cls(
+            moved,
+            standing,
+            poses,
+            rows,
+            np.empty((count, 4, 3)),
+            np.empty((count, 4), np.int64),
+            weight,
+            guess,
+        )
         point, own = new.farthest(guess)
         new.point[:], new.own[:], new.near = point[:, None], own[:, None], guess
         return new
@@ -181,7 +203,8 @@ class _Simplices:
         return _Simplices(self.moved, self.standing, poses, rows, point, own, weight, near)
 
     def farthest(self, g: Floats) -> tuple[Floats, Ints]:
-        """The points (n, 3) of the difference that are least along g (n, 3), and the moved piece's corners in them."""
+        """The points (n, 3) of the difference that are least along g (n, 3), and the moved piece's corners in
+        them."""
         own = (_local(self.poses.turn, g) @ self.moved.corner.T).argmin(axis=1)
         other = (g @ self.standing.corner.T).argmax(axis=1)
         at = np.matmul(self.poses.turn, self.moved.corner[own][:, :, None])[:, :, 0] + self.poses.shift
@@ -193,7 +216,8 @@ class _Simplices:
         return np.asarray(np.matmul(self.poses.turn, own[:, :, None])[:, :, 0] + self.poses.shift)
 
     def put(self, point: Floats, own: Ints) -> None:
-        """Put a point in the place of one that counts for nothing, and find the simplices' points next to 0."""
+        """Put a point in the place of one that counts for nothing, and find the simplices' points next to
+        0."""
         at, every = self.weight.argmin(axis=1), np.arange(len(point))
         self.point[every, at], self.own[every, at] = point, own
         self.weight = nearest_weights(self.point)
@@ -227,8 +251,8 @@ def _search(some: _Simplices, off: float, need: Floats, found: Gaps) -> None:
 
 
 def nearest_weights(point: Floats) -> Floats:
-    """Give the weights (n, 4) of the point of each simplex (n, 4, 3) that is next to 0; corners may come twice. All are above 0
-    only where 0 is inside."""
+    """Give the weights (n, 4) of the point of each simplex (n, 4, 3) that is next to 0; corners may come
+    twice. All are above 0 only where 0 is inside."""
     count = len(point)
     weight = np.zeros((count, 11, 4))
     weight[:, :6] = _on_edges(point)

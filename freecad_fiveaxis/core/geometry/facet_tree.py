@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The facets of a mesh in a tree of nodes, so that most of them are never looked at.
 
-node      some facets that lie together: a plate, a box, and one point of the part among them. The last nodes are the facets.
+node      some facets that lie together: a plate, a box, and one point of the part among them. The last nodes
+          are the facets.
 plate     what lies between two planes across their mean normal; that of a facet has no thickness.
-box       around them, either as they lie - along their mean normal, along the way they spread most across it, and along the
-          third direction - or along x, y, z: the one with the smaller surface. On a slope the first is far thinner, over walls
-          and floors of a part that stands straight the second.
+box       around them, either as they lie - along their mean normal, along the way they spread most across it,
+          and along the third direction - or along x, y, z: the one with the smaller surface. On a slope the
+          first is far thinner, over walls and floors of a part that stands straight the second.
 level     all nodes with equally many facets; the nodes of all levels stand in one table, the root first.
-allowance of a facet: how far a tool keeps off it, mm. A facet is as deep in a tool as its points are, and that much deeper: it is
+allowance of a facet: how far a tool keeps off it, mm. A facet is as deep in a tool as its points are, and
+that much deeper: it is
           so deep in the tool grown by it all round.
 
-The tree is perfectly balanced: at each level the facets of every node are parted at the median of what spreads most, place or
-normal, all nodes at once. It is filled up with copies of the last facets.
+The tree is perfectly balanced: at each level the facets of every node are parted at the median of what
+spreads most, place or normal, all nodes at once. It is filled up with copies of the last facets.
 """
 
 from __future__ import annotations
@@ -34,7 +36,8 @@ BEND = 0.2
 """What a change of the normals by 1 counts for in parting, as a share of the node's size."""
 
 TOP = 6
-"""Times that all facets are parted level by level; what they are then in, a thread parts to the end by itself."""
+"""Times that all facets are parted level by level; what they are then in, a thread parts to the end by
+itself."""
 
 AT_ONCE = 16384
 """Facets whose nodes are measured at a time."""
@@ -44,7 +47,8 @@ ROWS = 3, 3, 1, 5, 15, 3
 
 
 class Plates(NamedTuple):
-    """Of n nodes: the unit ``normal`` (3, n), and how far along it the plate's sides are, ``top`` and ``bottom`` (n,) mm."""
+    """Of n nodes: the unit ``normal`` (3, n), and how far along it the plate's sides are, ``top`` and
+    ``bottom`` (n,) mm."""
 
     normal: Floats
     top: Floats
@@ -52,8 +56,8 @@ class Plates(NamedTuple):
 
 
 class Boxes(NamedTuple):
-    """Of n nodes: ``middle`` (3, n) mm of the box; ``ways`` (3, 3, n), its three directions, unit, and ``half`` (3, n) mm, half
-    its sizes along them."""
+    """Of n nodes: ``middle`` (3, n) mm of the box; ``ways`` (3, 3, n), its three directions, unit, and
+    ``half`` (3, n) mm, half its sizes along them."""
 
     middle: Floats
     ways: Floats
@@ -62,12 +66,13 @@ class Boxes(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FacetTree:
-    """``facet`` (k,) row of the mesh of each leaf, ``corner`` (9, k) its corners a, b, c, mm; ``facet_first`` (k,) False for
-    copies. Of all nodes: ``middle``, ``half`` (3, n) mm their extent along x, y, z, and ``size`` (n,) mm half its diagonal;
-    ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a leaf; ``leaf`` the first node that is a facet.
-    ``plate`` (5, n) and ``box`` (15, n), rows as in :class:`Plates` and :class:`Boxes`, and ``point`` (3, n) mm one of the part's
-    points. ``allowance`` (2, n) mm: the largest and the least of the facets of each node; ``facet_allowance`` (f,) mm: the mesh's
-    own; None where a tool may touch all."""
+    """``facet`` (k,) row of the mesh of each leaf, ``corner`` (9, k) its corners a, b, c, mm; ``facet_first``
+    (k,) False for copies. Of all nodes: ``middle``, ``half`` (3, n) mm their extent along x, y, z, and
+    ``size`` (n,) mm half its diagonal; ``child`` (n,) the first child and ``arity`` (n,) how many, 0 at a
+    leaf; ``leaf`` the first node that is a facet. ``plate`` (5, n) and ``box`` (15, n), rows as in
+    :class:`Plates` and :class:`Boxes`, and ``point`` (3, n) mm one of the part's points. ``allowance`` (2, n)
+    mm: the largest and the least of the facets of each node; ``facet_allowance`` (f,) mm: the mesh's own;
+    None where a tool may touch all."""
 
     facet: Ints
     corner: Floats
@@ -128,7 +133,8 @@ _TREES: WeakKeyDictionary[Mesh, FacetTree] = WeakKeyDictionary()
 
 
 def facet_tree(mesh: Mesh) -> FacetTree:
-    """The tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and checks ask for it in turn."""
+    """The tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and checks
+    ask for it in turn."""
     if mesh not in _TREES:
         _TREES[mesh] = planted(mesh)
     return _TREES[mesh]
@@ -177,7 +183,9 @@ def _first_places(order: Ints, count: int) -> Ints:
 
 def _allowances(of_leaf: Floats, counts: list[int]) -> Floats:
     """The largest and the least allowance (2, n) mm of the nodes of all levels, from those of the leaves."""
-    most, least = ([find(of_leaf.reshape(count, -1), axis=1) for count in counts] for find in (np.max, np.min))
+    most, least = (
+        [find(of_leaf.reshape(count, -1), axis=1) for count in counts] for find in (np.max, np.min)
+    )
     return np.stack([np.concatenate(most), np.concatenate(least)])
 
 
@@ -201,8 +209,8 @@ def _part_often(feature: Floats, order: Ints, times: int) -> Ints:
 
 
 def _part_once(feature: Floats, order: Ints) -> Ints:
-    """Twice as many nodes (2 n, f / 2) as there are in ``order`` (n, f): parted by the one of ``feature`` (6, .), place and
-    normal, that spreads most in each."""
+    """Twice as many nodes (2 n, f / 2) as there are in ``order`` (n, f): parted by the one of ``feature`` (6,
+    .), place and normal, that spreads most in each."""
     value = feature[:, order]  # (6, nodes, facets)
     spread = value.max(axis=2) - value.min(axis=2)
     spread[3:] *= BEND * np.linalg.norm(spread[:3], axis=0)
@@ -212,8 +220,8 @@ def _part_once(feature: Floats, order: Ints) -> Ints:
 
 
 def _fill_level(corner: Floats, normal: Floats, count: int, tables: list[Floats]) -> None:
-    """Fill in the tables, of :data:`ROWS`, of ``count`` nodes of equally many facets, some nodes at a time: their columns stay in
-    the cache, and memory that is asked for once is used again."""
+    """Fill in the tables, of :data:`ROWS`, of ``count`` nodes of equally many facets, some nodes at a time:
+    their columns stay in the cache, and memory that is asked for once is used again."""
     width = corner.shape[1] // count
     rows = 2 * max(AT_ONCE // (2 * width), 1)
 
@@ -227,7 +235,8 @@ def _fill_level(corner: Floats, normal: Floats, count: int, tables: list[Floats]
 
 
 def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:
-    """Middle, half, size, plate (5, count), box (15, count) and point of ``count`` nodes of equally many facets."""
+    """Middle, half, size, plate (5, count), box (15, count) and point of ``count`` nodes of equally many
+    facets."""
     corners = corner.reshape(3, 3, count, -1)  # corner, x y z, node, facet
     top, bottom = corners.max(axis=(0, 3)), corners.min(axis=(0, 3))
     middle, half = 0.5 * (top + bottom), 0.5 * (top - bottom)
@@ -238,7 +247,14 @@ def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:
     box[:3] += middle
     nearest = (off * off).sum(axis=0).argmin(axis=1)
     point = middle + np.take_along_axis(off, nearest[None, :, None], axis=2)[:, :, 0]
-    return middle, half, np.linalg.norm(half, axis=0), np.concatenate([mean, [place + high[0], place + low[0]]]), box, point
+    return (
+        middle,
+        half,
+        np.linalg.norm(half, axis=0),
+        np.concatenate([mean, [place + high[0], place + low[0]]]),
+        box,
+        point,
+    )
 
 
 def _mean(normal: Floats) -> Floats:
@@ -250,7 +266,8 @@ def _mean(normal: Floats) -> Floats:
 
 
 def _lying(arm: Floats, normal: Floats) -> tuple[Floats, Floats, Floats]:
-    """Directions (3, 3, n) of the boxes that lie as corners (3, 3, n, facets) do, and from where to where (3, n) these go."""
+    """Directions (3, 3, n) of the boxes that lie as corners (3, 3, n, facets) do, and from where to where (3,
+    n) these go."""
     one = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=0)].T, axis=0)
     one = one / np.linalg.norm(one, axis=0)
     two = np.cross(normal, one, axis=0)
@@ -264,8 +281,8 @@ def _lying(arm: Floats, normal: Floats) -> tuple[Floats, Floats, Floats]:
 
 
 def _smaller(ways: Floats, low: Floats, high: Floats, half: Floats) -> Floats:
-    """Columns (15, n) of the box with the smaller surface: that from ``low`` to ``high`` along ``ways``, or the straight one of
-    ``half`` about 0."""
+    """Columns (15, n) of the box with the smaller surface: that from ``low`` to ``high`` along ``ways``, or
+    the straight one of ``half`` about 0."""
     wide, straight = 0.5 * (high - low), np.broadcast_to(np.eye(3)[:, :, None], ways.shape)
     lying = np.concatenate([np.einsum("kn,kin->in", 0.5 * (low + high), ways), *ways, wide])
     upright = np.concatenate([np.zeros_like(half), *straight, half])

@@ -5,8 +5,9 @@ element   a segment or a facet.
 piece     a part of an element, small enough to be found by its middle; long elements make many.
 reach     the largest distance of any point of a piece from the middle of its piece.
 
-The k pieces with the nearest middles are tried. An element that is not among them has no point nearer than the k-th middle less
-the reach: where the best found is nearer than that, it is the nearest of all, and so are all that are as near (:func:`search`).
+The k pieces with the nearest middles are tried. An element that is not among them has no point nearer than
+the k-th middle less the reach: where the best found is nearer than that, it is the nearest of all, and so are
+all that are as near (:func:`search`).
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ from freecad_fiveaxis.core.base.vectors import dot
 FIRST_TRIED, MORE = 8, 4
 """Pieces tried for each point, and how many times as many in the next round."""
 NEARLY = 0.05
-"""Relative error of far places: among many lines that are all far, the very nearest takes long to find, and tells no more."""
+"""Relative error of far places: among many lines that are all far, the very nearest takes long to find, and
+tells no more."""
 TOGETHER = 4096
 """Points worked on at a time in the first round: their columns stay in the processor's cache."""
 SPARE = 4096
@@ -54,7 +56,8 @@ class Pieces:
 Squared = Callable[[Floats, Ints], Floats]
 """Squared distance (n, k) of points (n, 3 or more) from elements (n, k)."""
 Resolve = Callable[[Floats, Ints, Floats], Floats]
-"""What is wanted of points (n, 3 or more), from the elements (n, k) tried and their squared distances (n, k): (n, w)."""
+"""What is wanted of points (n, 3 or more), from the elements (n, k) tried and their squared distances (n, k):
+(n, w)."""
 
 
 def search(
@@ -68,8 +71,9 @@ def search(
 ) -> Floats:
     """``resolve`` (n, ``width``) of every point; the nearest elements are among those that it is given.
 
-    ``points`` (n, 3) mm, or wider: what follows the place is handed on to ``squared`` and ``resolve``. Places that are farther
-    than ``rough`` times the pieces' reach get an element that is at most ``NEARLY`` and the reach farther than the nearest.
+    ``points`` (n, 3) mm, or wider: what follows the place is handed on to ``squared`` and ``resolve``. Places
+    that are farther than ``rough`` times the pieces' reach get an element that is at most ``NEARLY`` and the
+    reach farther than the nearest.
     """
     most = len(pieces.middle)
     result = np.empty((len(points), width))
@@ -109,7 +113,8 @@ def nearest(points: Floats, elements: Ints, distance2: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Segments:
-    """``start``, ``end`` (s, 3) mm; a segment may be a point. ``table`` (7, s): start, direction, squared length."""
+    """``start``, ``end`` (s, 3) mm; a segment may be a point. ``table`` (7, s): start, direction, squared
+    length."""
 
     start: Floats
     end: Floats
@@ -117,7 +122,9 @@ class Segments:
     def __post_init__(self) -> None:
         freeze(self, None, start="f3", end="f3")
         along = self.end - self.start
-        object.__setattr__(self, "table", np.concatenate([self.start.T, along.T, (along * along).sum(axis=1)[None]]))
+        object.__setattr__(
+            self, "table", np.concatenate([self.start.T, along.T, (along * along).sum(axis=1)[None]])
+        )
 
     def share(self, points: Floats, element: Ints) -> Floats:
         """Where on the segments ``element`` (n, k) the feet of ``points`` (n, 3) lie, 0 to 1."""
@@ -158,8 +165,8 @@ class Segments:
 
 @dataclass(frozen=True, eq=False)
 class Facets:
-    """``corner`` (3, f, 3) mm and the outward unit ``normal`` (f, 3). ``table`` (15, f): first corner, the sides b and c from
-    there to the others, the normal, and b.b, b.c, c.c."""
+    """``corner`` (3, f, 3) mm and the outward unit ``normal`` (f, 3). ``table`` (15, f): first corner, the
+    sides b and c from there to the others, the normal, and b.b, b.c, c.c."""
 
     corner: Floats
     normal: Floats
@@ -170,11 +177,14 @@ class Facets:
         object.__setattr__(self, "table", np.concatenate([a, b, c, self.normal.T, *squares]))
 
     def squared(self, points: Floats, element: Ints) -> Floats:
-        """Squared distances (n, k) of ``points`` (n, 3) from the facets ``element`` (n, k): from the plane over the facet, else
-        from its nearest side. All from the inner products of the point (from the first corner) with the sides."""
+        """Squared distances (n, k) of ``points`` (n, 3) from the facets ``element`` (n, k): from the plane
+        over the facet, else from its nearest side. All from the inner products of the point (from the first
+        corner) with the sides."""
         table: Floats = self.table  # type: ignore[attr-defined]
         off = [points[:, j, None] - table[j].take(element) for j in range(3)]
-        along_b, along_c, height = (dot(off, [table[first + j].take(element) for j in range(3)]) for first in (3, 6, 9))
+        along_b, along_c, height = (
+            dot(off, [table[first + j].take(element) for j in range(3)]) for first in (3, 6, 9)
+        )
         bb, bc, cc = (table[j].take(element) for j in (12, 13, 14))
         square = dot(off, off)
         v, w = cc * along_b - bc * along_c, bb * along_c - bc * along_b
@@ -186,7 +196,8 @@ class Facets:
     def signed(self, points: Floats, elements: Ints, distance2: Floats) -> Floats:
         """A ``resolve``: distance mm, below 0 inside the part, and row of the nearest facet.
 
-        Of facets that are as near (their common edge or corner is nearest) the one decides which is seen most from its face.
+        Of facets that are as near (their common edge or corner is nearest) the one decides which is seen most
+        from its face.
         """
         least = distance2.min(axis=1)
         tied = distance2 <= (least * (1.0 + 1e-9) + 1e-18)[:, None]
@@ -216,7 +227,8 @@ class Facets:
 
 
 def _to_side(square: Floats, along: Floats, length2: Floats) -> Floats:
-    """Squared distance from a side of that squared length, from its beginning's and the inner product with it."""
+    """Squared distance from a side of that squared length, from its beginning's and the inner product with
+    it."""
     share = np.clip(along / length2, 0.0, 1.0)
     return np.asarray(square - share * (2.0 * along - share * length2))
 

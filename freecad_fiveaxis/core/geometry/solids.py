@@ -18,19 +18,25 @@ SIDES = 48
 
 
 def box_facets(low: Floats, high: Floats) -> Floats:
-    """Give the facets (12, 3, 3), mm, of a box from its ``low`` to its ``high`` corner, seen from outside counterclockwise."""
-    corner = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
+    """Give the facets (12, 3, 3), mm, of a box from its ``low`` to its ``high`` corner, seen from outside
+    counterclockwise."""
+    corner = np.array(
+        [[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
+    )
     sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     return np.asarray(corner[[[side[0], *two] for side in sides for two in (side[1:3], side[2:4])]])
 
 
 def frustum_facets(low: Floats, high: Floats, low_radius: float, high_radius: float) -> Floats:
-    """Give facets (f, 3, 3), mm, around a cylinder or a frustum, from the middle of the one end to that of the other."""
+    """Give facets (f, 3, 3), mm, around a cylinder or a frustum, from the middle of the one end to that of
+    the other."""
     way = (high - low) / np.linalg.norm(high - low)
     across = np.cross(way, np.eye(3)[np.abs(way).argmin()])
     across /= np.linalg.norm(across)
     angle = 2.0 * math.pi * np.arange(SIDES) / SIDES
-    ring = (np.cos(angle)[:, None] * across + np.sin(angle)[:, None] * np.cross(way, across)) / math.cos(math.pi / SIDES)
+    ring = (np.cos(angle)[:, None] * across + np.sin(angle)[:, None] * np.cross(way, across)) / math.cos(
+        math.pi / SIDES
+    )
     return _lathe([low, low + low_radius * ring, high + high_radius * ring, high])
 
 

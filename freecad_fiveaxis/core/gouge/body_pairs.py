@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies of the machine against each other, and against part and fixtures, on the way that the machine really goes.
+"""Bodies of the machine against each other, and against part and fixtures, on the way that the machine really
+goes.
 
-Pairs whose carriers move against each other are looked at, each with the joints between its carriers alone: blocks in which these
-stand, or which repeat others, cost nothing. What tool and spindle hit of the bodies of table and base is found in
+Pairs whose carriers move against each other are looked at, each with the joints between its carriers alone:
+blocks in which these stand, or which repeat others, cost nothing. What tool and spindle hit of the bodies of
+table and base is found in
 :mod:`.machine_check`; here the tool is looked at against bodies that other axes of its own head carry.
 """
 
@@ -36,14 +38,17 @@ FINEST = 0.1
 """Depths and distances are known to this share of themselves, or to the tolerance."""
 
 REMEDY = say("Clamp the part elsewhere or higher, use a longer tool, or lean it less.")
-SAME_SIDE = say("Place the part otherwise on the table, or lean the tool less, so that the axes need not go there.")
+SAME_SIDE = say(
+    "Place the part otherwise on the table, or lean the tool less, so that the axes need not go there."
+)
 """What helps, and what does where the tool's length changes nothing."""
 
 
 @dataclass(frozen=True, eq=False)
 class PairCheck:
-    """``zero`` (5,) mm and degrees: the words at which every joint stands at zero, those of ``known`` (5,) whether or not the
-    tool's length is known; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm between bodies that have none."""
+    """``zero`` (5,) mm and degrees: the words at which every joint stands at zero, those of ``known`` (5,)
+    whether or not the tool's length is known; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm
+    between bodies that have none."""
 
     machine: Machine
     kinematics: Chain
@@ -56,9 +61,9 @@ class PairCheck:
 
 
 class Closest(NamedTuple):
-    """Of one pair: ``block`` and ``u`` (None: not known) of the deepest place, or of the nearest; ``level`` mm: how deep at
-    least, or less than 0: how near at most; ``place`` (3,) mm, seen from what carries the entered piece; ``blocks``: how many
-    there are."""
+    """Of one pair: ``block`` and ``u`` (None: not known) of the deepest place, or of the nearest; ``level``
+    mm: how deep at least, or less than 0: how near at most; ``place`` (3,) mm, seen from what carries the
+    entered piece; ``blocks``: how many there are."""
 
     block: int
     u: float | None
@@ -67,9 +72,12 @@ class Closest(NamedTuple):
     blocks: int
 
 
-def check_pairs(given: PairCheck, carried: Sequence[Carried], progress: Progress = silent) -> tuple[Finding, ...]:
-    """Find where bodies go more than the tolerance into each other, or nearer than the clearance, on any block. None deeper is
-    missed; told of each pair is the deepest place, or the nearest where they stay out of each other."""
+def check_pairs(
+    given: PairCheck, carried: Sequence[Carried], progress: Progress = silent
+) -> tuple[Finding, ...]:
+    """Find where bodies go more than the tolerance into each other, or nearer than the clearance, on any
+    block. None deeper is missed; told of each pair is the deepest place, or the nearest where they stay out
+    of each other."""
     pairs, touching = pair_up(given.machine, carried)
     found, of_tool = list(_touching(touching)), list[Finding]()
     for k, pair in enumerate(pairs):
@@ -88,7 +96,11 @@ def _worst_of_tool(found: Sequence[Finding]) -> Iterator[Finding]:
         met = one.hit or one.near
         name = met.entered if met else one.text
         other = worst.setdefault(name, one)
-        if (one.severity, one.hit is not None, _badness(one)) > (other.severity, other.hit is not None, _badness(other)):
+        if (one.severity, one.hit is not None, _badness(one)) > (
+            other.severity,
+            other.hit is not None,
+            _badness(other),
+        ):
             worst[name] = one
     yield from worst.values()
 
@@ -102,7 +114,8 @@ def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
     if pairs:
         names = "; ".join(f"{one.name}, {other.name}" for one, other in pairs)
         text = say(
-            "These touch each other with all axes at zero, so they are taken for neighbours and were not looked at against each "
+            "These touch each other with all axes at zero, so they are taken for neighbours and were not "
+            "looked at against each "
             "other: {names}.",
             names=names,
         )
@@ -132,8 +145,8 @@ def _look_at(given: PairCheck, pair: CarriedPair, joints: Floats) -> Iterator[Fi
 
 @dataclass(frozen=True, eq=False)
 class _Levels:
-    """A pair at a level, mm: above 0 what lies so deep in the standing piece is met, below 0 what comes so near. ``joints``
-    (m, k) of the program's rows."""
+    """A pair at a level, mm: above 0 what lies so deep in the standing piece is met, below 0 what comes so
+    near. ``joints`` (m, k) of the program's rows."""
 
     given: PairCheck
     pair: CarriedPair
@@ -158,7 +171,8 @@ class _Levels:
         return find_meetings(self.at(level), start, end, joined, SLACK * self.given.tolerance)
 
     def find(self, level: float, most: float) -> tuple[Closest | None, Ints]:
-        """Find the block that is deepest, from ``level`` mm up to ``most``; and the blocks (k,) of which that is not proven."""
+        """Find the block that is deepest, from ``level`` mm up to ``most``; and the blocks (k,) of which that
+        is not proven."""
         blocks = np.arange(len(self.joints) - 1)
         found, unproven = self._deepest(level, most, blocks, True)
         if self.given.rapids != INTERPOLATED and found is None:
@@ -198,31 +212,44 @@ class _Levels:
 def _collision(given: PairCheck, pair: CarriedPair, deep: Closest) -> Finding:
     text = say(
         "The {part} goes at least {depth} into the {name}, at {at}, deepest of {count} blocks.",
-        part=pair.enters.name, depth=Length(deep.level, ".4g"), name=pair.entered.name, at=_at(deep), count=deep.blocks,
+        part=pair.enters.name, depth=Length(deep.level, ".4g"), name=pair.entered.name, at=_at(deep),
+        count=deep.blocks,
     )  # fmt: skip
     row, line, place = _where(given, deep.block)
     remedy = SAME_SIDE if len({step.axis.side for step in pair.motion.steps}) == 1 else REMEDY
     text, hit = joined((text, remedy)), Hit(pair.enters.key, pair.entered.key, deep.u)
-    return report_finding(Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit)
+    return report_finding(
+        Code.MACHINE_COLLISION, text, deep.level, given.tolerance, row, line, place, hit=hit
+    )
 
 
 def _near(given: PairCheck, pair: CarriedPair, near: Closest, wanted: float) -> Finding:
     distance = min(given.tolerance - near.level, wanted)
     text = say(
-        "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} are asked for.",
-        part=pair.enters.name, distance=Length(distance, ".3g"), name=pair.entered.name, at=_at(near), count=near.blocks,
+        "The {part} comes nearer than {distance} to {name} at {at}, nearest of {count} blocks; {clearance} "
+        "are asked for.",
+        part=pair.enters.name, distance=Length(distance, ".3g"), name=pair.entered.name, at=_at(near),
+        count=near.blocks,
         clearance=Length(wanted),
     )  # fmt: skip
     row, line, place = _where(given, near.block)
     return report_finding(
-        Code.MACHINE_NEAR, text, distance, wanted, row, line, place, near=Hit(pair.enters.key, pair.entered.key, near.u)
+        Code.MACHINE_NEAR,
+        text,
+        distance,
+        wanted,
+        row,
+        line,
+        place,
+        near=Hit(pair.enters.key, pair.entered.key, near.u),
     )
 
 
 def _unproven(given: PairCheck, pair: CarriedPair, blocks: Ints) -> Finding:
     row, line, _ = _where(given, int(blocks[0]))
     text = say(
-        "In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line {line}. Drive one "
+        "In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line "
+        "{line}. Drive one "
         "group of axes after the other, or place the part otherwise on the table.",
         count=len(blocks), part=pair.enters.name, name=pair.entered.name, line=line,
     )  # fmt: skip
@@ -231,7 +258,9 @@ def _unproven(given: PairCheck, pair: CarriedPair, blocks: Ints) -> Finding:
 
 def _at(closest: Closest) -> Sentence:
     """Where that is on the machine, in words."""
-    return say("{at} in the machine frame with the axes that carry it at zero", at=Point(closest.place, ".4g"))
+    return say(
+        "{at} in the machine frame with the axes that carry it at zero", at=Point(closest.place, ".4g")
+    )
 
 
 def _where(given: PairCheck, block: int) -> tuple[int, int, Vector]:

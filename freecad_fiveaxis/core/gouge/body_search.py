@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """In which blocks two convex pieces of a machine meet, with a proof for all others.
 
-free      a cell of joints, if a gap is left in it along some direction (:mod:`.carried_motion`). What is not free and does not
-          meet in its middle is halved.
-grid      cells whose ends lie on a grid of each joint. Blocks that stay in one cell are free together, and a program comes to
-          the same cells again and again: so most of it is proven with few cells, from a coarse grid to finer ones.
+free      a cell of joints, if a gap is left in it along some direction (:mod:`.carried_motion`). What is not
+          free and does not meet in its middle is halved.
+grid      cells whose ends lie on a grid of each joint. Blocks that stay in one cell are free together, and a
+          program comes to the same cells again and again: so most of it is proven with few cells, from a
+          coarse grid to finer ones.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ WORTH = 2
 
 
 class Pair(NamedTuple):
-    """How a piece moves, seen from the one that is ``standing``; pieces that are ``within`` mm of each other meet."""
+    """How a piece moves, seen from the one that is ``standing``; pieces that are ``within`` mm of each other
+    meet."""
 
     motion: CarriedMotion
     standing: Convex
@@ -40,8 +42,8 @@ class Pair(NamedTuple):
 
 
 class Meetings(NamedTuple):
-    """Of m blocks: ``met`` (m,), at ``u`` (m,), with joints (m, k) mm and rad, at ``place`` (m, 3) mm, seen from the standing
-    piece; ``unproven`` (m,): neither met nor free."""
+    """Of m blocks: ``met`` (m,), at ``u`` (m,), with joints (m, k) mm and rad, at ``place`` (m, 3) mm, seen
+    from the standing piece; ``unproven`` (m,): neither met nor free."""
 
     met: Bools
     u: Floats
@@ -51,10 +53,17 @@ class Meetings(NamedTuple):
 
 
 def find_meetings(pair: Pair, start: Floats, end: Floats, joined: bool, slack: float) -> Meetings:
-    """Find in which blocks, from joints ``start`` to ``end`` (m, k) mm and rad, the pieces meet; ``joined``: all joints go in
-    step, else each as it will. What comes nearer by less than ``slack`` mm may be called free."""
+    """Find in which blocks, from joints ``start`` to ``end`` (m, k) mm and rad, the pieces meet; ``joined``:
+    all joints go in step, else each as it will. What comes nearer by less than ``slack`` mm may be called
+    free."""
     count = len(start)
-    found = Meetings(np.zeros(count, np.bool_), np.zeros(count), start.copy(), np.zeros((count, 3)), np.zeros(count, np.bool_))
+    found = Meetings(
+        np.zeros(count, np.bool_),
+        np.zeros(count),
+        start.copy(),
+        np.zeros((count, 3)),
+        np.zeros(count, np.bool_),
+    )
     rows = open_blocks(pair, np.minimum(start, end), np.maximum(start, end))
     if len(rows):
         only, which = _different(np.concatenate([start[rows], end[rows]], axis=1))
@@ -65,7 +74,8 @@ def find_meetings(pair: Pair, start: Floats, end: Floats, joined: bool, slack: f
 
 
 def open_blocks(pair: Pair, low: Floats, high: Floats) -> Ints:
-    """Pick the blocks that no cell of a grid proves to be free; joints (m, k) between ``low`` and ``high``."""
+    """Pick the blocks that no cell of a grid proves to be free; joints (m, k) between ``low`` and
+    ``high``."""
     rows: Ints = np.arange(len(low))
     first = low.min(axis=0, initial=np.inf)
     span = high.max(axis=0, initial=-np.inf) - first
@@ -86,14 +96,18 @@ def open_blocks(pair: Pair, low: Floats, high: Floats) -> Ints:
 
 
 def free_cells(pair: Pair, low: Floats, high: Floats) -> Bools:
-    """Tell of cells of joints, each from ``low`` to ``high`` (n, k), mm and rad, which are proven to be free all over (n,)."""
-    parts = [_look(pair, _cells(low[k : k + SLICE], high[k : k + SLICE]), False)[0] for k in range(0, len(low), SLICE)]
+    """Tell of cells of joints, each from ``low`` to ``high`` (n, k), mm and rad, which are proven to be free
+    all over (n,)."""
+    parts = [
+        _look(pair, _cells(low[k : k + SLICE], high[k : k + SLICE]), False)[0]
+        for k in range(0, len(low), SLICE)
+    ]
     return np.concatenate(parts) if parts else np.zeros(0, np.bool_)
 
 
 def _different(rows: Floats) -> tuple[Floats, Ints]:
-    """Give the different ones of rows (n, k), and which of them each is (n,). Those that follow their like are dropped before the
-    rest is sorted, which is dear."""
+    """Give the different ones of rows (n, k), and which of them each is (n,). Those that follow their like
+    are dropped before the rest is sorted, which is dear."""
     new = np.concatenate([[True], (np.diff(rows, axis=0) != 0.0).any(axis=1)])
     only, which = np.unique(rows[new], axis=0, return_inverse=True)
     return only, which.reshape(-1)[np.cumsum(new) - 1]
@@ -106,8 +120,8 @@ def _cells(start: Floats, end: Floats) -> Cells:
 
 
 def _look(pair: Pair, cells: Cells, joined: bool) -> tuple[Bools, Bools, Floats, Floats, Floats]:
-    """Tell of cells (n) which are free and which meet in the middle; the directions (n, 3) of the gaps, the places (n, 3), and
-    how far (n,) mm each cell reaches."""
+    """Tell of cells (n) which are free and which meet in the middle; the directions (n, 3) of the gaps, the
+    places (n, 3), and how far (n,) mm each cell reaches."""
     motion, standing, within = pair
     lines = motion.lines(cells.middle)
     _, far = motion.travel(lines, cells.half)
@@ -136,7 +150,12 @@ def _search(pair: Pair, start: Floats, end: Floats, joined: bool, slack: float) 
         cells = cells.take(~(found.met | found.unproven)[cells.owner])
         free, met, way, place, far = _look(pair, cells, joined)
         at = cells.owner[met]
-        found.met[at], found.u[at], found.joints[at], found.place[at] = True, cells.u[met], cells.middle[met], place[met]
+        found.met[at], found.u[at], found.joints[at], found.place[at] = (
+            True,
+            cells.u[met],
+            cells.middle[met],
+            place[met],
+        )
         rows = np.flatnonzero(~free & (far > slack) & ~found.met[cells.owner])
         todo += _sliced(_halved(pair.motion, cells.take(rows)._replace(guess=way[rows]), joined))
     return found

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How deep nodes and facets can be in a piece on its way: upper bounds that hold for every u.
 
-Any unit direction g gives a bound: what a piece reaches along g, less what the node begins at along g. It holds wherever g comes
-from; a well chosen g only makes it close. From the cheapest to the dearest:
+Any unit direction g gives a bound: what a piece reaches along g, less what the node begins at along g. It
+holds wherever g comes from; a well chosen g only makes it close. From the cheapest to the dearest:
 
 box      from the piece to the nearest place of the node's box: clears what is beside or below the tool.
 plate    the node's normal both ways: close where the tool touches a surface.
-edges    from the piece to the nearest place of a facet's edges: close where the tool touches an edge or a corner. A facet whose
-         plane is not clear of a convex piece is nearest to it on an edge, or goes into it.
+edges    from the piece to the nearest place of a facet's edges: close where the tool touches an edge or a
+         corner. A facet whose plane is not clear of a convex piece is nearest to it on an edge, or goes into
+         it.
 
-**Less of the piece.** A point deeper than d in a piece is deeper than d - s in what is left of the piece when everything up to s
-below its surface is taken off. Bounds are taken on that: a tool that touches is clear of it, so the way to it has a direction.
+**Less of the piece.** A point deeper than d in a piece is deeper than d - s in what is left of the piece when
+everything up to s below its surface is taken off. Bounds are taken on that: a tool that touches is clear of
+it, so the way to it has a direction.
 """
 
 from __future__ import annotations
@@ -30,14 +32,16 @@ NEAR = 1e-12
 
 
 def pared(piece: Piece, by: float) -> tuple[Piece, float]:
-    """What is left of a piece when up to ``by`` mm are taken off all around, and how much was; of a cone's flanks only its round
-    is taken. ``piece.most`` must be larger than ``by``."""
+    """What is left of a piece when up to ``by`` mm are taken off all around, and how much was; of a cone's
+    flanks only its round is taken. ``piece.most`` must be larger than ``by``."""
     off = min(by, piece.round)
     round_, more = piece.round - off, by - off
     if piece.low_radius != piece.high_radius or more == 0.0:
         return piece._replace(round=round_), off
     radius = piece.low_radius - more
-    return piece._replace(low=piece.low + more, low_radius=radius, high=piece.high - more, high_radius=radius, round=round_), by
+    return piece._replace(
+        low=piece.low + more, low_radius=radius, high=piece.high - more, high_radius=radius, round=round_
+    ), by
 
 
 def box_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
@@ -47,8 +51,8 @@ def box_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -
 
 
 def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Floats, Floats]:
-    """Find the direction (3, n) from the piece at tips (3, n) mm, with unit axes (3, n), to the nearest place of boxes, and where
-    these begin along it (n,) mm from the tip."""
+    """Find the direction (3, n) from the piece at tips (3, n) mm, with unit axes (3, n), to the nearest place
+    of boxes, and where these begin along it (n,) mm from the tip."""
     arm = box.middle - tip
     height = _inner(arm, axis)
     core = np.minimum(np.maximum(height, piece.low), piece.high) * axis
@@ -134,11 +138,14 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
 
 
 def _reached(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
-    """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle tip."""
+    """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle
+    tip."""
     return _swept(piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn))
 
 
-def _swept(piece: Piece, sweep: StraightSweep, go: Floats | None, lean: Floats, turn: Floats | None) -> Floats:
+def _swept(
+    piece: Piece, sweep: StraightSweep, go: Floats | None, lean: Floats, turn: Floats | None
+) -> Floats:
     """:func:`_reached` from what travel, unit axis and turn are along g; it is largest at one of the ends."""
     if go is None or sweep.bend_tip is None or sweep.bend_axis is None:  # both ends are the same
         return support(piece, lean if sweep.cosine is None else sweep.cosine * lean)

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How what one axis of the machine carries moves, seen from what another one carries.
 
-carrier   an axis, ``base``, or ``spindle`` (the last axis of the head). The work stands on the first axis of the table.
-step      of the way from the one carrier to the other: an axis between them, with the sign by which its joint moves the far one.
-          With joints q the far one stands at ``M1(q1) M2(q2) ... Mk(qk)``, each a turn about a line or a shift, given at all
-          joints zero.
-cell      joints about a middle, each up to its half range to both sides: all of them (``joined`` False), or in step from the one
-          end to the other (True), as an axis interpolates.
+carrier   an axis, ``base``, or ``spindle`` (the last axis of the head). The work stands on the first axis of
+          the table.
+step      of the way from the one carrier to the other: an axis between them, with the sign by which its joint
+          moves the far one. With joints q the far one stands at ``M1(q1) M2(q2) ... Mk(qk)``, each a turn
+          about a line or a shift, given at all joints zero.
+cell      joints about a middle, each up to its half range to both sides: all of them (``joined`` False), or
+          in step from the one end to the other (True), as an axis interpolates.
 lever     of a step: no point of the moved piece is farther from its line than this, mm; 1 for a linear axis.
 
-**How far a cell reaches.** From the middle c of a cell the joints go to c + d one after the other, the one next to the seeing
-carrier first. Step i then moves a point, turned by what went before, by ``(M(d_i) - 1) y`` with y at the middle: that is its
-velocity there times d_i, but for ``d_i^2 / 2 lever``; and what went before has turned it by at most ``phi_i``, the sum of the
-half ranges of the rotary steps before it, which moves it by at most ``phi_i d_i lever``. So along any direction g no point goes
-farther than its velocities say, and ``sum of half (half / 2 + phi) lever``, where a linear axis has no ``half / 2``.
+**How far a cell reaches.** From the middle c of a cell the joints go to c + d one after the other, the one
+next to the seeing carrier first. Step i then moves a point, turned by what went before, by ``(M(d_i) - 1) y``
+with y at the middle: that is its velocity there times d_i, but for ``d_i^2 / 2 lever``; and what went before
+has turned it by at most ``phi_i``, the sum of the half ranges of the rotary steps before it, which moves it
+by at most ``phi_i d_i lever``. So along any direction g no point goes farther than its velocities say, and
+``sum of half (half / 2 + phi) lever``, where a linear axis has no ``half / 2``.
 """
 
 from __future__ import annotations
@@ -39,8 +41,9 @@ class Step(NamedTuple):
 
 
 class Cells(NamedTuple):
-    """``middle``, ``half`` (n, k), mm and rad, one column a step; ``owner`` (n,): the block of each; ``u``, ``wide`` (n,): the
-    middle and half the length of its part of that block; ``guess`` (n, 3): a direction along which it may be free."""
+    """``middle``, ``half`` (n, k), mm and rad, one column a step; ``owner`` (n,): the block of each; ``u``,
+    ``wide`` (n,): the middle and half the length of its part of that block; ``guess`` (n, 3): a direction
+    along which it may be free."""
 
     owner: Ints
     middle: Floats
@@ -56,8 +59,8 @@ class Cells(NamedTuple):
 
 
 class Lines(NamedTuple):
-    """Of n cells, seen from the standing piece: the moved one's ``poses`` in the middle, and of each step the ``direction``
-    (k, n, 3) unit and a ``point`` (k, n, 3) mm of its line; ``lever`` (k, n)."""
+    """Of n cells, seen from the standing piece: the moved one's ``poses`` in the middle, and of each step the
+    ``direction`` (k, n, 3) unit and a ``point`` (k, n, 3) mm of its line; ``lever`` (k, n)."""
 
     poses: Poses
     direction: Floats
@@ -127,8 +130,8 @@ class CarriedMotion:
         return Lines(Poses(turn, shift), directions, points, lever)
 
     def travel(self, lines: Lines, half: Floats) -> tuple[Floats, Floats]:
-        """Tell by how much no point of the moved piece goes farther in cells of ``half`` (n, k) than its velocities say, mm (n,),
-        and how far it goes at most, (n,)."""
+        """Tell by how much no point of the moved piece goes farther in cells of ``half`` (n, k) than its
+        velocities say, mm (n,), and how far it goes at most, (n,)."""
         size = np.abs(half).T
         turned = size * self.rotary[:, None]
         before = np.cumsum(turned, axis=0) - turned
@@ -136,15 +139,18 @@ class CarriedMotion:
         return bend, (size * lines.lever).sum(axis=0)
 
     def least_gap(self, standing: Convex, lines: Lines, half: Floats, g: Floats, joined: bool) -> Floats:
-        """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left all over cells of ``half`` (n, k), rounds taken off.
+        """Give the gaps (n,) mm along unit ``g`` (n, 3) that are left all over cells of ``half`` (n, k),
+        rounds taken off.
 
-        With the velocities of the middle the place of each corner along ``g`` is linear in the joints, so the least
-        of all corners is least at an end of the cell: at one of both where the joints go in step, else of all that
-        the joints that turn make.
+        With the velocities of the middle the place of each corner along ``g`` is linear in the joints, so the
+        least of all corners is least at an end of the cell: at one of both where the joints go in step, else
+        of all that the joints that turn make.
         """
         bend, _ = self.travel(lines, half)
         axis = crossed(g, lines.direction) * self.rotary[:, None, None]
-        flat = np.where(self.rotary[:, None], -(axis * lines.point).sum(axis=2), (g * lines.direction).sum(axis=2))
+        flat = np.where(
+            self.rotary[:, None], -(axis * lines.point).sum(axis=2), (g * lines.direction).sum(axis=2)
+        )
         axis, flat = axis * half.T[:, :, None], flat * half.T
         if joined:
             ways = [np.ones(len(self.steps)), -np.ones(len(self.steps))]
@@ -152,7 +158,8 @@ class CarriedMotion:
             bend = bend + np.abs(flat[~self.rotary]).sum(axis=0)
             ways = [self._turning(signs) for signs in product((1.0, -1.0), repeat=int(self.rotary.sum()))]
         gaps = [
-            support_gap(self.moved, standing, lines.poses, g, np.tensordot(way, axis, 1)) + way @ flat for way in ways
+            support_gap(self.moved, standing, lines.poses, g,
+                np.tensordot(way, axis, 1)) + way @ flat for way in ways
         ]  # fmt: skip
         return np.asarray(np.min(gaps, axis=0) - bend)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the axes of a machine carry, as convex pieces at all joints zero: its bodies, part and fixtures, and the tool.
+"""What the axes of a machine carry, as convex pieces at all joints zero: its bodies, part and fixtures, and
+the tool.
 
 hull      of an STL, part or fixture its convex hull is taken: what lies in its hollows counts as in it.
 round     cylinders and cones get flat sides around them (:mod:`.solids`), spheres are what they are.
@@ -32,12 +33,14 @@ TOUCHING = 0.05
 """mm; pieces of neighbours that are nearer with all joints at zero touch by construction."""
 
 TOOL, BODY, HELD = 0, 1, 2
-"""Cutter, shank and holder; bodies of the machine's file; part and fixtures: it is always the first that enters the last."""
+"""Cutter, shank and holder; bodies of the machine's file; part and fixtures: it is always the first that
+enters the last."""
 
 
 class Carried(NamedTuple):
-    """``name`` as it is told of, ``key`` as in a Hit; ``carrier``; ``kind``: TOOL, BODY or HELD; ``clearance`` mm of its own;
-    ``stacked``: whether it goes with the tool wherever that is proven against what table and base carry."""
+    """``name`` as it is told of, ``key`` as in a Hit; ``carrier``; ``kind``: TOOL, BODY or HELD;
+    ``clearance`` mm of its own; ``stacked``: whether it goes with the tool wherever that is proven against
+    what table and base carry."""
 
     name: str
     key: str
@@ -49,8 +52,8 @@ class Carried(NamedTuple):
 
 
 class CarriedPair(NamedTuple):
-    """What is ``moved``, and how, seen from the carrier of what is ``standing``; ``enters`` and ``entered``: the same two as they
-    are told of."""
+    """What is ``moved``, and how, seen from the carrier of what is ``standing``; ``enters`` and ``entered``:
+    the same two as they are told of."""
 
     moved: Carried
     standing: Carried
@@ -76,18 +79,25 @@ def _body_piece(body: MachineBody, progress: Progress) -> Convex:
     return convex_hull(make_mesh(body, np.zeros(3), progress).vertex)
 
 
-def carry_work(machine: Machine, setup: Setup, part: Mesh | None, fixtures: Sequence[Fixture]) -> list[Carried]:
+def carry_work(
+    machine: Machine, setup: Setup, part: Mesh | None, fixtures: Sequence[Fixture]
+) -> list[Carried]:
     """Give the part (None: not known), and the fixtures, both with their vertices in the work frame."""
     carrier = work_carrier(machine)
     held: list[tuple[str, str, Mesh]] = [] if part is None else [(say("part"), "", part)]
     held += [(one.name, one.name, one.mesh) for one in fixtures]
-    return [Carried(name, key, carrier, convex_hull(mesh.vertex + setup.origin), HELD) for name, key, mesh in held]
+    return [
+        Carried(name, key, carrier, convex_hull(mesh.vertex + setup.origin), HELD) for name, key, mesh in held
+    ]
 
 
 def carry_tool(machine: Machine, tool: Body, length: float) -> list[Carried]:
     """Give the pieces of the ``tool``, whose tip stands ``length`` mm below the gauge point."""
     tip = np.array(machine.gauge_point) - (0.0, 0.0, length)
-    return [Carried(PARTS[one.part], PARTS[one.part], SPINDLE, _tool_piece(one, tip), TOOL, stacked=True) for one in tool.pieces]
+    return [
+        Carried(PARTS[one.part], PARTS[one.part], SPINDLE, _tool_piece(one, tip), TOOL, stacked=True)
+        for one in tool.pieces
+    ]
 
 
 def _tool_piece(piece: Piece, tip: Floats) -> Convex:
@@ -102,9 +112,11 @@ def _tool_piece(piece: Piece, tip: Floats) -> Convex:
     return convex_hull(frustum_facets(low, high, wide, piece.high_radius).reshape(-1, 3), piece.round)
 
 
-def pair_up(machine: Machine, carried: Sequence[Carried]) -> tuple[list[CarriedPair], list[tuple[Carried, Carried]]]:
-    """Give the pairs that move against each other and are proven nowhere else, and of neighbours those that touch with all joints
-    at zero, which are none."""
+def pair_up(
+    machine: Machine, carried: Sequence[Carried]
+) -> tuple[list[CarriedPair], list[tuple[Carried, Carried]]]:
+    """Give the pairs that move against each other and are proven nowhere else, and of neighbours those that
+    touch with all joints at zero, which are none."""
     pairs, touching = [], []
     for one, other in combinations(carried, 2):
         if BODY not in (one.kind, other.kind) or _with_the_tool(machine, one, other):
@@ -119,14 +131,16 @@ def pair_up(machine: Machine, carried: Sequence[Carried]) -> tuple[list[CarriedP
 
 
 def _with_the_tool(machine: Machine, one: Carried, other: Carried) -> bool:
-    """Tell whether the pair is proven with the tool, or stands still to it: only bodies of the head are left."""
+    """Tell whether the pair is proven with the tool, or stands still to it: only bodies of the head are
+    left."""
     head = [axis.letter for axis in machine.fitted if axis.side == "head"]
     pairs = ((one, other), (other, one))
     return any(a.stacked and (b.stacked or b.carrier not in (*head, SPINDLE)) for a, b in pairs)
 
 
 def _neighbours(machine: Machine, one: Carried, other: Carried) -> bool:
-    """Tell whether a pair can touch by construction: not across from table to head, which are anywhere at all joints zero."""
+    """Tell whether a pair can touch by construction: not across from table to head, which are anywhere at all
+    joints zero."""
     (near, down), (far, up) = (carriers_from_base(machine, each.carrier) for each in (one, other))
     return not near or not far or down == up
 

@@ -35,7 +35,8 @@ from .spots import MOST_SPOTS, spots
 from .swept_motion import SweptMotion, real_motion, straight_motion
 
 ROUGHLY = 0.1
-"""mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance all the same."""
+"""mm; so well is known how deep shank and holder are in the part. Whether they are is known to the tolerance
+all the same."""
 
 GOUGES = (Code.OVERCUT, Code.RAPID_COLLISION, Code.HOLDER_COLLISION)
 """The codes of the findings."""
@@ -46,11 +47,13 @@ DIVIDE = Choice("linearize", ("on",))
 WITH_REMEDY = {
     Code.OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
     Code.RAPID_COLLISION: Template(
-        "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; where the part is "
+        "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; "
+        "where the part is "
         "over the tool, let it be lifted there or leave such places out ({lift})."
     ),
     Code.HOLDER_COLLISION: Template(
-        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places out ({tilt}), "
+        "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places "
+        "out ({tilt}), "
         "use a longer tool, or more lead or tilt."
     ),
 }
@@ -63,7 +66,8 @@ PLAIN = {
 """The same of a program that is only looked at: what helps is not ours to do."""
 
 CURES = say(
-    "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the machine "
+    "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the "
+    "machine "
     "leaves the path by as much, let blocks be divided ({divide}).",
     lift=LIFT,
     divide=DIVIDE,
@@ -76,9 +80,9 @@ Where = Callable[[int], tuple[int | None, int | None]]
 
 @dataclass(frozen=True, eq=False)
 class GougeCheck:
-    """``cutter`` and ``above`` (shank, holder and spindle): their entries, a row a block of the swept motion; ``buried`` (m,)
-    blocks that are wholly in the part; ``findings``. ``ways``: what the tool enters on rapids whose axes may run independently,
-    None where they are interpolated."""
+    """``cutter`` and ``above`` (shank, holder and spindle): their entries, a row a block of the swept motion;
+    ``buried`` (m,) blocks that are wholly in the part; ``findings``. ``ways``: what the tool enters on rapids
+    whose axes may run independently, None where they are interpolated."""
 
     cutter: Entries
     above: Entries
@@ -87,8 +91,8 @@ class GougeCheck:
     ways: WayEntries | None = None
 
     def cases(self, motion: Bytes) -> tuple[tuple[Code, Entries, Floats], ...]:
-        """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of this kind;
-        ``motion`` (m,) what each block does."""
+        """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of
+        this kind; ``motion`` (m,) what each block does."""
         return _cases(self.cutter, self.above, motion)
 
 
@@ -107,26 +111,30 @@ def check_motion(
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a swept motion against the whole mesh.
 
-    ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and none deeper is
-    missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings advise against overcuts, empty
-    where nothing can be changed here.
+    ``motion`` (m,) of Motion, what each block does; ``tolerance`` mm: entries up to it are no findings, and
+    none deeper is missed. ``where`` tells blocks and lines of the findings; ``remedy``: what the findings
+    advise against overcuts, empty where nothing can be changed here.
     """
     tree = facet_tree(mesh)
     cutter = find_entries(body.only(CUTTER), tree, swept, tolerance, progress=progress)
-    above = find_entries(body.only(SHANK, HOLDER, SPINDLE), tree, swept, tolerance, ROUGHLY, progress=progress)
+    above = find_entries(
+        body.only(SHANK, HOLDER, SPINDLE), tree, swept, tolerance, ROUGHLY, progress=progress
+    )
     buried = np.zeros(len(swept), np.bool_)
     if is_closed(mesh):
         buried = buried_blocks(tree, body.only(CUTTER), swept, cutter.depth)
     whole = crossing_depth(body.only(CUTTER)) if is_closed(mesh) else np.inf
-    findings = _findings(cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy)
+    findings = _findings(
+        cutter, above, buried, motion, tolerance, where or (lambda block: (block, None)), swept, whole, remedy
+    )
     return GougeCheck(cutter, above, buried, findings)
 
 
 def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
     """The way that the machine really goes: block i of the swept motion leads to row i + 1 of the program.
 
-    ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the tip, its way is taken
-    to be straight and the axis to turn on great arcs.
+    ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the
+    tip, its way is taken to be straight and the axis to turn on great arcs.
     """
     if program.guided is None:
         return real_motion(kinematics, program.words, back)
@@ -135,40 +143,51 @@ def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> Sw
 
 
 def check_program(
-    mesh: Mesh, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    mesh: Mesh, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0,
+    progress: Progress = silent,
     remedy: str = CURES, rapids: str = INTERPOLATED,
 ) -> GougeCheck:  # fmt: skip
-    """Check every block of a program, along the way that the machine really goes; see :func:`check_motion` and
-    :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run independently, rapids are
-    checked on every way between their ends, too."""
+    """Check every block of a program, along the way that the machine really goes; see :func:`check_motion`
+    and
+    :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run
+    independently, rapids are checked on every way between their ends, too."""
     swept = program_motion(kinematics, program, back)
 
     def where(block: int) -> tuple[int | None, int | None]:
         return block + 1, int(program.line[block + 1])
 
-    check = check_motion(mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy)
+    check = check_motion(
+        mesh, body, swept, program.motion[1:], tolerance, where, progress=progress, remedy=remedy
+    )
     if rapids == INTERPOLATED:
         return check
     known = (check.cutter.depth > 0.0) | (check.above.depth > 0.0)
-    ways = check_rapids(mesh, body, JointSpace.of(kinematics, back), program, tolerance, ROUGHLY, known, progress)
-    return replace(check, ways=ways, findings=check.findings + rapid_findings(ways, program, tolerance, rapids))
+    ways = check_rapids(
+        mesh, body, JointSpace.of(kinematics, back), program, tolerance, ROUGHLY, known, progress
+    )
+    return replace(
+        check, ways=ways, findings=check.findings + rapid_findings(ways, program, tolerance, rapids)
+    )
 
 
 def _findings(
-    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where, swept: SweptMotion,
+    cutter: Entries, above: Entries, buried: Bools, motion: Bytes, tolerance: float, where: Where,
+    swept: SweptMotion,
     whole: float, remedy: str,
 ) -> tuple[Finding, ...]:  # fmt: skip
     found: list[Finding] = []
     for code, entries, depth in _cases(cutter, above, motion):
-        found += _spots(code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf)
+        found += _spots(
+            code, remedy, entries, depth, tolerance, where, whole if entries is cutter else np.inf
+        )
     return (*found, *_buried(buried, where, swept))
 
 
 def _spots(
     code: Code, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
 ) -> list[Finding]:  # fmt: skip
-    """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of ``whole`` mm on more
-    than the depth may be in the part."""
+    """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of
+    ``whole`` mm on more than the depth may be in the part."""
     worst, blocks = spots(depth)
     found = []
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
@@ -180,7 +199,11 @@ def _spots(
         )
         sentence = joined((sentence, remedy if code == Code.OVERCUT else ""))
         if k == 0 and blocks > 1:
-            sentence += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
+            sentence += say(
+                " This is the deepest of {blocks} blocks in {places} places.",
+                blocks=blocks,
+                places=len(worst),
+            )
         row, line = where(block)
         found.append(report_finding(code, sentence, float(depth[block]), tolerance, row, line, (x, y, z)))
     return found

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The deepest point of a facet in a piece at one pose, and the directions in which bounds are close there.
 
-toward    the direction in which the distance from a piece grows; near its deepest point a bound in that direction is close.
-mixed     where a point leaves a sharp rim no single direction is close along the whole way, but a mean of two bounds is.
+toward    the direction in which the distance from a piece grows; near its deepest point a bound in that
+          direction is close.
+mixed     where a point leaves a sharp rim no single direction is close along the whole way, but a mean of two
+          bounds is.
 """
 
 from __future__ import annotations
@@ -27,8 +29,8 @@ CROSSINGS = 4
 
 
 def toward(piece: Piece, axis: Floats, arm: Floats) -> tuple[Floats, Floats]:
-    """Signed distance (n,) mm from a piece of points ``arm`` (3, n) from the tip, and the unit direction (3, n) in which it
-    grows; ``axis`` (3, n) unit."""
+    """Signed distance (n,) mm from a piece of points ``arm`` (3, n) from the tip, and the unit direction (3,
+    n) in which it grows; ``axis`` (3, n) unit."""
     height = (arm * axis).sum(axis=0)
     if piece.low_radius == 0.0 and piece.high_radius == 0.0:
         return _from_spine(piece, axis, arm, np.minimum(np.maximum(height, piece.low), piece.high))
@@ -60,9 +62,11 @@ def _unit_on_axis(axis: Floats, along: Floats) -> Floats:
     return np.asarray(along * axis + np.sqrt(np.maximum(1.0 - along * along, 0.0)) * side)
 
 
-def support_at(piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0, high: Floats | None = None) -> Floats:
-    """The support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be off by ``loose`` (n,);
-    ``high`` (n,) mm: of as much of it as :func:`shortened` says."""
+def support_at(
+    piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0, high: Floats | None = None
+) -> Floats:
+    """The support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be off by
+    ``loose`` (n,); ``high`` (n,) mm: of as much of it as :func:`shortened` says."""
     along = (g * pose.axis).sum(axis=0)
     if high is None:
         return np.asarray((g * pose.tip).sum(axis=0) + support(piece, along, loose))
@@ -71,12 +75,16 @@ def support_at(piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0
     return np.asarray((g * pose.tip).sum(axis=0) + support(disc, along, loose) + more)
 
 
-def shortened(piece: Piece, start: Poses, end: Poses, corner: Floats, bend_tip: Floats, bend_axis: Floats) -> Floats | None:
-    """Find how high (n,) mm pieces need to be for triangles, corners (3, 3, n) mm, on the ways from ``start`` to ``end``, which
-    these leave by no more than the bends (n,); None for cones, whose sides are nearest elsewhere.
+def shortened(
+    piece: Piece, start: Poses, end: Poses, corner: Floats, bend_tip: Floats, bend_axis: Floats
+) -> Floats | None:
+    """Find how high (n,) mm pieces need to be for triangles, corners (3, 3, n) mm, on the ways from ``start``
+    to ``end``, which these leave by no more than the bends (n,); None for cones, whose sides are nearest
+    elsewhere.
 
-    What is no higher than h in a piece that is as wide above as below is as deep in the part of it that ends as far above h as
-    it begins below. A long tool whose axis turns sweeps far with its upper end, and would be bounded by that all the way down.
+    What is no higher than h in a piece that is as wide above as below is as deep in the part of it that ends
+    as far above h as it begins below. A long tool whose axis turns sweeps far with its upper end, and would
+    be bounded by that all the way down.
     """
     if piece.low_radius != piece.high_radius:
         return None
@@ -85,7 +93,11 @@ def shortened(piece: Piece, start: Poses, end: Poses, corner: Floats, bend_tip: 
         arm = corner - pose.tip
         most = np.maximum(most, (arm * pose.axis).sum(axis=1).max(axis=0))
     far = np.sqrt(((corner - start.tip) ** 2).sum(axis=1).max(axis=0)) + _length(end.tip - start.tip)
-    most += 0.25 * _length(end.tip - start.tip) * _length(end.axis - start.axis) + bend_tip + (far + bend_tip) * bend_axis
+    most += (
+        0.25 * _length(end.tip - start.tip) * _length(end.axis - start.axis)
+        + bend_tip
+        + (far + bend_tip) * bend_axis
+    )
     return np.asarray(np.clip(2.0 * most - piece.low, piece.low, piece.high))
 
 
@@ -94,8 +106,8 @@ def _length(vector: Floats) -> Floats:
 
 
 def end_and_side(piece: Piece, pose: Poses, point: Floats) -> tuple[Floats, Floats]:
-    """The directions (3, n) of a frustum's nearer end and of its side at points (3, n). Where a facet is deepest both are equally
-    near, and neither direction alone tells so."""
+    """The directions (3, n) of a frustum's nearer end and of its side at points (3, n). Where a facet is
+    deepest both are equally near, and neither direction alone tells so."""
     arm = point - pose.tip
     height = (arm * pose.axis).sum(axis=0)
     out = arm - height * pose.axis
@@ -106,11 +118,12 @@ def end_and_side(piece: Piece, pose: Poses, point: Floats) -> tuple[Floats, Floa
 
 
 def least_mixed(one: Floats, two: Floats) -> Floats:
-    """About the least over shares s from 0 to 1 of the largest over rows of ``s one + (1 - s) two``, both (k, n), never below it.
+    """About the least over shares s from 0 to 1 of the largest over rows of ``s one + (1 - s) two``, both (k,
+    n), never below it.
 
-    The mean of two bounds is a bound, too, at every corner and at both ends of a way. Where a rising point leaves the tool over
-    its rim each bound alone is large at one end. The best share is looked for where the lines that are highest on both sides
-    cross.
+    The mean of two bounds is a bound, too, at every corner and at both ends of a way. Where a rising point
+    leaves the tool over its rim each bound alone is large at one end. The best share is looked for where the
+    lines that are highest on both sides cross.
     """
     at = np.arange(one.shape[1])
     left, right = two.argmax(axis=0), one.argmax(axis=0)  # the highest lines at s = 0 and at s = 1
@@ -129,8 +142,8 @@ def least_mixed(one: Floats, two: Floats) -> Floats:
 
 
 class Deepest(NamedTuple):
-    """``point`` (3, n) mm on the facet, its signed ``distance`` (n,) mm from the piece, and the direction ``g`` (3, n) in which
-    that grows."""
+    """``point`` (3, n) mm on the facet, its signed ``distance`` (n,) mm from the piece, and the direction
+    ``g`` (3, n) in which that grows."""
 
     point: Floats
     distance: Floats
@@ -140,8 +153,9 @@ class Deepest(NamedTuple):
 def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
     """The point of each triangle, corners (3, 3, n), that is deepest in the piece, or nearly so.
 
-    From a point of the facet to the nearest of the core, and back to the nearest of the facet: this comes as near as can be, and
-    for a ball at once. Inside the core the way goes down the slope of the distance instead. The best of all is kept.
+    From a point of the facet to the nearest of the core, and back to the nearest of the facet: this comes as
+    near as can be, and for a ball at once. Inside the core the way goes down the slope of the distance
+    instead. The best of all is kept.
     """
     axis, tip = pose.axis, pose.tip
     middle = corner.mean(axis=0) - tip
@@ -154,9 +168,13 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
     for _ in range(1 if point_core else STEPS):
         point = nearest_on_facet(corner, aim)
         distance, g = toward(piece, axis, point - tip)
-        if best is not None:  # from the best point so far, ever more carefully where the way is not that of projections
+        if (
+            best is not None
+        ):  # from the best point so far, ever more carefully where the way is not that of projections
             better = distance < best.distance
-            point, distance, g = (np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True))
+            point, distance, g = (
+                np.where(better, new, old) for new, old in zip((point, distance, g), best, strict=True)
+            )
         best = Deepest(point, distance, g)
         outside = distance + piece.round
         step = 0.6 * step
@@ -166,8 +184,8 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
 
 
 def nearest_on_facet(corner: Floats, place: Floats) -> Floats:
-    """The point of each triangle, corners (3, 3, n), that is nearest to a place (3, n): Ericson, Real-Time Collision Detection,
-    5.1.5."""
+    """The point of each triangle, corners (3, 3, n), that is nearest to a place (3, n): Ericson, Real-Time
+    Collision Detection, 5.1.5."""
     a, b, c = (tuple(one) for one in corner)
     ab, ac = _less(b, a), _less(c, a)
     ap, one, two, both = _less(tuple(place), a), dot(ab, ab), dot(ac, ac), dot(ab, ac)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far a tool must go up along its axis, facet by facet: what a drop cutter asks, of the points that are in the tool.
+"""How far a tool must go up along its axis, facet by facet: what a drop cutter asks, of the points that are
+in the tool.
 
-A point that is in a convex piece stays in it until the piece has gone up past it. So all that one of them demands is demanded,
-and the most of it can be gone at once; going by the deepest point alone takes many steps where a flat or bull nose cutter meets
-facets with its rim, where a point is never deep and demands much.
+A point that is in a convex piece stays in it until the piece has gone up past it. So all that one of them
+demands is demanded, and the most of it can be gone at once; going by the deepest point alone takes many steps
+where a flat or bull nose cutter meets facets with its rim, where a point is never deep and demands much.
 """
 
 from __future__ import annotations
@@ -19,18 +20,21 @@ from .swept_motion import Poses
 from .touched import points_touched
 
 SPARED = 0.5
-"""Of the limit: so deep a touched point may stay. Over a steep place the last of it would take a long way up."""
+"""Of the limit: so deep a touched point may stay. Over a steep place the last of it would take a long way
+up."""
 
 WITHIN = 1.01
 """Of the limit: so far within the side points are looked for that are in the piece by just more than it."""
 
 
 def raise_to_demand(
-    lift: Floats, block: Ints, piece: Piece, body: Body, pose: Poses, way: Floats, corner: Floats, limit: float
+    lift: Floats, block: Ints, piece: Piece, body: Body, pose: Poses, way: Floats, corner: Floats,
+    limit: float
 ) -> None:  # fmt: skip
-    """Raise ``lift`` (m,) mm of blocks to what facets, corners (3, 3, n) mm, demand of the body in ``block`` (n,) of them, on its
-    ``way`` (n,) mm up from a pose: by their corners, their deepest points, and where they are highest on the piece's rim or first
-    touched from above. Nothing is demanded where none of these is in the piece anywhere on the way by more than ``limit`` mm."""
+    """Raise ``lift`` (m,) mm of blocks to what facets, corners (3, 3, n) mm, demand of the body in ``block``
+    (n,) of them, on its ``way`` (n,) mm up from a pose: by their corners, their deepest points, and where
+    they are highest on the piece's rim or first touched from above. Nothing is demanded where none of these
+    is in the piece anywhere on the way by more than ``limit`` mm."""
     points = [*corner, deepest(piece, pose, corner).point, *_on_rim(piece, pose, corner, WITHIN * limit)]
     by, enters = _demanded(piece, body, pose, way, points, limit)
     np.maximum.at(lift, block, np.where(enters, by, 0.0))
@@ -43,9 +47,12 @@ def raise_to_demand(
         np.maximum.at(lift, block[rows], np.where(enters[rows] | more, by, 0.0))
 
 
-def _demanded(piece: Piece, body: Body, pose: Poses, way: Floats, points: list[Floats], limit: float) -> tuple[Floats, Bools]:
-    """The lift (n,) mm that these points (3, n) of facets demand, and whether one of them is in the piece on its ``way`` (n,) mm
-    up by more than ``limit`` mm. What is over the piece demands, too: where some of its facet is in the piece, it comes in."""
+def _demanded(
+    piece: Piece, body: Body, pose: Poses, way: Floats, points: list[Floats], limit: float
+) -> tuple[Floats, Bools]:
+    """The lift (n,) mm that these points (3, n) of facets demand, and whether one of them is in the piece on
+    its ``way`` (n,) mm up by more than ``limit`` mm. What is over the piece demands, too: where some of its
+    facet is in the piece, it comes in."""
     lift, enters = np.zeros(len(way)), np.zeros(len(way), np.bool_)
     tip, axis, middle = pose.tip.T, pose.axis.T, 0.5 * (piece.low + piece.high)
     for point in points:
@@ -54,13 +61,15 @@ def _demanded(piece: Piece, body: Body, pose: Poses, way: Floats, points: list[F
         radius, over = np.linalg.norm(arm - height[:, None] * axis, axis=1), np.maximum(height - middle, 0.0)
         deep = np.flatnonzero(-distance_off(piece, radius, height - over) > limit)
         lift[deep] = np.maximum(lift[deep], way_out(body, tip[deep], axis[deep], point.T[deep]))
-        enters |= -distance_off(piece, radius, height - np.minimum(over, way)) > limit  # there on the way it is deepest
+        enters |= (
+            -distance_off(piece, radius, height - np.minimum(over, way)) > limit
+        )  # there on the way it is deepest
     return lift, enters
 
 
 def _on_rim(piece: Piece, pose: Poses, corner: Floats, inside: float) -> list[Floats]:
-    """Points (3, n) of facets ``inside`` mm within the side of a piece: where their edges cross that cylinder, and where they are
-    highest on it. NaN where there is none."""
+    """Points (3, n) of facets ``inside`` mm within the side of a piece: where their edges cross that
+    cylinder, and where they are highest on it. NaN where there is none."""
     radius = max(piece.low_radius, piece.high_radius) + piece.round - inside
     arms = corner - pose.tip
     heights = (arms * pose.axis).sum(axis=1)
@@ -68,7 +77,11 @@ def _on_rim(piece: Piece, pose: Poses, corner: Floats, inside: float) -> list[Fl
     points = [_highest_on_rim(outs, heights, radius, corner)]
     for k in range(3):
         begin, way = outs[k], outs[(k + 1) % 3] - outs[k]
-        a, b, c = (way * way).sum(axis=0), (begin * way).sum(axis=0), (begin * begin).sum(axis=0) - radius * radius
+        a, b, c = (
+            (way * way).sum(axis=0),
+            (begin * way).sum(axis=0),
+            (begin * begin).sum(axis=0) - radius * radius,
+        )
         root = np.sqrt(np.where((b * b - a * c >= 0.0) & (a > 0.0), b * b - a * c, np.nan))
         for share in ((-b - root) / a, (-b + root) / a):
             share = np.where((share >= 0.0) & (share <= 1.0), share, np.nan)
@@ -77,12 +90,20 @@ def _on_rim(piece: Piece, pose: Poses, corner: Floats, inside: float) -> list[Fl
 
 
 def _highest_on_rim(outs: Floats, heights: Floats, radius: float, corner: Floats) -> Floats:
-    """The point (3, n) of each facet's plane that is highest on the cylinder, where it lies in the facet; else NaN."""
-    e, f, rise_e, rise_f = outs[1] - outs[0], outs[2] - outs[0], heights[1] - heights[0], heights[2] - heights[0]
+    """The point (3, n) of each facet's plane that is highest on the cylinder, where it lies in the facet;
+    else NaN."""
+    e, f, rise_e, rise_f = (
+        outs[1] - outs[0],
+        outs[2] - outs[0],
+        heights[1] - heights[0],
+        heights[2] - heights[0],
+    )
     ee, ef, ff = (e * e).sum(axis=0), (e * f).sum(axis=0), (f * f).sum(axis=0)
     det = ee * ff - ef * ef
     det = np.where(det > 0.0, det, np.nan)
-    up = ((ff * rise_e - ef * rise_f) * e + (ee * rise_f - ef * rise_e) * f) / det  # the facet's gradient across the axis
+    up = (
+        (ff * rise_e - ef * rise_f) * e + (ee * rise_f - ef * rise_e) * f
+    ) / det  # the facet's gradient across the axis
     steep = np.sqrt((up * up).sum(axis=0))
     aim = radius * up / np.where(steep > 0.0, steep, np.nan) - outs[0]
     one, two = (aim * e).sum(axis=0), (aim * f).sum(axis=0)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The facets of a part that lie on given faces: what a second STL file says is to be machined.
 
-faces     a mesh of its own, open or not: faces of the part as the CAD system wrote them, perhaps in other facets.
-sag       of a facet: how far the curved surface that it stands for may lie off it, mm; from the angle to its neighbours.
-on        the faces lie a facet's corners and its middle, to the tolerance and the sags of both, where at its middle both point
-          the same way.
+faces     a mesh of its own, open or not: faces of the part as the CAD system wrote them, perhaps in other
+          facets.
+sag       of a facet: how far the curved surface that it stands for may lie off it, mm; from the angle to its
+          neighbours.
+on        the faces lie a facet's corners and its middle, to the tolerance and the sags of both, where at its
+          middle both point the same way.
 """
 
 from __future__ import annotations
@@ -30,25 +32,33 @@ EDGE = math.radians(40.0)
 """Facets that differ by more meet in an edge of the part; by less, they stand for one curved surface."""
 
 ALIKE = math.cos(math.radians(45.0))
-"""Cosine of the angle by which a facet and the face that it lies on may differ, for the faces' facets may be coarser."""
+"""Cosine of the angle by which a facet and the face that it lies on may differ, for the faces' facets may be
+coarser."""
 
 MISSED = 0.02
-"""A share of the faces' area that may be missing before it is told: at borders other facets cover other ground."""
+"""A share of the faces' area that may be missing before it is told: at borders other facets cover other
+ground."""
 
 MACHINED = Template(
     "{count} facets of {area} ({share} % of the part) lie on {name} and are machined. The others are not;"
     " {gouge} keeps the tool out of all of them."
 )
 AVOIDED = Template(
-    "{count} facets of {area} ({share} % of the part) lie on {name} and are not machined; {gouge} keeps the tool out of them."
+    "{count} facets of {area} ({share} % of the part) lie on {name} and are not machined; {gouge} keeps the "
+    "tool out of them."
 )
 
 
 def facets_on(
-    mesh: Mesh, faces: Mesh, tolerance: float, name: str = "the faces", progress: Progress = silent, machined: bool = True
+    mesh: Mesh,
+    faces: Mesh,
+    tolerance: float,
+    name: str = "the faces",
+    progress: Progress = silent,
+    machined: bool = True,
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """Find the facets (f,) of the mesh that lie on ``faces``, and how much area that is; ``tolerance`` mm, above 0.
-    ``machined``: whether these are what is machined, or what is not.
+    """Find the facets (f,) of the mesh that lie on ``faces``, and how much area that is; ``tolerance`` mm,
+    above 0. ``machined``: whether these are what is machined, or what is not.
 
     Raises SettingsError where none does.
     """
@@ -59,7 +69,9 @@ def facets_on(
     used = np.unique(mesh.face[near])
     middle = mesh.vertex[mesh.face[near]].mean(axis=1)
     found = _standing(np.concatenate([mesh.vertex[used], middle]), faces, reach, tolerance, progress)
-    off = np.where(found.facet >= 0, reach - found.depth - given[found.facet], np.inf)  # what the face's own sag does not explain
+    off = np.where(
+        found.facet >= 0, reach - found.depth - given[found.facet], np.inf
+    )  # what the face's own sag does not explain
     corner = np.searchsorted(used, mesh.face[near])
     farthest = np.maximum(off[corner].max(axis=1), off[len(used) :])
     there = farthest <= tolerance + sag[near] + RELATIVE * reach
@@ -72,16 +84,23 @@ def facets_on(
 
 
 def _standing(point: Floats, faces: Mesh, reach: float, tolerance: float, progress: Progress) -> Entries:
-    """The faces about points (n, 3): how deep they go into a ball of radius ``reach`` mm that stands there."""
+    """The faces about points (n, 3): how deep they go into a ball of radius ``reach`` mm that stands
+    there."""
     upward = np.tile([0.0, 0.0, 1.0], (len(point), 1))
     ball = Body((round_piece(0.0, reach, 0.0),))
     return find_entries(
-        ball, facet_tree(faces), still_positions(point, upward), 1e-6 * tolerance, 0.01 * tolerance, progress=progress
+        ball,
+        facet_tree(faces),
+        still_positions(point, upward),
+        1e-6 * tolerance,
+        0.01 * tolerance,
+        progress=progress,
     )
 
 
 def facet_sags(mesh: Mesh) -> Floats:
-    """The sag (f,) mm: of an arc over the longest side that turns as far as the surface does to a neighbour. Edges count not."""
+    """The sag (f,) mm: of an arc over the longest side that turns as far as the surface does to a neighbour.
+    Edges count not."""
     one, two = mesh.coedge_face.T
     turn = np.arccos(np.clip((mesh.normal[one] * mesh.normal[two]).sum(axis=1), -1.0, 1.0))
     turn[(two < 0) | (turn > EDGE)] = 0.0
@@ -93,10 +112,13 @@ def facet_sags(mesh: Mesh) -> Floats:
 def _none(name: str, tolerance: float, opposite: bool) -> Sentence:
     if opposite:
         return say(
-            "{name} lies on the part, but its facets look into it; export the faces again, with their normals outward", name=name
+            "{name} lies on the part, but its facets look into it; export the faces again, with their "
+            "normals outward",
+            name=name,
         )
     return say(
-        "no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place and units, or raise "
+        "no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place "
+        "and units, or raise "
         "the tolerance",
         name=name,
         tolerance=Length(tolerance),
@@ -117,7 +139,8 @@ def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bo
     reports = [report_finding(Code.FACES_CHOSEN if machined else Code.FACES_AVOIDED, text, area)]
     if area < (1.0 - MISSED) * wanted:
         text = say(
-            "{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same solid, "
+            "{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same "
+            "solid, "
             "with as fine facets, or raise the tolerance.",
             name=name,
             wanted=Area(wanted, ".6g"),

@@ -26,7 +26,9 @@ from freecad_fiveaxis.core.tool.body import Body
 from .check import GougeCheck, check_program
 from .worst import find_nearest, find_unproven, find_worst, near_finding
 
-ENTERS = Template("The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks.")
+ENTERS = Template(
+    "The {part} goes at least {depth} into the fixture {fixture} at {at}, deepest of {count} blocks."
+)
 REMEDY = say("Clamp the part otherwise, use a longer tool or a smaller holder, or machine fewer faces.")
 
 
@@ -44,8 +46,8 @@ def read_fixtures(paths: tuple[str, ...], progress: Progress = silent) -> tuple[
 
 
 def join_obstacles(mesh: Mesh, fixtures: Sequence[Fixture]) -> Mesh:
-    """Join part and fixtures into what a tool has to keep out of; the very part where there are none. Nothing is welded: the
-    part's facets come first and keep their numbers."""
+    """Join part and fixtures into what a tool has to keep out of; the very part where there are none. Nothing
+    is welded: the part's facets come first and keep their numbers."""
     if not fixtures:
         return mesh
     all_ = [mesh, *(one.mesh for one in fixtures)]
@@ -58,7 +60,12 @@ def join_obstacles(mesh: Mesh, fixtures: Sequence[Fixture]) -> Mesh:
         np.concatenate([one.normal for one in all_]),
         np.concatenate([one.area for one in all_]),
         np.concatenate([one.coedge_vertex + at for one, at in zip(all_, first, strict=True)]),
-        np.concatenate([np.where(one.coedge_face < 0, -1, one.coedge_face + at) for one, at in zip(all_, facet, strict=True)]),
+        np.concatenate(
+            [
+                np.where(one.coedge_face < 0, -1, one.coedge_face + at)
+                for one, at in zip(all_, facet, strict=True)
+            ]
+        ),
         np.concatenate([one.face_coedge + at for one, at in zip(all_, coedge, strict=True)]),
     )
 
@@ -70,18 +77,27 @@ def box_with(box: tuple[Floats, Floats], fixtures: Sequence[Fixture]) -> tuple[F
 
 
 def check_fixtures(
-    fixtures: tuple[Fixture, ...], body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0,
+    fixtures: tuple[Fixture, ...], body: Body, kinematics: Chain, program: Program, tolerance: float,
+    back: float = 0.0,
     progress: Progress = silent, rapids: str = INTERPOLATED, clearance: float = 0.0,
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """Find where the ``body`` goes more than ``tolerance`` mm into a fixture, on any block, or nearer to it than ``clearance``
-    mm; see :func:`.check.check_program`. None deeper, or nearer by more than the tolerance, is missed; told of each fixture is
-    the deepest place, or the nearest where nothing enters."""
+    """Find where the ``body`` goes more than ``tolerance`` mm into a fixture, on any block, or nearer to it
+    than ``clearance`` mm; see :func:`.check.check_program`. None deeper, or nearer by more than the
+    tolerance, is missed; told of each fixture is the deepest place, or the nearest where nothing enters."""
     found: list[Finding] = []
     for fixture in fixtures:
         check = check_program(fixture.mesh, body, kinematics, program, tolerance, back, progress, "", rapids)
         new = [*_entering(fixture, check, program, tolerance), *_unproven(fixture, check, program, tolerance)]
         near = find_nearest(
-            body, clearance if not new else 0.0, fixture.mesh, kinematics, program, tolerance, back, progress, rapids
+            body,
+            clearance if not new else 0.0,
+            fixture.mesh,
+            kinematics,
+            program,
+            tolerance,
+            back,
+            progress,
+            rapids,
         )
         if near is not None:
             new.append(near_finding(Code.FIXTURE_NEAR, fixture.name, near, clearance, Point(near.place)))
@@ -97,13 +113,20 @@ def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
     hit = Hit(worst.part, fixture.name, worst.u)
     if worst.depth:
         text = ENTERS.say(
-            part=worst.part, depth=Length(worst.depth, ".4g"), fixture=fixture.name, at=Point(worst.place), count=count
+            part=worst.part,
+            depth=Length(worst.depth, ".4g"),
+            fixture=fixture.name,
+            at=Point(worst.place),
+            count=count,
         )
         text = joined((text, REMEDY))
-        yield report_finding(Code.FIXTURE_COLLISION, text, worst.depth, tolerance, row, line, worst.place, unit="mm", hit=hit)
+        yield report_finding(
+            Code.FIXTURE_COLLISION, text, worst.depth, tolerance, row, line, worst.place, unit="mm", hit=hit
+        )
     else:
         text = say(
-            "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the units of the "
+            "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the "
+            "units of the "
             "fixture.",
             count=count, fixture=fixture.name,
         )  # fmt: skip
@@ -116,8 +139,10 @@ def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
     if found is None:
         return
     text = say(
-        "In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of independent axes, "
-        "the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the other.",
+        "In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of "
+        "independent axes, "
+        "the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the "
+        "other.",
         count=found.rapids, fixture=fixture.name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
     yield report_finding(Code.FIXTURE_UNPROVEN, text, found.bound, tolerance, found.row, found.line)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which points lie inside a closed part, and which blocks are buried in it without touching a facet.
 
-buried    a block all of whose cutter is so deep in the part that no facet, or only a far one, is in it. A tool cannot get there
-          without its core crossing the surface, where its depth is at least the cutter's inner radius; so one point decides for a
-          whole run of blocks between such crossings.
+buried    a block all of whose cutter is so deep in the part that no facet, or only a far one, is in it. A
+          tool cannot get there without its core crossing the surface, where its depth is at least the
+          cutter's inner radius; so one point decides for a whole run of blocks between such crossings.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from freecad_fiveaxis.core.tool.body import Body, Piece
 from .swept_motion import SweptMotion
 
 ASIDE = (3.1e-8, 1.7e-8)
-"""Shares of the part's size by which points are moved in x and y, so that the ray up from them meets no edge."""
+"""Shares of the part's size by which points are moved in x and y, so that the ray up from them meets no
+edge."""
 
 CROSSED = 0.9
 """Of the inner radius: a block with an entry that deep may cross the surface with its core."""
@@ -30,7 +31,8 @@ def is_closed(mesh: Mesh) -> bool:
 
 
 def inside(tree: FacetTree, points: Floats) -> Bools:
-    """Which points (n, 3) mm lie inside the closed part: the facets above them, each counted with the sense in which it looks."""
+    """Which points (n, 3) mm lie inside the closed part: the facets above them, each counted with the sense
+    in which it looks."""
     whole = tree.half[:, 0]
     x, y, z = np.asarray(points, float).T
     x, y = x + 2.0 * ASIDE[0] * whole[0], y + 2.0 * ASIDE[1] * whole[1]
@@ -45,7 +47,10 @@ def inside(tree: FacetTree, points: Floats) -> Bools:
         row, node = row[~leaf], node[~leaf]
         many = tree.arity[node]
         head = np.cumsum(many) - many
-        row, node = np.repeat(row, many), np.arange(int(many.sum())) + np.repeat(tree.child[node] - head, many)
+        row, node = (
+            np.repeat(row, many),
+            np.arange(int(many.sum())) + np.repeat(tree.child[node] - head, many),
+        )
     return np.asarray(np.abs(turns) > 0.5)
 
 
@@ -63,11 +68,14 @@ def _above(tree: FacetTree, x: Floats, y: Floats, z: Floats, row: Ints, leaf: In
     total = wa + wb + wc
     over = ((wa > 0) & (wb > 0) & (wc > 0)) | ((wa < 0) & (wb < 0) & (wc < 0))
     height = (wa * a[2] + wb * b[2] + wc * c[2]) / np.where(total == 0.0, 1.0, total)
-    return np.asarray(np.bincount(row, weights=np.where(over & (height > pz), np.sign(total), 0.0), minlength=len(x)), float)
+    return np.asarray(
+        np.bincount(row, weights=np.where(over & (height > pz), np.sign(total), 0.0), minlength=len(x)), float
+    )
 
 
 def buried_blocks(tree: FacetTree, body: Body, swept: SweptMotion, depth: Floats) -> Bools:
-    """Which blocks (m,) of a swept motion through a closed part are buried; ``depth`` (m,) mm: their entries' depth."""
+    """Which blocks (m,) of a swept motion through a closed part are buried; ``depth`` (m,) mm: their entries'
+    depth."""
     m = len(swept)
     if not m or not body.pieces:
         return np.zeros(m, np.bool_)
@@ -89,4 +97,6 @@ def _middle(piece: Piece) -> tuple[float, float]:
     """A point on the axis, its height, and the radius of a ball about it that lies in the piece, mm."""
     if piece.round > 0.0:
         return piece.low, piece.round
-    return 0.5 * (piece.low + piece.high), min(0.5 * (piece.high - piece.low), piece.low_radius, piece.high_radius)
+    return 0.5 * (piece.low + piece.high), min(
+        0.5 * (piece.high - piece.low), piece.low_radius, piece.high_radius
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The other cure: leave out what cannot be cut, or left, without entering the part, before the passes are linked."""
+"""The other cure: leave out what cannot be cut, or left, without entering the part, before the passes are
+linked."""
 
 from __future__ import annotations
 
@@ -28,34 +29,36 @@ FINE = 0.25
 
 
 def leave_out(
-    path: OffsetPath, axis: Floats, tree: FacetTree, body: Body, tolerance: float, back: float, progress: Progress = silent,
+    path: OffsetPath, axis: Floats, tree: FacetTree, body: Body, tolerance: float, back: float,
+    progress: Progress = silent,
     above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
-    """The rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends the body can rise, and their
-    axes (n, 3); findings say what is left out.
+    """The rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends the body
+    can rise, and their axes (n, 3); findings say what is left out.
 
-    ``path``: with the cutter's hubs for its centres (:func:`~.cl_offset.cl_offset_path`), ``back`` mm above the tip; ``above``
-    mm: how far over it the point lies that goes straight. Shank and holder count as the cutter does. Raises SettingsError where
-    nothing is left.
+    ``path``: with the cutter's hubs for its centres (:func:`~.cl_offset.cl_offset_path`), ``back`` mm above
+    the tip; ``above`` mm: how far over it the point lies that goes straight. Shank and holder count as the
+    cutter does. Raises SettingsError where nothing is left.
     """
     without = _Without(tree, body, tolerance, back, progress, above)
     return without.trapped(*without.entering(path, axis))
 
 
 def keep_away(
-    path: OffsetPath, axis: Floats, tree: FacetTree, grown: Body, tolerance: float, back: float, allowance: float,
+    path: OffsetPath, axis: Floats, tree: FacetTree, grown: Body, tolerance: float, back: float,
+    allowance: float,
     progress: Progress = silent, above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
-    """The rows between which a body, ``grown`` by an ``allowance`` mm, keeps out of faces to avoid, and out of which it can rise
-    so, and their axes (n, 3); the rest as for :func:`leave_out`."""
+    """The rows between which a body, ``grown`` by an ``allowance`` mm, keeps out of faces to avoid, and out
+    of which it can rise so, and their axes (n, 3); the rest as for :func:`leave_out`."""
     without = _Without(tree, grown, tolerance, back, progress, above, allowance)
     return without.trapped(*without.entering(path, axis))
 
 
 @dataclass(frozen=True, eq=False)
 class _Without:
-    """What leaves rows out; fields as the arguments of :func:`leave_out`. ``allowance`` mm on faces to avoid, None: it is not
-    these that are looked at."""
+    """What leaves rows out; fields as the arguments of :func:`leave_out`. ``allowance`` mm on faces to avoid,
+    None: it is not these that are looked at."""
 
     tree: FacetTree
     body: Body
@@ -82,7 +85,8 @@ class _Without:
         def why(where: Sentence) -> Sentence:
             if self.allowance is not None:
                 return say(
-                    "the tool would come nearer to the faces to avoid {where} than {allowance}, as at {place}",
+                    "the tool would come nearer to the faces to avoid {where} than {allowance}, as at "
+                    "{place}",
                     where=where, allowance=Length(self.allowance), place=Point((x, y, z)),
                 )  # fmt: skip
             return say(
@@ -96,7 +100,8 @@ class _Without:
         return _left(path, axis, out, why, depth, (x, y, z), remedy, self.allowance is None)
 
     def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-        """The path without the rows under an overhang up to the ends of polylines: a retract there would go through the part."""
+        """The path without the rows under an overhang up to the ends of polylines: a retract there would go
+        through the part."""
         ends = self._trapped_ends(path, axis)
         if not len(ends):
             return path, axis
@@ -105,12 +110,15 @@ class _Without:
         runs = groups_of(np.ones(len(axis), np.bool_), joined, ends)
         path, axis, _ = _divided(path, axis, joined & runs[1:], self._fine())
         ends, joined = self._trapped_ends(path, axis), np.diff(path.polyline) == 0
-        out = under_with(self.body, self.tree, self._tips(path, axis), axis, joined, ends, self.tolerance, self.progress)
+        out = under_with(
+            self.body, self.tree, self._tips(path, axis), axis, joined, ends, self.tolerance, self.progress
+        )
 
         def why(where: Sentence) -> Sentence:
             if self.allowance is not None:
                 return say(
-                    "on its way out along its axis the tool would come nearer to the faces to avoid {where} than {allowance}, as "
+                    "on its way out along its axis the tool would come nearer to the faces to avoid {where} "
+                    "than {allowance}, as "
                     "at {place}",
                     where=where, allowance=Length(self.allowance), place=Point((x, y, z)),
                 )  # fmt: skip
@@ -125,7 +133,9 @@ class _Without:
 
     def _entries(self, path: OffsetPath, axis: Floats, blocks: Ints) -> Entries:
         swept = straight_motion(self._tips(path, axis), axis, self.above)
-        return find_entries(self.body, self.tree, swept, self.tolerance, blocks=blocks, progress=self.progress)
+        return find_entries(
+            self.body, self.tree, swept, self.tolerance, blocks=blocks, progress=self.progress
+        )
 
     def _trapped_ends(self, path: OffsetPath, axis: Floats) -> Ints:
         first = np.diff(path.polyline, prepend=-1) != 0
@@ -155,13 +165,15 @@ def _left(
     remedy: str,
     part: bool,
 ) -> tuple[OffsetPath, Floats]:
-    """The path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its passes;
-    ``remedy``: what helps; ``part``: whether it is for the part, not for faces to avoid."""
+    """The path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its
+    passes; ``remedy``: what helps; ``part``: whether it is for the part, not for faces to avoid."""
     steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
     rows = lasting_rows(path, np.flatnonzero(~out))
     if not len(rows) and not part:
-        text = say("nothing is left to cut: {why}; use a smaller allowance or tool", why=why(say("on every pass")))
+        text = say(
+            "nothing is left to cut: {why}; use a smaller allowance or tool", why=why(say("on every pass"))
+        )
         raise SettingsError(text, value)
     if not len(rows):
         text = say(
@@ -184,7 +196,8 @@ def _left(
 
 
 def _divided(path: OffsetPath, axis: Floats, deep: Bools, part: float) -> tuple[OffsetPath, Floats, Ints]:
-    """The path with the blocks ``deep`` (n - 1,) in parts of at most ``part`` mm, its axes, and those parts."""
+    """The path with the blocks ``deep`` (n - 1,) in parts of at most ``part`` mm, its axes, and those
+    parts."""
     length = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
     pieces = np.ones(len(axis), np.int64)
     pieces[1:][deep] = np.maximum(np.ceil(length[deep] / part), 1)

@@ -15,12 +15,13 @@ from freecad_fiveaxis.core.geometry.nearest import Facets, nearest, search
 PLACES = 32
 """Places looked at on each way, between its ends."""
 BESIDE = 0.02
-"""mm by which another facet must be nearer than the chosen ones: facets leave the surface by about so much."""
+"""mm by which another facet must be nearer than the chosen ones: facets leave the surface by about so
+much."""
 
 
 def lead_over_others(begin: Floats, end: Floats, mesh: Mesh, chosen: Bools) -> Bools:
-    """Find the straight ways (w,) between contacts ``begin`` and ``end`` (w, 3) mm that lead over facets of the mesh which are
-    not ``chosen`` (f,)."""
+    """Find the straight ways (w,) between contacts ``begin`` and ``end`` (w, 3) mm that lead over facets of
+    the mesh which are not ``chosen`` (f,)."""
     if not len(begin) or chosen.all() or not chosen.any():
         return np.zeros(len(begin), np.bool_)
     share = (np.arange(PLACES) + 0.5)[:, None, None] / PLACES

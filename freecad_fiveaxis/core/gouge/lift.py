@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The cure that keeps the passes: lift the tool along its axis until the cutter touches and no longer enters.
 
-A row is lifted by the most that any facet in the cutter demands, then by what takes the deepest point that is left out of it, as
-often as one is left: each of these lifts is demanded by a point, so the sum is never more than the part demands. Then the
-blocks between the rows are checked. Where one enters between two rows that do not, a row is put in at its deepest place and
-lifted in its turn.
+A row is lifted by the most that any facet in the cutter demands, then by what takes the deepest point that is
+left out of it, as often as one is left: each of these lifts is demanded by a point, so the sum is never more
+than the part demands. Then the blocks between the rows are checked. Where one enters between two rows that do
+not, a row is put in at its deepest place and lifted in its turn.
 
 lifted    a row that was moved. Only rows on the part are: ends of cuts and fills. Links and rapids stay.
-aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves the commanded one,
-          does not use it up. What enters by more than the aim is lifted; a cutter with a ring rocks from facet to facet of a
-          smooth surface by some of the tolerance, so nothing of its path is lifted unless some of it enters by more than that.
-overhang  what is over the tool. Rows under it from which a lifted one beside them cannot be reached are lifted above it, and rows
-          under it up to where a cut begins or ends, for the tool leaves and comes along its axis there.
+aim       what a lifted cutter may still enter by: half the tolerance, so that the machine's way, which leaves
+          the commanded one, does not use it up. What enters by more than the aim is lifted; a cutter with a
+          ring rocks from facet to facet of a smooth surface by some of the tolerance, so nothing of its path
+          is lifted unless some of it enters by more than that.
+overhang  what is over the tool. Rows under it from which a lifted one beside them cannot be reached are
+          lifted above it, and rows under it up to where a cut begins or ends, for the tool leaves and comes
+          along its axis there.
 """
 
 from __future__ import annotations
@@ -38,11 +40,12 @@ AIM = 0.5
 """Of the tolerance."""
 
 ROOM = 0.8
-"""Of the aim: what a row that is lifted may still enter by. Blocks between such rows that are shorter than the rest cannot enter
-by more than the aim, so putting in rows comes to an end."""
+"""Of the aim: what a row that is lifted may still enter by. Blocks between such rows that are shorter than
+the rest cannot enter by more than the aim, so putting in rows comes to an end."""
 
 GRAZE = 0.1
-"""Of the tolerance: entries of a ball below this are none. A level bottom that lies on facets would take long to know so well."""
+"""Of the tolerance: entries of a ball below this are none. A level bottom that lies on facets would take long
+to know so well."""
 
 LIFTS = 200
 """Lifts of one row, each to the next point that is too deep."""
@@ -51,7 +54,8 @@ ROUNDS = 24
 """Times that rows are put in; each about halves the way between them where it must."""
 
 ROUGHLY = 0.1
-"""mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known all the same."""
+"""mm; so near to the deepest point is near enough to lift by. That nothing is deeper than the aim is known
+all the same."""
 
 STILL_MM = 1e-6
 """mm; a link move that is no longer than this goes nowhere: the next cut goes on from the same place."""
@@ -74,9 +78,9 @@ MOST_ROWS = 8
 
 @dataclass(frozen=True, eq=False)
 class Lifted:
-    """``path``: the very path given where nothing was to be lifted. ``row`` (n,): the row of the path given that each row is,
-    or leads to; ``lift`` (n,) mm that it was moved along its axis (of rows put in: off the lifted way); ``left`` mm: no cut of
-    the path enters by more than that, but for GRAZE and rocking."""
+    """``path``: the very path given where nothing was to be lifted. ``row`` (n,): the row of the path given
+    that each row is, or leads to; ``lift`` (n,) mm that it was moved along its axis (of rows put in: off the
+    lifted way); ``left`` mm: no cut of the path enters by more than that, but for GRAZE and rocking."""
 
     path: CLPath
     row: Ints
@@ -88,21 +92,26 @@ NO_ROWS = np.zeros(0, np.int64)
 
 
 def lift_path(
-    path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0, progress: Progress = silent,
+    path: CLPath, tree: FacetTree, body: Body, tolerance: float, back: float = 0.0,
+    progress: Progress = silent,
     above: float = 0.0, aside: Ints = NO_ROWS,
 ) -> Lifted:  # fmt: skip
-    """The path with the cutter lifted out of the part, so that it is nowhere deeper in than half of ``tolerance`` mm.
+    """The path with the cutter lifted out of the part, so that it is nowhere deeper in than half of
+    ``tolerance`` mm.
 
     ``back`` mm: how far above the tip the point lies that the path gives; ``above`` mm: the one
-    that goes straight; ``aside`` (k,): rows that the tool comes to and leaves across its axis, whatever is over them. Shank and
-    holder are not looked at.
+    that goes straight; ``aside`` (k,): rows that the tool comes to and leaves across its axis, whatever is
+    over them. Shank and holder are not looked at.
     """
     cutter, aim = body.only(CUTTER), AIM * tolerance
     tips = path.tip - back * path.axis
     cuts = np.isin(path.motion[1:], (Motion.CUT, Motion.FILL))
     swept, blocks = straight_motion(tips, path.axis, above), np.flatnonzero(cuts)
     going = _Going(progress)
-    lifter, none = _Lifter(swept, cutter, tree, aim, tolerance, going, above, aside), np.zeros(len(tips), np.bool_)
+    lifter, none = (
+        _Lifter(swept, cutter, tree, aim, tolerance, going, above, aside),
+        np.zeros(len(tips), np.bool_),
+    )
     way = _Way(tips, path.axis, np.arange(len(tips), dtype=float), np.zeros(len(tips)), cuts, none[1:], none)
     trapped = len(lifter.trapped(way)) > 0
     rocks = min(cutter.pieces, key=lambda piece: piece.low - piece.round).low_radius > 0.0
@@ -130,7 +139,8 @@ def lift_path(
 
 
 class _Going:
-    """What the many searches tell that they go on: how much of the lifting is done, never less than before."""
+    """What the many searches tell that they go on: how much of the lifting is done, never less than
+    before."""
 
     def __init__(self, progress: Progress) -> None:
         self._progress, self._stage, self._low, self._high, self._done = progress, (0.0, 0.0), 0.0, 0.0, 0.0
@@ -153,9 +163,9 @@ class _Going:
 
 @dataclass(frozen=True, eq=False)
 class _Way:
-    """Tips, axes (n, 3); ``key`` (n,) where each stands on the way given, block + u; its lift off that way; ``cuts`` (n - 1,):
-    which blocks cut, ``clear`` (n - 1,): which are known to enter by no more than the aim, but for GRAZE; ``over`` (n,) rows
-    that were lifted above an overhang."""
+    """Tips, axes (n, 3); ``key`` (n,) where each stands on the way given, block + u; its lift off that way;
+    ``cuts`` (n - 1,): which blocks cut, ``clear`` (n - 1,): which are known to enter by no more than the aim,
+    but for GRAZE; ``over`` (n,) rows that were lifted above an overhang."""
 
     tip: Floats
     axis: Floats
@@ -181,9 +191,9 @@ class _Rows(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class _Lifter:
-    """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance`` mm, what a link may
-    enter by; ``going`` is told that it goes on; ``above`` mm: how far over the tip the point lies that goes straight; ``aside``
-    as in :func:`lift_path`."""
+    """``given``: the way before anything is lifted; ``aim`` mm, what may be left of an entry; ``tolerance``
+    mm, what a link may enter by; ``going`` is told that it goes on; ``above`` mm: how far over the tip the
+    point lies that goes straight; ``aside`` as in :func:`lift_path`."""
 
     given: SweptMotion
     cutter: Body
@@ -195,8 +205,8 @@ class _Lifter:
     aside: Ints
 
     def trapped(self, way: _Way) -> Ints:
-        """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets the part. Where the
-        next cut goes on from the same place nothing comes or leaves."""
+        """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets
+        the part. Where the next cut goes on from the same place nothing comes or leaves."""
         link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > STILL_MM))
         cut = np.append(way.cuts, False) | np.append(False, way.cuts)
         ends: Ints = np.unique(np.concatenate([link_moves, link_moves + 1]))
@@ -206,8 +216,9 @@ class _Lifter:
         return ends[under]
 
     def rows(self, key: Floats, beside: Bools | None = None) -> _Rows:
-        """The rows at these places (k,), lifted until the cutter is nowhere deeper in than ROOM of the aim; those that stand
-        ``beside`` (k,) rows above an overhang until nothing of the part is over them, either."""
+        """The rows at these places (k,), lifted until the cutter is nowhere deeper in than ROOM of the aim;
+        those that stand ``beside`` (k,) rows above an overhang until nothing of the part is over them,
+        either."""
         block = np.minimum(key.astype(np.int64), len(self.given) - 1)
         pose = self.given.pose(block, key - block)
         tip, axis = pose.tip.T.copy(), pose.axis.T.copy()
@@ -215,7 +226,9 @@ class _Lifter:
         for _ in range(LIFTS):
             self._lift_by_demand(tip, axis, left)
             still = still_positions(tip[left], axis[left])
-            entries = find_entries(self.cutter, self.tree, still, ROOM * self.aim, ROUGHLY, progress=self.going)
+            entries = find_entries(
+                self.cutter, self.tree, still, ROOM * self.aim, ROUGHLY, progress=self.going
+            )
             deep = np.flatnonzero(entries.depth > 0.0)
             if not len(deep):
                 break
@@ -232,7 +245,9 @@ class _Lifter:
     def _lift_by_demand(self, tip: Floats, axis: Floats, left: Ints) -> None:
         """Tips (n, 3) mm of the rows ``left`` (k,) moved up their axes (n, 3) until facets demand no more."""
         for _ in range(LIFTS):
-            by = find_demanded_lift(self.cutter, self.tree, still_positions(tip[left], axis[left]), ROOM * self.aim, self.going)
+            by = find_demanded_lift(
+                self.cutter, self.tree, still_positions(tip[left], axis[left]), ROOM * self.aim, self.going
+            )
             left, by = left[by > 0.0], by[by > 0.0]
             if not len(left):
                 break
@@ -242,13 +257,15 @@ class _Lifter:
         return rise_above(self.cutter, self.tree, tip, axis, ROOM * self.aim, self.going)
 
     def lower(self, way: _Way, least: float, tolerance: float) -> _Way:
-        """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it must; blocks of up
-        to ``least`` mm stay whole."""
+        """Rows put in where the way between two lifted rows stands more than ``tolerance`` mm higher than it
+        must; blocks of up to ``least`` mm stay whole."""
         wait = np.ones(len(way.cuts), np.bool_)
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
             long = np.linalg.norm(np.diff(way.tip, axis=0), axis=1) > least
-            blocks = np.flatnonzero(way.cuts & wait & long & (np.maximum(way.lift[1:], way.lift[:-1]) > tolerance))
+            blocks = np.flatnonzero(
+                way.cuts & wait & long & (np.maximum(way.lift[1:], way.lift[:-1]) > tolerance)
+            )
             rows = self.rows(0.5 * (way.key[blocks] + way.key[blocks + 1]))
             high = np.flatnonzero(0.5 * (way.lift[blocks] + way.lift[blocks + 1]) - rows.lift > tolerance)
             if not len(high):
@@ -257,8 +274,9 @@ class _Lifter:
         return way
 
     def between(self, way: _Way, dirty: Bools) -> _Way:
-        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; not where these are too near
-        to each other for that: what enters there goes up through the part, and no row between helps."""
+        """Rows put in, and lifted, where blocks marked ``dirty`` (n - 1,) enter between their ends; not where
+        these are too near to each other for that: what enters there goes up through the part, and no row
+        between helps."""
         given, least = len(way.tip), (1.0 - ROOM) * self.aim
         for k in range(ROUNDS):
             self.going.round(k, ROUNDS)
@@ -279,8 +297,8 @@ class _Lifter:
         return way
 
     def out_of_overhangs(self, way: _Way) -> _Way:
-        """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over them; so are those
-        about trapped ends."""
+        """Where blocks to a lifted row still enter, the rows on their other side lifted above what is over
+        them; so are those about trapped ends."""
         for k in range(OVERHANGS):
             low = 0.8 + 0.2 * k / OVERHANGS
             self.going.stage(low, low + 0.1 / OVERHANGS)
@@ -293,14 +311,16 @@ class _Lifter:
                 break
             moved = (rise[1:] > 0.0) | (rise[:-1] > 0.0)
             over, clear = way.over | high, way.clear & ~moved
-            way = replace(way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=over, clear=clear)
+            way = replace(
+                way, tip=way.tip + rise[:, None] * way.axis, lift=way.lift + rise, over=over, clear=clear
+            )
             self.going.stage(low + 0.1 / OVERHANGS, low + 0.2 / OVERHANGS)
             way = self.between(way, way.cuts & moved)
         return way
 
     def _under(self, way: _Way) -> Bools:
-        """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows that enter, or up
-        to trapped ends."""
+        """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows
+        that enter, or up to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ~way.clear & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
         swept = straight_motion(way.tip, way.axis, self.above)
         enters = which_enter(self.cutter, self.tree, swept, self.aim, lifted, self.going)
@@ -311,8 +331,8 @@ class _Lifter:
 
 
 def _aside(way: _Way) -> Floats:
-    """How far (n - 1,) mm the tool goes at most in each block, but for what it is lifted: along the way given, and by the turn of
-    its axis at its height above that."""
+    """How far (n - 1,) mm the tool goes at most in each block, but for what it is lifted: along the way
+    given, and by the turn of its axis at its height above that."""
     given = np.linalg.norm(np.diff(way.tip - way.lift[:, None] * way.axis, axis=0), axis=1)
     turn = np.linalg.norm(np.diff(way.axis, axis=0), axis=1)
     return np.asarray(given + np.maximum(way.lift[1:], way.lift[:-1]) * turn)
@@ -323,7 +343,10 @@ def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
     cuts = np.insert(way.cuts, blocks, True)
     new, row = np.zeros(len(cuts), np.bool_), np.arange(1, len(blocks) + 1) + blocks
     new[row - 1] = new[row] = True
-    put = {name: np.insert(getattr(way, name), blocks + 1, column, axis=0) for name, column in rows._asdict().items()}
+    put = {
+        name: np.insert(getattr(way, name), blocks + 1, column, axis=0)
+        for name, column in rows._asdict().items()
+    }
     return _Way(cuts=cuts, clear=np.insert(way.clear, blocks, False) & ~new, **put), new
 
 
@@ -333,9 +356,11 @@ def _row(way: _Way) -> Ints:
 
 
 def _rows(path: CLPath, way: _Way, back: float) -> CLPath:
-    """The path with the rows of the way: those put in take face, normal and feed from the row that they lead to."""
+    """The path with the rows of the way: those put in take face, normal and feed from the row that they lead
+    to."""
     columns = {
-        name: getattr(path, name)[_row(way)] for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")
+        name: getattr(path, name)[_row(way)]
+        for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")
     }
     return replace(path, tip=way.tip + back * way.axis, axis=way.axis, **columns)
 

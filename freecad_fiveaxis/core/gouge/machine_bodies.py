@@ -18,7 +18,8 @@ from freecad_fiveaxis.core.tool.body import Body, frustum_piece
 
 
 def make_mesh(body: MachineBody, shift: Floats, progress: Progress = silent) -> Mesh:
-    """Make the mesh of a body, mm, moved by ``shift`` (3,). Raises FiveAxisError for a file that is no mesh."""
+    """Make the mesh of a body, mm, moved by ``shift`` (3,). Raises FiveAxisError for a file that is no
+    mesh."""
     if body.shape == FILE:
         try:
             found = read_stl(body.file, progress)
@@ -37,8 +38,8 @@ def make_mesh(body: MachineBody, shift: Floats, progress: Progress = silent) -> 
 
 
 def spindle_body(machine: Machine, length: float) -> Body:
-    """Give what is round of what the spindle carries as pieces about the tool axis, heights from a driven point ``length`` mm
-    below the gauge point."""
+    """Give what is round of what the spindle carries as pieces about the tool axis, heights from a driven
+    point ``length`` mm below the gauge point."""
     pieces = []
     for body in machine.bodies:
         if body.carrier == SPINDLE and is_round(body, machine.gauge_point):

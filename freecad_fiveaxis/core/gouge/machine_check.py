@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool, and what the spindle carries, against the bodies of the machine, and these against each other (:mod:`.body_pairs`),
-on the way that the machine really goes.
+"""The tool, and what the spindle carries, against the bodies of the machine, and these against each other
+(:mod:`.body_pairs`), on the way that the machine really goes.
 
-locked   words whose joints between the body's carrier and the work stand at zero: seen from the carrier the tool then goes as it
-         does in a work frame that the carrier holds, which is that of all joints at zero. So each body stands still, whatever
-         moves it, and one check serves them all.
+locked   words whose joints between the body's carrier and the work stand at zero: seen from the carrier the
+         tool then goes as it does in a work frame that the carrier holds, which is that of all joints at
+         zero. So each body stands still, whatever moves it, and one check serves them all.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ from .worst import Worst, find_nearest, find_unproven, find_worst, near_finding
 
 @dataclass(frozen=True, eq=False)
 class InMachine:
-    """What is to be checked: the ``machine`` with its bodies, the ``setup`` in which the part stands on it, the chain of both,
-    and the tool's ``body``. ``length`` mm, gauge point to the driven point; None where it is not known. ``back`` mm from the tip
-    up to that point; ``rapids`` as of :func:`.check.check_program`; ``clearance`` mm to bodies that have none of their own;
-    ``fixtures`` stand beside the part."""
+    """What is to be checked: the ``machine`` with its bodies, the ``setup`` in which the part stands on it,
+    the chain of both, and the tool's ``body``. ``length`` mm, gauge point to the driven point; None where it
+    is not known. ``back`` mm from the tip up to that point; ``rapids`` as of :func:`.check.check_program`;
+    ``clearance`` mm to bodies that have none of their own; ``fixtures`` stand beside the part."""
 
     machine: Machine
     setup: Setup
@@ -56,15 +56,17 @@ class InMachine:
 def check_machine(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress = silent
 ) -> tuple[Finding, ...]:
-    """Find where tool or spindle go more than ``tolerance`` mm into a body of the machine, the spindle into the ``part`` (None:
-    not known), and bodies into each other, part and fixtures, on any block. None deeper is missed; told of each is the deepest
-    place.
-    Nothing is found where the machine's file names no bodies. Raises FiveAxisError for the file of a body that cannot be used."""
+    """Find where tool or spindle go more than ``tolerance`` mm into a body of the machine, the spindle into
+    the ``part`` (None: not known), and bodies into each other, part and fixtures, on any block. None deeper
+    is missed; told of each is the deepest place.
+    Nothing is found where the machine's file names no bodies. Raises FiveAxisError for the file of a body
+    that cannot be used."""
     if not given.machine.bodies:
         return ()
     if program.guided is not None:
         text = say(
-            "The controller guides the tip, so where the axes stand between the ends of blocks is not known: the machine's "
+            "The controller guides the tip, so where the axes stand between the ends of blocks is not known: "
+            "the machine's "
             "bodies were not looked at."
         )
         return (report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE),)
@@ -81,7 +83,8 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
     missing = [one.name for one in given.machine.bodies if needs_length(given.machine, one)]
     if given.length is None and missing:
         text = say(
-            "Where the spindle is over the tip is not known without the tool's length: {names} were not looked at. Give it "
+            "Where the spindle is over the tip is not known without the tool's length: {names} were not "
+            "looked at. Give it "
             "({option}).",
             names=", ".join(missing),
             option=Option("tool_length"),
@@ -90,12 +93,14 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
 
 
 def needs_length(machine: Machine, body: MachineBody) -> bool:
-    """Tell whether the place of a body against the tip depends on the tool's length: where the head carries it, or the table
-    moves along Z beyond it."""
+    """Tell whether the place of a body against the tip depends on the tool's length: where the head carries
+    it, or the table moves along Z beyond it."""
     if not is_held(machine, body):
         return True
     locked = locked_letters(machine, body)
-    return any(axis.letter in locked and not axis.rotary and abs(axis.direction[2]) > 1e-9 for axis in machine.axes)
+    return any(
+        axis.letter in locked and not axis.rotary and abs(axis.direction[2]) > 1e-9 for axis in machine.axes
+    )
 
 
 def is_held(machine: Machine, body: MachineBody) -> bool:
@@ -126,19 +131,27 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
     return found
 
 
-def _against_bodies(given: InMachine, program: Program, tolerance: float, progress: Progress) -> Iterator[Finding]:
+def _against_bodies(
+    given: InMachine, program: Program, tolerance: float, progress: Progress
+) -> Iterator[Finding]:
     stack = _stack(given)
     for body in given.machine.bodies:
         if not is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
         letters = locked_letters(given.machine, body)
-        moved = replace(program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters))
+        moved = replace(
+            program, words=lock_words(given.machine, given.setup, given.kinematics, program.words, letters)
+        )
         mesh = make_mesh(body, -np.array(given.setup.origin), progress)
-        check = check_program(mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids)
+        check = check_program(
+            mesh, stack, given.kinematics, moved, tolerance, given.back, progress, "", given.rapids
+        )
         new = [*_entering(body.name, body.name, check, given, program, tolerance)]
         new += _unproven(body.name, check, program, tolerance)
         wanted = 0.0 if new else body.clearance or given.clearance
-        near = find_nearest(stack, wanted, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids)
+        near = find_nearest(
+            stack, wanted, mesh, given.kinematics, moved, tolerance, given.back, progress, given.rapids
+        )
         if near is not None:
             at, place = _places(near, given, program)
             new.append(near_finding(Code.MACHINE_NEAR, body.name, near._replace(place=place), wanted, at))
@@ -150,7 +163,9 @@ def _against_part(
 ) -> Iterator[Finding]:
     spindle = _spindle(given)
     if part is not None and spindle.pieces:
-        check = check_program(part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids)
+        check = check_program(
+            part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids
+        )
         yield from _entering(say("part"), "", check, given, program, tolerance)
         yield from _unproven(say("part"), check, program, tolerance)
 
@@ -158,7 +173,8 @@ def _against_part(
 def _of_bodies(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
 ) -> tuple[Finding, ...]:
-    """What bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its head."""
+    """What bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
+    head."""
     machine, setup, kinematics = given.machine, given.setup, given.kinematics
     rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
     known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
@@ -212,8 +228,10 @@ def _unproven(name: str, check: GougeCheck, program: Program, tolerance: float) 
     if found is None:
         return
     text = say(
-        "In {count} rapids it is not proven that tool and spindle stay out of the {name} on every way of independent axes, the "
-        "first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the other.",
+        "In {count} rapids it is not proven that tool and spindle stay out of the {name} on every way of "
+        "independent axes, the "
+        "first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the "
+        "other.",
         count=found.rapids, name=name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
     yield report_finding(Code.MACHINE_UNPROVEN, text, found.bound, tolerance, found.row, found.line)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the machine itself is in the way of a tool that stands somewhere: what a tool axis is chosen by, and a branch.
+"""Whether the machine itself is in the way of a tool that stands somewhere: what a tool axis is chosen by,
+and a branch.
 
-free      on one branch within the rotary limits no body of table or base is in cutter, shank, holder or what the spindle carries,
-          no body in another one, in the part or in a fixture, and the spindle in neither of these: all that
-          :mod:`.machine_check` looks for, in this one pose. Without the tool's length what depends on it is not asked, as there.
-pole      where any first rotary word will do, the tool has to be free on all of SAMPLES: its neighbours decide
-          which one it gets.
-parted    a piece of the stack and a body, where along one of WAYS the one ends before the other begins: that is a proof, and only
-          what is not parted is searched.
+free      on one branch within the rotary limits no body of table or base is in cutter, shank, holder or what
+          the spindle carries, no body in another one, in the part or in a fixture, and the spindle in neither
+          of these: all that
+          :mod:`.machine_check` looks for, in this one pose. Without the tool's length what depends on it is
+          not asked, as there.
+pole      where any first rotary word will do, the tool has to be free on all of SAMPLES: its neighbours
+          decide which one it gets.
+parted    a piece of the stack and a body, where along one of WAYS the one ends before the other begins: that
+          is a proof, and only what is not parted is searched.
 """
 
 from __future__ import annotations
@@ -26,7 +29,15 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.geometry.convex import Convex, find_gaps
 from freecad_fiveaxis.core.geometry.facet_tree import FacetTree, facet_tree
 from freecad_fiveaxis.core.geometry.mesh import Mesh
-from freecad_fiveaxis.core.machine.kinematics import Chain, chain, forward, inverse_axis, joint_words, q_to_words, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    chain,
+    forward,
+    inverse_axis,
+    joint_words,
+    q_to_words,
+    words_to_q,
+)
 from freecad_fiveaxis.core.motion.joint_path.branches import POLE_ANGLE, within_limits
 from freecad_fiveaxis.core.tool.body import CUTTER, Body, Piece, extend_way_out, support
 
@@ -48,19 +59,26 @@ POINTS = 16
 """Samples of a body's surface, about."""
 
 CELLS = 32
-"""Into which the range of each rotary axis is divided, to prove once where two bodies that it turns never meet."""
+"""Into which the range of each rotary axis is divided, to prove once where two bodies that it turns never
+meet."""
 
 BATCH = 16384
 """Poses at a time."""
 
-WAYS = np.array(sorted((way for way in product((-1.0, 0.0, 1.0), repeat=3) if any(way)), key=lambda way: np.count_nonzero(way)))
+WAYS = np.array(
+    sorted(
+        (way for way in product((-1.0, 0.0, 1.0), repeat=3) if any(way)),
+        key=lambda way: np.count_nonzero(way),
+    )
+)
 WAYS /= np.linalg.norm(WAYS, axis=1)[:, None]
 """Unit directions (26, 3), those of the sides of a box first."""
 
 
 class HeldBody(NamedTuple):
-    """A body that table or base carry: the axes that are ``locked`` seen from it, its ``mesh``, mm, in the work frame that stands
-    still to it, how far it goes along WAYS, (26,) mm, and some points (k, 3) of its surface."""
+    """A body that table or base carry: the axes that are ``locked`` seen from it, its ``mesh``, mm, in the
+    work frame that stands still to it, how far it goes along WAYS, (26,) mm, and some points (k, 3) of its
+    surface."""
 
     locked: str
     mesh: Mesh
@@ -70,8 +88,9 @@ class HeldBody(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class PairInPose:
-    """Two pieces, as they move (``motion``) by the joints ``at`` (k,) of X Y Z and the rotary axes: they meet no farther apart
-    than ``within`` mm from the ``standing`` one. ``low``, ``high`` (2,) rad: the rotary words between which cells are proven."""
+    """Two pieces, as they move (``motion``) by the joints ``at`` (k,) of X Y Z and the rotary axes: they meet
+    no farther apart than ``within`` mm from the ``standing`` one. ``low``, ``high`` (2,) rad: the rotary
+    words between which cells are proven."""
 
     motion: CarriedMotion
     standing: Convex
@@ -86,7 +105,9 @@ class PairInPose:
         standing, rounds = pair.standing.piece, pair.moved.piece.round + pair.standing.piece.round
         if rounds:
             return PairInPose(pair.motion, standing, at, margin - min(pared, 0.99 * rounds), low, high)
-        return PairInPose(pair.motion, standing.pared(min(pared, 0.99 * standing.inmost[1])), at, margin, low, high)
+        return PairInPose(
+            pair.motion, standing.pared(min(pared, 0.99 * standing.inmost[1])), at, margin, low, high
+        )
 
     @property
     def turned(self) -> bool:
@@ -124,9 +145,10 @@ class PairInPose:
 
 @dataclass(frozen=True, eq=False)
 class MachineInPose:
-    """``given``: machine, setup, chain with the limits that count, and the tool; ``held``: what the stack must not hit;
-    ``carried``: bodies, part and fixtures as convex pieces; ``tolerance`` mm that may be entered; ``margin`` mm by which all but
-    the cutter is thicker where axes are chosen, for they are to be free between, too."""
+    """``given``: machine, setup, chain with the limits that count, and the tool; ``held``: what the stack
+    must not hit; ``carried``: bodies, part and fixtures as convex pieces; ``tolerance`` mm that may be
+    entered; ``margin`` mm by which all but the cutter is thicker where axes are chosen, for they are to be
+    free between, too."""
 
     given: InMachine
     held: tuple[HeldBody, ...]
@@ -145,11 +167,15 @@ class MachineInPose:
     def pairs(self) -> tuple[PairInPose, ...]:
         """What moves against each other, of what is known without the tool's length if there is none."""
         given, letters = self.given, self.given.kinematics.letters
-        tool = [] if given.length is None else carry_tool(given.machine, given.body, given.length + given.back)
+        tool = (
+            [] if given.length is None else carry_tool(given.machine, given.body, given.length + given.back)
+        )
         found, _ = pair_up(given.machine, [*self.carried, *tool])
         rise = np.linalg.solve(given.kinematics.direction[:3].T, (0.0, 0.0, 1.0))
         known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
-        columns = [np.array([letters.index(step.axis.letter) for step in pair.motion.steps]) for pair in found]
+        columns = [
+            np.array([letters.index(step.axis.letter) for step in pair.motion.steps]) for pair in found
+        ]
         pared = PARED * self.tolerance
         low, high = _all_words(given.kinematics)
         pairs = (
@@ -166,20 +192,30 @@ class MachineInPose:
             return replace(self, given=replace(old, body=body))
         setup = replace(old.setup, tool_length=old.setup.tool_length + more)
         new = chain(old.machine, setup)
-        low, high = np.append(new.low[:3], old.kinematics.low[3:]), np.append(new.high[:3], old.kinematics.high[3:])
+        low, high = (
+            np.append(new.low[:3], old.kinematics.low[3:]),
+            np.append(new.high[:3], old.kinematics.high[3:]),
+        )
         kinematics = replace(new, low=low, high=high)
-        return replace(self, given=replace(old, setup=setup, kinematics=kinematics, body=body, length=old.length + more))
+        return replace(
+            self, given=replace(old, setup=setup, kinematics=kinematics, body=body, length=old.length + more)
+        )
 
-    def hits(self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float = 0.0) -> Bools:
-        """Tell in which poses (n,) of the ``tool``, with its tip (n, 3) mm and unit axis (n, 3) there, the machine is in the way
-        on all branches, or the spindle in what the ``tree`` holds, by more than ``limit`` mm; ``far`` mm as of a Reacher."""
+    def hits(
+        self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float = 0.0
+    ) -> Bools:
+        """Tell in which poses (n,) of the ``tool``, with its tip (n, 3) mm and unit axis (n, 3) there, the
+        machine is in the way on all branches, or the spindle in what the ``tree`` holds, by more than
+        ``limit`` mm; ``far`` mm as of a Reacher."""
         parts = [
             self._hits(tool, tree, tip[first : first + BATCH], axis[first : first + BATCH], limit, far)
             for first in range(0, len(tip), BATCH)
         ]
         return np.concatenate(parts) if parts else np.zeros(0, np.bool_)
 
-    def _hits(self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float) -> Bools:
+    def _hits(
+        self, tool: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float, far: float
+    ) -> Bools:
         spindle = extend_way_out(self.spindle, far) if far else self.spindle
         stack, kinematics = self._thickened((*tool.pieces, *spindle.pieces)), self.given.kinematics
         angles, sine = inverse_axis(kinematics, axis)
@@ -196,8 +232,11 @@ class MachineInPose:
         return met
 
     def _thickened(self, pieces: Iterable[Piece]) -> Body:
-        """Shank, holder and spindle thicker by the margin; the cutter as it is, for it may work close to a body."""
-        return Body(tuple(one._replace(round=one.round + self.margin * (one.part != CUTTER)) for one in pieces))
+        """Shank, holder and spindle thicker by the margin; the cutter as it is, for it may work close to a
+        body."""
+        return Body(
+            tuple(one._replace(round=one.round + self.margin * (one.part != CUTTER)) for one in pieces)
+        )
 
     def _at_pole(self, stack: Body, tip: Floats, axis: Floats, angles: Floats, limit: float) -> Bools:
         """The same of poses at the pole, where the first word is free."""
@@ -208,8 +247,8 @@ class MachineInPose:
         return np.asarray(met.reshape(-1, len(words)).any(axis=1))
 
     def blocked(self, driven: Floats, axis: Floats, angles: Floats) -> Bools:
-        """Tell where (n,) the machine is in the way with the driven point (n, 3) mm and unit axis (n, 3) there at rotary words
-        ``angles`` (n, 2) rad."""
+        """Tell where (n,) the machine is in the way with the driven point (n, 3) mm and unit axis (n, 3)
+        there at rotary words ``angles`` (n, 2) rad."""
         stack = Body((*self.given.body.pieces, *self.spindle.pieces))
         tip, met = driven - self.given.back * axis, np.zeros(len(driven), np.bool_)
         for first in range(0, len(tip), BATCH):
@@ -218,8 +257,11 @@ class MachineInPose:
             self._add_hits(met[rows], "", stack, tip[rows], axis[rows], self.tolerance)
         return met
 
-    def _add_hits(self, met: Bools, locked: str, stack: Body, tip: Floats, axis: Floats, limit: float) -> None:
-        """Add to ``met`` (n,) what hits a body from which on these axes are locked, tips and axes (n, 3) as it sees them."""
+    def _add_hits(
+        self, met: Bools, locked: str, stack: Body, tip: Floats, axis: Floats, limit: float
+    ) -> None:
+        """Add to ``met`` (n,) what hits a body from which on these axes are locked, tips and axes (n, 3) as
+        it sees them."""
         for body in self.held:
             if body.locked == locked:
                 rows = np.flatnonzero(~met)
@@ -253,8 +295,8 @@ class MachineInPose:
 def machine_in_pose(
     given: InMachine, part: Mesh | None, tolerance: float, progress: Progress = silent, margin: float = 0.0
 ) -> MachineInPose | None:
-    """Prepare a machine, with the ``part`` on it, to be asked; None where its file names no bodies. Raises FiveAxisError for the
-    file of a body that cannot be used."""
+    """Prepare a machine, with the ``part`` on it, to be asked; None where its file names no bodies. Raises
+    FiveAxisError for the file of a body that cannot be used."""
     machine = given.machine
     if not machine.bodies:
         return None
@@ -268,7 +310,9 @@ def _held_bodies(given: InMachine, progress: Progress) -> Iterator[HeldBody]:
         if is_held(given.machine, body) and not (given.length is None and needs_length(given.machine, body)):
             mesh = make_mesh(body, -np.array(given.setup.origin), progress)
             sample, _, _ = surface_samples(mesh, math.sqrt(float(mesh.area.sum()) / POINTS))
-            yield HeldBody(locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample)
+            yield HeldBody(
+                locked_letters(given.machine, body), mesh, (mesh.vertex @ WAYS.T).max(axis=0), sample
+            )
 
 
 def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: float) -> Bools:
@@ -291,7 +335,8 @@ def _in_body(stack: Body, body: HeldBody, tip: Floats, axis: Floats, limit: floa
 
 
 def _holds_sample(piece: Piece, body: HeldBody, tip: Floats, axis: Floats, limit: float) -> Bools:
-    """Tell where (n,) a sample of the body is surely deeper than ``limit`` mm in a piece, which then need not be searched."""
+    """Tell where (n,) a sample of the body is surely deeper than ``limit`` mm in a piece, which then need not
+    be searched."""
     least, held = min(piece.low_radius, piece.high_radius) - limit, np.zeros(len(tip), np.bool_)
     if least <= 0.0:
         return held
@@ -308,7 +353,10 @@ def _holds_sample(piece: Piece, body: HeldBody, tip: Floats, axis: Floats, limit
 
 def _around(stack: Body) -> Piece:
     """A cylinder about all of a stack."""
-    low, high = min(one.low - one.round for one in stack.pieces), max(one.high + one.round for one in stack.pieces)
+    low, high = (
+        min(one.low - one.round for one in stack.pieces),
+        max(one.high + one.round for one in stack.pieces),
+    )
     wide = max(piece.widest for piece in stack.pieces)
     return Piece(low, wide, high, wide, 0.0)
 
@@ -336,7 +384,8 @@ def _enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float
 
 
 def _all_words(kinematics: Chain) -> tuple[Floats, Floats]:
-    """Between which rotary words (2,) rad all poses are that are asked for: a turn or the limits, whatever is less."""
+    """Between which rotary words (2,) rad all poses are that are asked for: a turn or the limits, whatever is
+    less."""
     turn = 2.0 * math.pi
     return np.maximum(kinematics.low[3:], -turn), np.minimum(kinematics.high[3:], turn)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is in the way of a tool that touches the surface at a place with an axis: the machine's limits, the table, the part, or
-bodies of the machine."""
+"""What is in the way of a tool that touches the surface at a place with an axis: the machine's limits, the
+table, the part, or bodies of the machine."""
 
 from __future__ import annotations
 
@@ -25,7 +25,8 @@ from .search import which_enter
 from .swept_motion import still_positions
 
 ROUNDING = 0.1
-"""Of what may enter the part: a body that touches a plane from above is above it, though rounding says a little less."""
+"""Of what may enter the part: a body that touches a plane from above is above it, though rounding says a
+little less."""
 
 ROWS = 64
 """Normals at a time along which all corners of a hull are measured."""
@@ -45,10 +46,11 @@ class Obstacle(IntEnum):
 
 @dataclass(frozen=True, eq=False)
 class Reacher:
-    """What is set on the part: ``limit`` mm that may enter it; ``table`` mm: height of the table's face in the work frame, below
-    which no part of the tool may be, None where it is not known. ``kinematics`` None: any axis will do; ``most`` rad: the largest
-    angle from +Z that is wanted; ``far`` mm: so far along its axis it must be free to be drawn out. ``machine``: its bodies,
-    None: it has none, or they are not looked at."""
+    """What is set on the part: ``limit`` mm that may enter it; ``table`` mm: height of the table's face in
+    the work frame, below which no part of the tool may be, None where it is not known. ``kinematics`` None:
+    any axis will do; ``most`` rad: the largest angle from +Z that is wanted; ``far`` mm: so far along its
+    axis it must be free to be drawn out. ``machine``: its bodies, None: it has none, or they are not looked
+    at."""
 
     cutter: Cutter
     shank: tuple[tuple[float, float], ...] = ()
@@ -68,14 +70,24 @@ class Reacher:
 
 
 def obstacles(
-    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, axis: Floats, height: Floats | None = None
+    reacher: Reacher,
+    tree: FacetTree,
+    point: Floats,
+    normal: Floats,
+    axis: Floats,
+    height: Floats | None = None,
 ) -> Ints:
-    """What is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where the surface has the unit
-    ``normal`` (n, 3), with the unit ``axis`` (n, 3). ``height`` (n,) mm as of :func:`part_heights`, where it is known: of a tool
-    that stands above all of the part nothing more is asked."""
+    """What is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where the
+    surface has the unit ``normal`` (n, 3), with the unit ``axis`` (n, 3). ``height`` (n,) mm as of
+    :func:`part_heights`, where it is known: of a tool that stands above all of the part nothing more is
+    asked."""
     met, body = np.full(len(point), int(Obstacle.NONE)), reacher.body
     tip = tip_at(reacher.cutter, point, normal, axis)
-    above = np.zeros(len(point), np.bool_) if height is None else is_above(body, tip, axis, normal, height, reacher.limit)
+    above = (
+        np.zeros(len(point), np.bool_)
+        if height is None
+        else is_above(body, tip, axis, normal, height, reacher.limit)
+    )
 
     def enters_with(part: int) -> Callable[[Ints], Bools]:
         def hit(rows: Ints) -> Bools:
@@ -100,34 +112,42 @@ def obstacles(
 
 
 def stick_out_farther(reacher: Reacher, more: float) -> Reacher:
-    """Let the tool stick out ``more`` mm farther: a shank as wide as the one there is, or as the cutter, fills the gap, and the
-    tool is as much longer where its length is known."""
+    """Let the tool stick out ``more`` mm farther: a shank as wide as the one there is, or as the cutter,
+    fills the gap, and the tool is as much longer where its length is known."""
     width = reacher.shank[-1][0] if reacher.shank else reacher.cutter.diameter
     longer = replace(reacher, shank=(*reacher.shank, (width, more)))
-    return longer if longer.machine is None else replace(longer, machine=longer.machine.longer(more, longer.body))
+    return (
+        longer
+        if longer.machine is None
+        else replace(longer, machine=longer.machine.longer(more, longer.body))
+    )
 
 
 def _hits_machine(reacher: Reacher, tree: FacetTree, tip: Floats, axis: Floats) -> Bools:
-    """Whether (n,) the machine is in the way of the tool with its tip (n, 3) mm and unit axis (n, 3) there."""
+    """Whether (n,) the machine is in the way of the tool with its tip (n, 3) mm and unit axis (n, 3)
+    there."""
     if reacher.machine is None or not len(tip):
         return np.zeros(len(tip), np.bool_)
     return reacher.machine.hits(reacher.body, tree, tip, axis, reacher.limit, reacher.far)
 
 
 def part_heights(tree: FacetTree, normal: Floats) -> Floats:
-    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3), its support by the corners of its hull, with
-    the largest allowance; infinite of a part that is flat, which has none."""
+    """Measure how far (n,) mm the part reaches along each unit ``normal`` (n, 3), its support by the corners
+    of its hull, with the largest allowance; infinite of a part that is flat, which has none."""
     corner = _each_once(tree.corner.reshape(3, 3, -1).transpose(1, 0, 2).reshape(3, -1))
     try:
         corner = corner[scipy.spatial.ConvexHull(corner).vertices]
     except scipy.spatial.QhullError:
         return np.full(len(normal), np.inf)
     parts = [normal[first : first + ROWS] @ corner.T for first in range(0, len(normal), ROWS)]
-    return np.concatenate([part.max(axis=1) for part in parts]) + tree.most_allowance if parts else np.empty(0)
+    return (
+        np.concatenate([part.max(axis=1) for part in parts]) + tree.most_allowance if parts else np.empty(0)
+    )
 
 
 def _each_once(point: Floats) -> Floats:
-    """The different ones (k, 3) of points (3, n), ascending: as ``np.unique`` of rows, which compares them one with another."""
+    """The different ones (k, 3) of points (3, n), ascending: as ``np.unique`` of rows, which compares them
+    one with another."""
     order = np.lexsort(point[::-1])
     point = point.take(order, axis=1)
     new = np.append(True, (np.diff(point, axis=1) != 0.0).any(axis=0))[: len(order)]
@@ -135,15 +155,16 @@ def _each_once(point: Floats) -> Floats:
 
 
 def is_above(body: Body, tip: Floats, axis: Floats, normal: Floats, height: Floats, limit: float) -> Bools:
-    """Find which bodies (n,) with tips and unit axes (n, 3) there lie above the plane at ``height`` (n,) mm across ``normal``
-    (n, 3), but for much less than ``limit`` mm."""
+    """Find which bodies (n,) with tips and unit axes (n, 3) there lie above the plane at ``height`` (n,) mm
+    across ``normal`` (n, 3), but for much less than ``limit`` mm."""
     lowest = dot(tip.T, normal.T) - body_support(body, -dot(axis.T, normal.T))
     return np.asarray(lowest > height - ROUNDING * limit)
 
 
 def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Floats:
-    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner, or a barrel's flank: its corner circle
-    leans towards the surface, and with an axis along the normal the middle of its bottom stands on the point."""
+    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner, or a barrel's flank:
+    its corner circle leans towards the surface, and with an axis along the normal the middle of its bottom
+    stands on the point."""
     if (barrel := cutter.barrel) is not None:
         return np.asarray(point + cutter.corner * (normal - axis) + barrel.hub_shift(normal, axis))
     across = normal - dot(normal.T, axis.T)[:, None] * axis
@@ -155,19 +176,24 @@ def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Float
 def within_limits(reacher: Reacher, axis: Floats) -> Bools:
     """Which unit axes (n, 3) the machine takes up and are wanted (n,)."""
     within = axis[:, 2] >= least_up(reacher.most)
-    return within if reacher.kinematics is None else np.asarray(within & axes_within_limits(reacher.kinematics, axis))
+    return (
+        within
+        if reacher.kinematics is None
+        else np.asarray(within & axes_within_limits(reacher.kinematics, axis))
+    )
 
 
 def is_below(body: Body, tip: Floats, axis: Floats, table: float | None, limit: float) -> Bools:
-    """Find which bodies (n,) with tips (n, 3) mm and unit axes (n, 3) go more than ``limit`` mm below the table's face, whose
-    height is ``table`` mm; None where that is not known."""
+    """Find which bodies (n,) with tips (n, 3) mm and unit axes (n, 3) go more than ``limit`` mm below the
+    table's face, whose height is ``table`` mm; None where that is not known."""
     if table is None:
         return np.zeros(len(tip), np.bool_)
     return np.asarray(tip[:, 2] - body_support(body, -axis[:, 2]) < table - limit)
 
 
 def enters(body: Body, tree: FacetTree, tip: Floats, axis: Floats, limit: float) -> Bools:
-    """Whether (n,) the body enters the part by more than ``limit`` mm with its tip (n, 3) mm and unit axis (n, 3) there."""
+    """Whether (n,) the body enters the part by more than ``limit`` mm with its tip (n, 3) mm and unit axis
+    (n, 3) there."""
     if not body.pieces or not len(tip):
         return np.zeros(len(tip), np.bool_)
     return which_enter(body, tree, still_positions(tip, axis), limit, np.arange(len(tip)))

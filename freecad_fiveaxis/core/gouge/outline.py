@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The outline of a body in its meridian plane, for whoever draws what is checked.
 
-outline   from the tip along bottom, corner, flank, shank and holder to the axis again: short straight stretches, which turned
-          about the axis make the body's surface. Faces between two pieces, inside the body, are not in it.
+outline   from the tip along bottom, corner, flank, shank and holder to the axis again: short straight
+          stretches, which turned about the axis make the body's surface. Faces between two pieces, inside the
+          body, are not in it.
 """
 
 from __future__ import annotations
@@ -23,8 +24,8 @@ STRETCHES = 16
 
 
 class Outline(NamedTuple):
-    """``start``, ``end`` (n, 2): distance from the axis and height above the tip, mm; ``start_normal``, ``end_normal`` (n, 2):
-    away from the body there, unit; ``part`` (n,): CUTTER, SHANK or HOLDER."""
+    """``start``, ``end`` (n, 2): distance from the axis and height above the tip, mm; ``start_normal``,
+    ``end_normal`` (n, 2): away from the body there, unit; ``part`` (n,): CUTTER, SHANK or HOLDER."""
 
     start: Floats
     end: Floats
@@ -34,14 +35,17 @@ class Outline(NamedTuple):
 
 
 def outline(body: Body) -> Outline:
-    """The outline of a body whose pieces stand upon each other in their order, as :func:`~.body.body_of` makes them.
-    Of a cutter that ends within its corner circles the body holds all of them; the outline ends where the next piece begins."""
+    """The outline of a body whose pieces stand upon each other in their order, as :func:`~.body.body_of`
+    makes them. Of a cutter that ends within its corner circles the body holds all of them; the outline ends
+    where the next piece begins."""
     rows: list[Outline] = []
     at, part = np.array([0.0, body.pieces[0].low - body.pieces[0].round]), body.pieces[0].part
     for piece, after in zip(body.pieces, (*body.pieces[1:], None), strict=True):
         points, normals = _side(_above(piece, float(at[1])), after)
         rows.append(_straight(at, points[0], piece.part if points[0, 0] >= at[0] else part))
-        rows.append(Outline(points[:-1], points[1:], normals[:-1], normals[1:], np.full(len(points) - 1, piece.part)))
+        rows.append(
+            Outline(points[:-1], points[1:], normals[:-1], normals[1:], np.full(len(points) - 1, piece.part))
+        )
         at, part = points[-1], piece.part
     rows.append(_straight(at, np.array([0.0, at[1]]), part))
     return Outline(*(np.concatenate(columns) for columns in zip(*map(_with_length, rows), strict=True)))
@@ -52,7 +56,9 @@ def _above(piece: Piece, height: float) -> Piece:
     if piece.round > 0.0 or not piece.low < height < piece.high:
         return piece
     share = (height - piece.low) / (piece.high - piece.low)
-    return piece._replace(low=height, low_radius=piece.low_radius + share * (piece.high_radius - piece.low_radius))
+    return piece._replace(
+        low=height, low_radius=piece.low_radius + share * (piece.high_radius - piece.low_radius)
+    )
 
 
 def _with_length(row: Outline) -> Outline:
@@ -67,17 +73,25 @@ def _straight(start: Floats, end: Floats, part: int) -> Outline:
 
 
 def _side(piece: Piece, after: Piece | None) -> tuple[Floats, Floats]:
-    """Points (n, 2) and normals (n, 2) along a piece: lower rounding, flank, and the upper rounding up to the piece that follows
-    it; nothing of it where that begins within the core."""
+    """Points (n, 2) and normals (n, 2) along a piece: lower rounding, flank, and the upper rounding up to the
+    piece that follows it; nothing of it where that begins within the core."""
     if piece.bulge > 0.0:
         return _bulging_side(piece)
-    lean = math.atan2(piece.high_radius - piece.low_radius, piece.high - piece.low) if piece.high > piece.low else 0.0
+    lean = (
+        math.atan2(piece.high_radius - piece.low_radius, piece.high - piece.low)
+        if piece.high > piece.low
+        else 0.0
+    )
     low, high = (piece.low_radius, piece.low), (piece.high_radius, piece.high)
     if piece.round == 0.0:
         normal = np.array([math.cos(lean), -math.sin(lean)])
         return np.array([low, high]), np.array([normal, normal])
     lower = np.linspace(-0.5 * math.pi, -lean, STRETCHES + 1)
-    ends = 0.5 * math.pi if after is None else math.asin(min(max((after.low - piece.high) / piece.round, 0.0), 1.0))
+    ends = (
+        0.5 * math.pi
+        if after is None
+        else math.asin(min(max((after.low - piece.high) / piece.round, 0.0), 1.0))
+    )
     upper = np.linspace(-lean, ends, STRETCHES + 1) if after is None or ends > 0.0 else np.array([-lean])
     turn = np.concatenate([lower, upper])
     normals = np.stack([np.cos(turn), np.sin(turn)], axis=1)
@@ -92,6 +106,10 @@ def _bulging_side(piece: Piece) -> tuple[Floats, Floats]:
     lower, arc = np.linspace(-0.5 * math.pi, begins, STRETCHES + 1), np.linspace(begins, 0.0, STRETCHES + 1)
     turn = np.concatenate([lower, arc, [0.0]])
     normals = np.stack([np.cos(turn), np.sin(turn)], axis=1)
-    about = np.repeat([(0.0, piece.low), (middle, crest), (piece.high_radius, piece.high)], [len(lower), len(arc), 1], axis=0)
+    about = np.repeat(
+        [(0.0, piece.low), (middle, crest), (piece.high_radius, piece.high)],
+        [len(lower), len(arc), 1],
+        axis=0,
+    )
     far = np.repeat([piece.round, piece.bulge + piece.round, piece.round], [len(lower), len(arc), 1])
     return about + far[:, None] * normals, normals

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rapids on controllers that may drive each axis at a rate of its own: every way between their ends against the part.
+"""Rapids on controllers that may drive each axis at a rate of its own: every way between their ends against
+the part.
 
-A rapid of one axis has one way only, and the check of the program's own motion has looked at it; so it has where that found an
-entry. Row 0 is no block: where the machine comes from is not known.
+A rapid of one axis has one way only, and the check of the program's own motion has looked at it; so it has
+where that found an entry. Row 0 is no block: where the machine comes from is not known.
 """
 
 from __future__ import annotations
@@ -27,30 +28,36 @@ from .spots import MOST_SPOTS, spots
 
 ENTERS = {
     INDEPENDENT: Template(
-        "The {part} goes at least {depth} into the part at {at} in a rapid whose axes run independently; it is clear only if "
+        "The {part} goes at least {depth} into the part at {at} in a rapid whose axes run independently; it "
+        "is clear only if "
         "they are interpolated."
     ),
     UNKNOWN: Template(
-        "The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; it is clear if they "
+        "The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; "
+        "it is clear if they "
         "are interpolated. Which of the two this controller does is not known."
     ),
 }
 REMEDY = say(
-    "Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the machine file or by "
+    "Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the "
+    "machine file or by "
     "{rapids}.",
     rapids=Choice("rapids", (INTERPOLATED,), flag=True),
 )
 
 
 def check_rapids(
-    mesh: Mesh, body: Body, space: JointSpace, program: Program, tolerance: float, accuracy: float, known: Bools,
+    mesh: Mesh, body: Body, space: JointSpace, program: Program, tolerance: float, accuracy: float,
+    known: Bools,
     progress: Progress = silent,
 ) -> WayEntries:  # fmt: skip
-    """Find what the body enters deeper than ``tolerance`` mm on any way of a program's rapids; ``known`` (m - 1,): blocks that
-    are told to enter anyway. Depths are known to ``accuracy`` mm."""
+    """Find what the body enters deeper than ``tolerance`` mm on any way of a program's rapids; ``known`` (m -
+    1,): blocks that are told to enter anyway. Depths are known to ``accuracy`` mm."""
     blocks = independent_rapids(program)
     blocks = blocks[~known[blocks]]
-    return find_way_entries(body, facet_tree(mesh), space, program.words, blocks, tolerance, accuracy, progress)
+    return find_way_entries(
+        body, facet_tree(mesh), space, program.words, blocks, tolerance, accuracy, progress
+    )
 
 
 def independent_rapids(program: Program) -> Ints:
@@ -60,17 +67,26 @@ def independent_rapids(program: Program) -> Ints:
 
 
 def rapid_findings(ways: WayEntries, program: Program, tolerance: float, rapids: str) -> tuple[Finding, ...]:
-    """Tell the deepest block of each of the deepest spots, and how many blocks there are; then what is not proven."""
+    """Tell the deepest block of each of the deepest spots, and how many blocks there are; then what is not
+    proven."""
     worst, blocks = spots(ways.depth)
     found = []
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):
         x, y, z = ways.place[block].tolist()
         depth, line = float(ways.depth[block]), int(program.line[block + 1])
-        text = ENTERS[rapids].say(part=PARTS[int(ways.part[block])], depth=Length(depth, ".3g"), at=Point((x, y, z), ".4g"))
+        text = ENTERS[rapids].say(
+            part=PARTS[int(ways.part[block])], depth=Length(depth, ".3g"), at=Point((x, y, z), ".4g")
+        )
         if k == 0 and blocks > 1:
-            text += say(" This is the deepest of {blocks} blocks in {places} places.", blocks=blocks, places=len(worst))
+            text += say(
+                " This is the deepest of {blocks} blocks in {places} places.",
+                blocks=blocks,
+                places=len(worst),
+            )
         text = joined((text, REMEDY))
-        found.append(report_finding(Code.INDEPENDENT_RAPID, text, depth, tolerance, block + 1, line, (x, y, z)))
+        found.append(
+            report_finding(Code.INDEPENDENT_RAPID, text, depth, tolerance, block + 1, line, (x, y, z))
+        )
     return (*found, *_unproven(ways, program, tolerance))
 
 
@@ -85,7 +101,8 @@ def _unproven(ways: WayEntries, program: Program, tolerance: float) -> tuple[Fin
         return ()
     line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
     text = say(
-        "In {count} rapids it is not proven that the tool stays out of the part on every way of independent axes, the first in "
+        "In {count} rapids it is not proven that the tool stays out of the part on every way of independent "
+        "axes, the first in "
         "NC line {line}; it enters by no more than {bound}.",
         count=len(rows), line=line, bound=Length(bound, ".3g"),
     )  # fmt: skip

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How deep a tool can get into the part on a rapid whose axes run independently, with a bound that holds for every way.
+"""How deep a tool can get into the part on a rapid whose axes run independently, with a bound that holds for
+every way.
 
-way       of a rapid whose rates are not known: each joint goes from its one end to its other and never back. Any words between
-          the ends are on some way, so all ways together are a box of joints.
-pair      a box, or a part of it, with a node of the facet tree, or with a facet. It is dropped when its bound says that nothing
-          in it is deeper than asked for, or than what its block is known to hold already; else the larger partner is divided.
+way       of a rapid whose rates are not known: each joint goes from its one end to its other and never back.
+          Any words between the ends are on some way, so all ways together are a box of joints.
+pair      a box, or a part of it, with a node of the facet tree, or with a facet. It is dropped when its bound
+          says that nothing in it is deeper than asked for, or than what its block is known to hold already;
+          else the larger partner is divided.
 
-Most rapids go far over the part and are dropped whole, as one pair. What the tool meets is found as in :mod:`.search`: depth and
-bound are brought together by division, across whatever adds most to the bound.
+Most rapids go far over the part and are dropped whole, as one pair. What the tool meets is found as in
+:mod:`.search`: depth and bound are brought together by division, across whatever adds most to the bound.
 """
 
 from __future__ import annotations
@@ -37,13 +39,15 @@ ROUNDS = 100
 """Divisions of a pair; after that the bound is what it is."""
 
 FEW_ROUNDS = 8
-"""The same where it is only asked whether a rapid is clear: to divide it costs less than to prove what is nearly not so."""
+"""The same where it is only asked whether a rapid is clear: to divide it costs less than to prove what is
+nearly not so."""
 
 RELATIVE = 0.1
 """A depth is known to this share of itself, or to the accuracy asked for where that is more."""
 
 EVEN_SHARE = 0.05
-"""Of what a joint moves the tool so much counts as if it lay along the bound's direction: across it, it loosens the bound too."""
+"""Of what a joint moves the tool so much counts as if it lay along the bound's direction: across it, it
+loosens the bound too."""
 
 ROUGH = 0.1
 """mm; so well is the depth of a sample known: the search that follows begins there."""
@@ -54,9 +58,9 @@ LONGER = 2.0
 
 @dataclass(frozen=True, eq=False)
 class WayEntries:
-    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at some ``words`` (m, 5), mm and
-    **degrees**, between the block's ends, at ``place`` (m, 3) mm; 0 where no depth above the limit was found. ``bound`` (m,) mm:
-    no point is deeper on any way; ``part`` (m,) CUTTER, SHANK or HOLDER."""
+    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at some ``words`` (m,
+    5), mm and **degrees**, between the block's ends, at ``place`` (m, 3) mm; 0 where no depth above the limit
+    was found. ``bound`` (m,) mm: no point is deeper on any way; ``part`` (m,) CUTTER, SHANK or HOLDER."""
 
     depth: Floats
     bound: Floats
@@ -85,35 +89,43 @@ class _FacetPairs(NamedTuple):
     corner: Floats
 
     def take(self, rows: Ints) -> _FacetPairs:
-        return _FacetPairs(self.turns.take(rows), self.boxes.take(rows), self.leaf.take(rows), self.corner.take(rows, axis=2))
+        return _FacetPairs(
+            self.turns.take(rows), self.boxes.take(rows), self.leaf.take(rows), self.corner.take(rows, axis=2)
+        )
 
 
 def boxes_of(words: Floats, blocks: Ints) -> JointBoxes:
-    """Lay a box over the ends of each of these blocks (k,); block i leads from row i to row i + 1 of ``words`` (m, 5), mm and
-    **degrees**."""
+    """Lay a box over the ends of each of these blocks (k,); block i leads from row i to row i + 1 of
+    ``words`` (m, 5), mm and **degrees**."""
     start, end = words[blocks], words[blocks + 1]
     return JointBoxes(blocks, 0.5 * (start + end), 0.5 * np.abs(end - start))
 
 
 def find_way_entries(
-    body: Body, tree: FacetTree, space: JointSpace, words: Floats, blocks: Ints, limit: float, accuracy: float,
+    body: Body, tree: FacetTree, space: JointSpace, words: Floats, blocks: Ints, limit: float,
+    accuracy: float,
     progress: Progress = silent,
 ) -> WayEntries:  # fmt: skip
-    """Find the entries deeper than ``limit`` mm on any way of these ``blocks`` (k,) of a program's ``words`` (m + 1, 5), mm and
-    **degrees**; those of other blocks stay empty.
+    """Find the entries deeper than ``limit`` mm on any way of these ``blocks`` (k,) of a program's ``words``
+    (m + 1, 5), mm and **degrees**; those of other blocks stay empty.
 
-    None deeper than the limit is missed; depth and bound differ by at most ``accuracy`` mm or RELATIVE, but where ROUNDS
-    divisions leave more.
+    None deeper than the limit is missed; depth and bound differ by at most ``accuracy`` mm or RELATIVE, but
+    where ROUNDS divisions leave more.
     """
     search = _Search.of(body, tree, space, limit, accuracy, len(words) - 1)
     return search.find(boxes_of(words, blocks), progress)
 
 
 def which_ways_enter(
-    body: Body, tree: FacetTree, space: JointSpace, boxes: JointBoxes, limit: float, progress: Progress = silent
+    body: Body,
+    tree: FacetTree,
+    space: JointSpace,
+    boxes: JointBoxes,
+    limit: float,
+    progress: Progress = silent,
 ) -> Bools:
-    """Tell which of these boxes (k,), whose ``block`` is their place among them, are not proven, in FEW_ROUNDS divisions, to be
-    entered by at most ``limit`` mm on every way; how deep is not asked."""
+    """Tell which of these boxes (k,), whose ``block`` is their place among them, are not proven, in
+    FEW_ROUNDS divisions, to be entered by at most ``limit`` mm on every way; how deep is not asked."""
     search = _Search.of(body, tree, space, limit, np.inf, len(boxes.block), FEW_ROUNDS)
     return np.asarray(search.find(boxes, progress).bound > limit)
 
@@ -123,8 +135,8 @@ Some = TypeVar("Some", _Pairs, _FacetPairs)
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """``floors`` (m,) mm: what a pair of a block must be able to exceed. ``rounds``: a block of which a pair was divided so often
-    is given up; it counts as entered to any depth."""
+    """``floors`` (m,) mm: what a pair of a block must be able to exceed. ``rounds``: a block of which a pair
+    was divided so often is given up; it counts as entered to any depth."""
 
     body: Body
     tree: FacetTree
@@ -137,11 +149,14 @@ class _Search:
 
     @classmethod
     def of(
-        cls, body: Body, tree: FacetTree, space: JointSpace, limit: float, accuracy: float, count: int, rounds: float = np.inf
+        cls, body: Body, tree: FacetTree, space: JointSpace, limit: float, accuracy: float, count: int,
+        rounds: float = np.inf
     ) -> _Search:  # fmt: skip
         """Begin with nothing known of ``count`` blocks."""
         none = np.zeros(count)
-        found = WayEntries(none, none.copy(), np.zeros((count, 5)), np.zeros((count, 3)), np.zeros(count, np.int64))
+        found = WayEntries(
+            none, none.copy(), np.zeros((count, 5)), np.zeros((count, 3)), np.zeros(count, np.int64)
+        )
         return cls(body, tree, space, limit, accuracy, found, np.full(count, limit), rounds)
 
     def find(self, boxes: JointBoxes, progress: Progress) -> WayEntries:
@@ -163,7 +178,9 @@ class _Search:
                 continue
             none = np.zeros(len(boxes.block), np.int64)
             nodes, facets = _sliced(_Pairs(none, boxes, none)), list[_FacetPairs]()
-            while nodes or facets:  # facets first, the last first: what is found deep makes others superfluous, and few are open
+            while (
+                nodes or facets
+            ):  # facets first, the last first: what is found deep makes others superfluous, and few are open
                 if facets:
                     for pairs in self._facets(piece, _merged(facets)):
                         facets += _sliced(pairs)
@@ -173,7 +190,8 @@ class _Search:
                     facets += _sliced(found)
 
     def _sample(self, boxes: JointBoxes) -> None:
-        """Look at the middle and the corners of boxes that reach the part: most of those that enter it are known at once."""
+        """Look at the middle and the corners of boxes that reach the part: most of those that enter it are
+        known at once."""
         none = np.zeros(len(boxes.block), np.int64)
         pairs, hulls = _Pairs(none, boxes, none), self.space.hulls(boxes, self.body.reach)
         enough = self.limit - self.tree.most_allowance
@@ -201,7 +219,9 @@ class _Search:
         halves = one.boxes.halved(size[by_box].argmax(axis=1))
         corner = self.tree.corners(facets.node - self.tree.leaf)
         return (
-            _Pairs(two.turns.take(owner), two.boxes.take(owner), family(self.tree.child.take(two.node), many)),
+            _Pairs(
+                two.turns.take(owner), two.boxes.take(owner), family(self.tree.child.take(two.node), many)
+            ),
             _Pairs(np.tile(one.turns + 1, 2), halves, np.tile(one.node, 2)),
             _FacetPairs(facets.turns, facets.boxes, facets.node - self.tree.leaf, corner),
         )
@@ -215,7 +235,10 @@ class _Search:
     def _open(self, piece: Piece, pairs: _Pairs, hulls: Hulls) -> Ints:
         """The rows (k,) whose bounds are all above what is known; from the cheapest bound to the dearest."""
         core, off = self._core(piece)
-        rows, floor = np.arange(len(pairs.node)), self.floors.take(pairs.boxes.block) - off - self.tree.most_of(pairs.node)
+        rows, floor = (
+            np.arange(len(pairs.node)),
+            self.floors.take(pairs.boxes.block) - off - self.tree.most_of(pairs.node),
+        )
         most = np.full(len(rows), piece.most - off)
         for bound in (self._toward_node, self._along_box, self._along_normal):
             some = np.flatnonzero(most > floor.take(rows))
@@ -224,7 +247,8 @@ class _Search:
         return rows.take(np.flatnonzero(most > floor.take(rows)))
 
     def _core(self, piece: Piece) -> tuple[Piece, float]:
-        """What is left of the piece without the limit, and what was taken off; all of a piece that is no thicker than that."""
+        """What is left of the piece without the limit, and what was taken off; all of a piece that is no
+        thicker than that."""
         return pared(piece, self.limit if piece.most > self.limit else 0.0)
 
     def _toward_node(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
@@ -232,11 +256,14 @@ class _Search:
         return hulls.reached(piece, g) - begins
 
     def _along_box(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
-        """The least of the bounds along the directions of the node's box: wide boxes of joints are beside it in one of them."""
+        """The least of the bounds along the directions of the node's box: wide boxes of joints are beside it
+        in one of them."""
         box = self.tree.boxes(node)
         arm = along(box.ways, box.middle - hulls.pose.tip)
         ways = zip(box.ways, arm, box.half, strict=True)
-        return np.asarray(np.min([hulls.reached(piece, s * g) - s * a + h for g, a, h in ways for s in (1, -1)], axis=0))
+        return np.asarray(
+            np.min([hulls.reached(piece, s * g) - s * a + h for g, a, h in ways for s in (1, -1)], axis=0)
+        )
 
     def _along_normal(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
         plate = self.tree.plates(node)
@@ -246,9 +273,12 @@ class _Search:
         return np.asarray(np.minimum(up, down))
 
     def _facets(self, piece: Piece, pairs: _FacetPairs) -> list[_FacetPairs]:
-        """Note how deep the facets are in the middle of the boxes; divide what may hold more than is known."""
+        """Note how deep the facets are in the middle of the boxes; divide what may hold more than is
+        known."""
         more = self.tree.most_of(self.tree.leaf + pairs.leaf)
-        rows = np.flatnonzero(~self._give_up(pairs) & (piece.most > self.floors.take(pairs.boxes.block) - more))
+        rows = np.flatnonzero(
+            ~self._give_up(pairs) & (piece.most > self.floors.take(pairs.boxes.block) - more)
+        )
         pairs = pairs.take(rows)
         if not len(rows):
             return []
@@ -258,10 +288,19 @@ class _Search:
         part = np.full(len(pairs.leaf), piece.part)
         self._note(pairs.boxes.block, part, pairs.boxes.middle, more - deep.distance, deep.point.T)
         arm = pairs.corner - hulls.pose.tip
-        most, g = self._facet_bound(piece, hulls, arm, (deep.g, *self._directions(piece, hulls, pairs, deep.point, arm)))
+        most, g = self._facet_bound(
+            piece, hulls, arm, (deep.g, *self._directions(piece, hulls, pairs, deep.point, arm))
+        )
         most = np.minimum(most, piece.most) + more
-        flat = support_at(piece, hulls.pose, g) - (g * hulls.pose.tip).sum(axis=0) - along(arm, g).min(axis=0) + deep.distance
-        flat[_longest_side(pairs.corner) < hulls.size.sum(axis=1)] = 0.0  # a short facet is not what makes the bound loose
+        flat = (
+            support_at(piece, hulls.pose, g)
+            - (g * hulls.pose.tip).sum(axis=0)
+            - along(arm, g).min(axis=0)
+            + deep.distance
+        )
+        flat[_longest_side(pairs.corner) < hulls.size.sum(axis=1)] = (
+            0.0  # a short facet is not what makes the bound loose
+        )
         open_ = most > self.floors.take(pairs.boxes.block)
         last = np.flatnonzero(open_ & (pairs.turns >= ROUNDS))
         np.maximum.at(self.found.bound, pairs.boxes.block[last], most[last])
@@ -269,13 +308,17 @@ class _Search:
         spread = (hulls.spread(piece, g) + EVEN_SHARE * hulls.size)[rows]
         return _halves(pairs.take(rows), spread, flat[rows])
 
-    def _directions(self, piece: Piece, hulls: Hulls, pairs: _FacetPairs, point: Floats, arm: Floats) -> list[Floats]:
+    def _directions(
+        self, piece: Piece, hulls: Hulls, pairs: _FacetPairs, point: Floats, arm: Floats
+    ) -> list[Floats]:
         normal = self.tree.plates(self.tree.leaf + pairs.leaf).normal
         core, _ = self._core(piece)
         found = [normal, -normal, toward_triangle(core, hulls.pose.axis, arm)[0]]
         return found if piece.round else [*found, *end_and_side(piece, hulls.pose, point)]
 
-    def _facet_bound(self, piece: Piece, hulls: Hulls, arm: Floats, directions: tuple[Floats, ...]) -> tuple[Floats, Floats]:
+    def _facet_bound(
+        self, piece: Piece, hulls: Hulls, arm: Floats, directions: tuple[Floats, ...]
+    ) -> tuple[Floats, Floats]:
         """The least of the bounds (n,) mm along these directions (3, n), and the direction it is along."""
         most, best = np.full(arm.shape[2], np.inf), directions[0]
         for g in directions:
@@ -285,18 +328,27 @@ class _Search:
         return most, best
 
     def _note(self, block: Ints, part: Ints, words: Floats, depth: Floats, place: Floats) -> None:
-        """Keep the deepest entry of each block, with its place; the columns are those of :class:`WayEntries`, ``block`` (n,)."""
+        """Keep the deepest entry of each block, with its place; the columns are those of :class:`WayEntries`,
+        ``block`` (n,)."""
         found = self.found
         rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(block)))
-        order = rows[np.argsort(depth[rows], kind="stable")]  # where a block comes again, the deepest is written last
+        order = rows[
+            np.argsort(depth[rows], kind="stable")
+        ]  # where a block comes again, the deepest is written last
         at = block[order]
-        found.depth[at], found.words[at], found.place[at], found.part[at] = depth[order], words[order], place[order], part[order]
+        found.depth[at], found.words[at], found.place[at], found.part[at] = (
+            depth[order],
+            words[order],
+            place[order],
+            part[order],
+        )
         known = found.depth[at]
         self.floors[at] = known + np.maximum(self.accuracy, RELATIVE * known)
 
 
 def _samples(boxes: JointBoxes) -> tuple[Ints, Floats]:
-    """Give the middle and the corners of each box: whose they are (n,), and their words (n, 5) mm and **degrees**."""
+    """Give the middle and the corners of each box: whose they are (n,), and their words (n, 5) mm and
+    **degrees**."""
     ends = np.array([np.zeros(5), *product((1.0, -1.0), repeat=5)])
     new = ~((ends[:, None] < 0.0) & (boxes.half == 0.0)).any(axis=2)  # a joint that stands has one end
     which, owner = np.nonzero(new)
@@ -304,7 +356,8 @@ def _samples(boxes: JointBoxes) -> tuple[Ints, Floats]:
 
 
 def _halves(pairs: _FacetPairs, spread: Floats, flat: Floats) -> list[_FacetPairs]:
-    """Each pair as two: its box halved across the joint that adds most to the bound, or its facet where that adds more."""
+    """Each pair as two: its box halved across the joint that adds most to the bound, or its facet where that
+    adds more."""
     by_box = spread.max(axis=1, initial=0.0) >= flat
     one, two = pairs.take(np.flatnonzero(by_box)), pairs.take(np.flatnonzero(~by_box))
     boxes, owner = one.boxes.halved(spread[by_box].argmax(axis=1)), np.tile(np.arange(len(one.leaf)), 2)
@@ -326,7 +379,9 @@ def _merged(open_: list[_FacetPairs]) -> _FacetPairs:
     while open_ and (count := count + len(taken[-1].leaf)) + len(open_[-1].leaf) <= SLICE:
         taken.append(open_.pop())
     boxes = JointBoxes(*(np.concatenate(part) for part in zip(*(one.boxes for one in taken), strict=True)))
-    turns, leaf = (np.concatenate(part) for part in ([one.turns for one in taken], [one.leaf for one in taken]))
+    turns, leaf = (
+        np.concatenate(part) for part in ([one.turns for one in taken], [one.leaf for one in taken])
+    )
     return _FacetPairs(turns, boxes, leaf, np.concatenate([one.corner for one in taken], axis=2))
 
 

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Rest material: a map of the machined surface against the way of the cutter.
 
-height    of a point of the part's surface: how far the cutter stays away from it all along its way, mm. Above 0 so much is left
-          on it, below 0 so much is taken off too deep.
+height    of a point of the part's surface: how far the cutter stays away from it all along its way, mm. Above
+          0 so much is left on it, below 0 so much is taken off too deep.
 sample    the middle of a facet, or of a part of it, with the area that it stands for.
 
 way       the cuts one after the other, by the length that the cutter's bottom goes on them.
 
-The way is sampled. The sampled poses whose middle is nearest to a point are looked up in a k-d tree: as many as could touch it,
-for a wide cutter that leans touches with its rim, far from its middle. Those that come nearest, each from another stretch of the
-way, are followed to their least height. Every height found is that of a real pose, so it is never too small.
+The way is sampled. The sampled poses whose middle is nearest to a point are looked up in a k-d tree: as many
+as could touch it, for a wide cutter that leans touches with its rim, far from its middle. Those that come
+nearest, each from another stretch of the way, are followed to their least height. Every height found is that
+of a real pose, so it is never too small.
 """
 
 from __future__ import annotations
@@ -47,7 +48,8 @@ FOLLOWED = 2
 """Of these, as many as come nearest are followed; of a cutter with a level bottom twice as many."""
 
 STEPS = 8
-"""Golden sections of the way between neighbouring samples: to a hundredth of it, and the height there is flat."""
+"""Golden sections of the way between neighbouring samples: to a hundredth of it, and the height there is
+flat."""
 
 CLOSE = 0.25
 """Distance of samples on the way, as a share of the radius that it has at its bottom."""
@@ -69,8 +71,8 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 @dataclass(frozen=True, eq=False)
 class RestMaterial:
-    """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block`` (k,) of the swept
-    motion that comes nearest; ``spacing`` mm of the samples."""
+    """``point`` (k, 3) mm on the surface; ``facet`` (k,); ``area`` (k,) mm2; ``height`` (k,) mm; ``block``
+    (k,) of the swept motion that comes nearest; ``spacing`` mm of the samples."""
 
     point: Floats
     facet: Ints
@@ -85,7 +87,8 @@ class RestMaterial:
         return float(self.area[more].sum()), float(((self.height - above) * self.area)[more].sum())
 
     def taken(self, below: float) -> tuple[float, float]:
-        """The area (mm2) on which more than ``below`` mm is taken off too deep, and how much more there is on it (mm3)."""
+        """The area (mm2) on which more than ``below`` mm is taken off too deep, and how much more there is on
+        it (mm3)."""
         more = self.height < -below
         return float(self.area[more].sum()), float(((-self.height - below) * self.area)[more].sum())
 
@@ -101,11 +104,12 @@ def find_rest_material(
     enough: float = -np.inf,
     counts: Callable[[Floats, Ints], Bools] | None = None,
 ) -> RestMaterial:
-    """Find the heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh (None: all).
+    """Find the heights over samples at most about ``spacing`` mm apart, of these ``facets`` (f,) of the mesh
+    (None: all).
 
-    ``body``: the cutter; ``blocks`` (b,): those of the swept motion that cut. A height of at most ``enough`` mm may be smaller in
-    truth: who asks only where more is left need not wait for the rest. ``counts``: which places (k, 3), of facets (k,), are
-    looked at, None: all. Raises SettingsError where no block cuts.
+    ``body``: the cutter; ``blocks`` (b,): those of the swept motion that cut. A height of at most ``enough``
+    mm may be smaller in truth: who asks only where more is left need not wait for the rest. ``counts``: which
+    places (k, 3), of facets (k,), are looked at, None: all. Raises SettingsError where no block cuts.
     """
     if not len(blocks):
         raise SettingsError(say("no block cuts, so nothing can be said of what is left"), 0)
@@ -127,14 +131,18 @@ def find_rest_material(
 
 
 def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints]:
-    """Triangles (k, 3, 3) mm that together cover these facets, in the facets' own sense, and the facet (k,) of each.
+    """Triangles (k, 3, 3) mm that together cover these facets, in the facets' own sense, and the facet (k,)
+    of each.
 
-    None has a side much longer than ``spacing`` mm: what is longer is halved across its longest side, again and again.
+    None has a side much longer than ``spacing`` mm: what is longer is halved across its longest side, again
+    and again.
     """
     facet = np.arange(len(mesh.face)) if facets is None else np.flatnonzero(facets)
     corner, done = mesh.vertex[mesh.face[facet]], []
     for _ in range(MOST_HALVINGS):
-        side = np.linalg.norm(np.roll(corner, 1, axis=1) - np.roll(corner, -1, axis=1), axis=2)  # that opposite each corner
+        side = np.linalg.norm(
+            np.roll(corner, 1, axis=1) - np.roll(corner, -1, axis=1), axis=2
+        )  # that opposite each corner
         apex, long = side.argmax(axis=1), side.max(axis=1) > LONGEST * spacing
         done.append((corner[~long], facet[~long]))
         corner, facet = _halved(corner[long], apex[long]), np.repeat(facet[long], 2)
@@ -146,11 +154,14 @@ def surface_parts(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tu
 
 
 def _halved(corner: Floats, apex: Ints) -> Floats:
-    """Both halves (2 k, 3, 3), in turn, of triangles (k, 3, 3): from ``apex`` (k,) to the middle of the side opposite."""
+    """Both halves (2 k, 3, 3), in turn, of triangles (k, 3, 3): from ``apex`` (k,) to the middle of the side
+    opposite."""
     row = np.arange(len(corner))
     a, b, c = (corner[row, (apex + k) % 3] for k in range(3))
     middle = 0.5 * (b + c)
-    return np.stack([np.stack([a, b, middle], axis=1), np.stack([a, middle, c], axis=1)], axis=1).reshape(-1, 3, 3)
+    return np.stack([np.stack([a, b, middle], axis=1), np.stack([a, middle, c], axis=1)], axis=1).reshape(
+        -1, 3, 3
+    )
 
 
 def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
@@ -162,9 +173,9 @@ def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> 
 
 @dataclass(frozen=True, eq=False)
 class _Way:
-    """The blocks (b,) that cut; ``length`` (b + 1,) mm of the way at their ends, ``low`` and ``high`` (b,) at the ends of the
-    run of blocks that each is in. ``at`` (s,) mm: where the samples are, ``pose`` theirs, ``tree`` over their middles;
-    ``spacing`` mm."""
+    """The blocks (b,) that cut; ``length`` (b + 1,) mm of the way at their ends, ``low`` and ``high`` (b,) at
+    the ends of the run of blocks that each is in. ``at`` (s,) mm: where the samples are, ``pose`` theirs,
+    ``tree`` over their middles; ``spacing`` mm."""
 
     swept: SweptMotion
     block: Ints
@@ -217,15 +228,19 @@ def _middle(piece: Piece, pose: Poses) -> Floats:
 
 
 def _wide(piece: Piece) -> tuple[float, float]:
-    """How much, mm, of a piece is no ball: the radius of its lower disc, of a bulge how far its ends are from its middle; and how
-    far what touches is from there."""
-    flat = piece.low_radius if piece.bulge == 0.0 else math.hypot(piece.high_radius, 0.5 * (piece.arc[1] - piece.low))
+    """How much, mm, of a piece is no ball: the radius of its lower disc, of a bulge how far its ends are from
+    its middle; and how far what touches is from there."""
+    flat = (
+        piece.low_radius
+        if piece.bulge == 0.0
+        else math.hypot(piece.high_radius, 0.5 * (piece.arc[1] - piece.low))
+    )
     return flat, flat + piece.round
 
 
 def _sampled_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Way, int]:
-    """The sampled way, and how many samples must be looked at for all that could touch one of some points (n, 3) to be among
-    them; where that is too many, the samples lie farther apart."""
+    """The sampled way, and how many samples must be looked at for all that could touch one of some points (n,
+    3) to be among them; where that is too many, the samples lie farther apart."""
     lowest = _lowest_piece(body)
     flat, wide = _wide(lowest)
     round_ = wide if lowest.bulge == 0.0 else lowest.widest  # a bulge is longer than it is wide
@@ -243,8 +258,8 @@ def _lowest_piece(body: Body) -> Piece:
 
 
 def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Floats]:
-    """The samples (n, k) from which to follow: of so many the lowest, then the lowest away from that, and so on; and the height
-    (n,) mm at the lowest."""
+    """The samples (n, k) from which to follow: of so many the lowest, then the lowest away from that, and so
+    on; and the height (n,) mm at the lowest."""
     near = np.asarray(way.tree.query(point, k=count)[1]).reshape(len(point), count)
     there, place = near.ravel(), np.repeat(point, near.shape[1], axis=0).T
     pose = Poses(way.pose.tip.take(there, axis=1), way.pose.axis.take(there, axis=1))
@@ -259,8 +274,8 @@ def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Flo
 
 
 def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -> tuple[Floats, Ints]:
-    """The least height (n,) of points and the block where it is; where a sample near it leaves no more than ``enough`` mm, the
-    height there."""
+    """The least height (n,) of points and the block where it is; where a sample near it leaves no more than
+    ``enough`` mm, the height there."""
     if enough == -np.inf:
         return _lowest(body, way, point, _starts(body, way, point, count)[0])
     near = np.asarray(way.tree.query(point)[1])
@@ -278,10 +293,14 @@ def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -
 
 
 def _lowest(body: Body, way: _Way, point: Floats, starts: Ints) -> tuple[Floats, Ints]:
-    """The least height (n,) of points on the way about some samples (n, k) each, and the block where it is."""
+    """The least height (n,) of points on the way about some samples (n, k) each, and the block where it
+    is."""
     place, middle = np.repeat(point, starts.shape[1], axis=0).T, way.at[starts.ravel()]
     row, _ = way.place(middle)
-    low, high = np.maximum(middle - way.spacing, way.low[row]), np.minimum(middle + way.spacing, way.high[row])
+    low, high = (
+        np.maximum(middle - way.spacing, way.low[row]),
+        np.minimum(middle + way.spacing, way.high[row]),
+    )
 
     def height(at: Floats) -> Floats:
         row, u = way.place(at)
@@ -292,10 +311,15 @@ def _lowest(body: Body, way: _Way, point: Floats, starts: Ints) -> tuple[Floats,
     for _ in range(STEPS):
         left = first < second
         low, high = np.where(left, low, one), np.where(left, two, high)
-        one, two = np.where(left, high - GOLDEN * (high - low), two), np.where(left, one, low + GOLDEN * (high - low))
+        one, two = (
+            np.where(left, high - GOLDEN * (high - low), two),
+            np.where(left, one, low + GOLDEN * (high - low)),
+        )
         fresh = height(np.where(left, one, two))
         first, second = np.where(left, fresh, second), np.where(left, first, fresh)
-    found, at = (np.where(first < second, *ends).reshape(starts.shape) for ends in ((first, second), (one, two)))
+    found, at = (
+        np.where(first < second, *ends).reshape(starts.shape) for ends in ((first, second), (one, two))
+    )
     least, rows = found.argmin(axis=1), np.arange(len(point))
     return found[rows, least], way.block[way.place(at[rows, least])[0]]
 
@@ -328,7 +352,8 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
 
 
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:
-    """A finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth and its place."""
+    """A finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth and its
+    place."""
     area, volume = remainder.taken(tolerance)
     if area == 0.0:
         return ()
@@ -344,4 +369,6 @@ def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding
         height=Length(-remainder.height[worst], ".4g"),
         volume=Volume(volume, ".4g"),
     )
-    return (report_finding(Code.CUT_TOO_DEEP, text, -float(remainder.height[worst]), tolerance, place=(x, y, z)),)
+    return (
+        report_finding(Code.CUT_TOO_DEEP, text, -float(remainder.height[worst]), tolerance, place=(x, y, z)),
+    )

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The deepest entry of a body into the part in every block of a swept motion, with an upper bound for the whole way.
+"""The deepest entry of a body into the part in every block of a swept motion, with an upper bound for the
+whole way.
 
-pair      a cluster, or a stretch, with a node, or a facet. It is dropped when its bound says that nothing in it is deeper than
-          asked for, or than what its block is known to hold already. Of the others the larger partner is divided.
+pair      a cluster, or a stretch, with a node, or a facet. It is dropped when its bound says that nothing in
+          it is deeper than asked for, or than what its block is known to hold already. Of the others the
+          larger partner is divided.
 
-Two trees are gone down together, so whole clusters are cleared of whole regions at once. What is left, stretches with facets, is
-divided in time or across the facet until bound and depth are as near as asked for.
+Two trees are gone down together, so whole clusters are cleared of whole regions at once. What is left,
+stretches with facets, is divided in time or across the facet until bound and depth are as near as asked for.
 
-A facet with an allowance is that much deeper: depths in a convex piece and bounds of them grow by as much as the piece does.
+A facet with an allowance is that much deeper: depths in a convex piece and bounds of them grow by as much as
+the piece does.
 """
 
 from __future__ import annotations
@@ -39,11 +42,12 @@ FEW = 2048
 """Blocks that are not worth a second thread."""
 
 SLICE = 49152
-"""Pairs at a time: fewer stay in the cache of one thread, but two threads wait for each other between short calls."""
+"""Pairs at a time: fewer stay in the cache of one thread, but two threads wait for each other between short
+calls."""
 
 AT_BOXES = 12288
-"""Pairs whose boxes are looked at together: their columns stay in the cache, and memory that small is not given back to the
-system and asked for anew at each step."""
+"""Pairs whose boxes are looked at together: their columns stay in the cache, and memory that small is not
+given back to the system and asked for anew at each step."""
 
 ROUNDS = 40
 """Divisions of a pair; after that the bound is what it is."""
@@ -67,7 +71,8 @@ SURELY = 0.999
 """Of a depth that is known to be reached, what is not lost by rounding."""
 
 LONGER = 4.0
-"""So many times smaller than a node a cluster may be and is divided all the same: bounds are close for stretches."""
+"""So many times smaller than a node a cluster may be and is divided all the same: bounds are close for
+stretches."""
 
 BENT = 0.3
 """Stretches bend at most by this share of the limit where MOST_PARTS allow."""
@@ -75,9 +80,9 @@ BENT = 0.3
 
 @dataclass(frozen=True, eq=False)
 class Entries:
-    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at ``u`` (m,), at ``place`` (m, 3) mm, of
-    facet ``facet`` (m,); all of it 0, facet -1, where no depth above the limit was found. ``bound`` (m,) mm: no point is deeper
-    at any u; ``part`` (m,) CUTTER, SHANK or HOLDER."""
+    """Of each of m blocks: ``depth`` (m,) mm that a point of the part is in the body at ``u`` (m,), at
+    ``place`` (m, 3) mm, of facet ``facet`` (m,); all of it 0, facet -1, where no depth above the limit was
+    found. ``bound`` (m,) mm: no point is deeper at any u; ``part`` (m,) CUTTER, SHANK or HOLDER."""
 
     depth: Floats
     bound: Floats
@@ -88,18 +93,32 @@ class Entries:
 
 
 def find_entries(
-    body: Body, tree: FacetTree, swept: SweptMotion, limit: float, accuracy: float | None = None, blocks: Ints | None = None,
+    body: Body, tree: FacetTree, swept: SweptMotion, limit: float, accuracy: float | None = None,
+    blocks: Ints | None = None,
     progress: Progress = silent,
 ) -> Entries:  # fmt: skip
-    """The entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the others' stay empty.
+    """The entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the others'
+    stay empty.
 
-    Depth and bound differ by at most ``accuracy`` mm (a tenth of the limit) or RELATIVE, but for blocks that bend too much.
+    Depth and bound differ by at most ``accuracy`` mm (a tenth of the limit) or RELATIVE, but for blocks that
+    bend too much.
     """
     m = len(swept)
-    found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
+    found = Entries(
+        np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64)
+    )
     wanted = np.arange(m) if blocks is None else blocks
     floors = np.full(m + 1, limit)
-    search = _Search(tree, swept, limit, 0.1 * limit if accuracy is None else accuracy, body.reach, found, np.zeros(m), floors)
+    search = _Search(
+        tree,
+        swept,
+        limit,
+        0.1 * limit if accuracy is None else accuracy,
+        body.reach,
+        found,
+        np.zeros(m),
+        floors,
+    )
     search.batches(body, wanted, progress)
     progress("gouge", 1.0)
     found.bound[wanted] = np.maximum(found.bound[wanted], floors[wanted])
@@ -109,23 +128,32 @@ def find_entries(
 def which_enter(
     body: Body, tree: FacetTree, swept: SweptMotion, limit: float, blocks: Ints, progress: Progress = silent
 ) -> Bools:
-    """Which blocks (m,) of the swept motion enter by more than ``limit`` mm, of these ``blocks`` (k,); how deep is not asked."""
+    """Which blocks (m,) of the swept motion enter by more than ``limit`` mm, of these ``blocks`` (k,); how
+    deep is not asked."""
     return np.asarray(find_entries(body, tree, swept, limit, np.inf, blocks, progress).bound > limit)
 
 
-def find_demanded_lift(body: Body, tree: FacetTree, up: SweptMotion, limit: float, progress: Progress = silent) -> Floats:
-    """How far (m,) mm a body that stands still, or goes up along its axis, must go at least: the most that facets demand of which
-    a point is in it by more than ``limit`` mm; 0 where none is. Points that :func:`raise_to_demand` misses may demand more."""
+def find_demanded_lift(
+    body: Body, tree: FacetTree, up: SweptMotion, limit: float, progress: Progress = silent
+) -> Floats:
+    """How far (m,) mm a body that stands still, or goes up along its axis, must go at least: the most that
+    facets demand of which a point is in it by more than ``limit`` mm; 0 where none is. Points that
+    :func:`raise_to_demand` misses may demand more."""
     m, lift = len(up), np.zeros(len(up))
-    found = Entries(np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64))
-    search = _Search(tree, up, limit, np.inf, body.reach, found, np.zeros(m), np.full(m + 1, limit), learns=False)
+    found = Entries(
+        np.zeros(m), np.zeros(m), np.zeros(m), np.zeros((m, 3)), np.full(m, -1), np.zeros(m, np.int64)
+    )
+    search = _Search(
+        tree, up, limit, np.inf, body.reach, found, np.zeros(m), np.full(m + 1, limit), learns=False
+    )
     search.batches(body, np.arange(m), progress, lift)
     return lift
 
 
 class _Ticks:
-    """Says how far the work is, a few times a second at most and on the thread that it was made on; where that is refused
-    (:class:`~freecad_fiveaxis.core.base.errors.Cancelled`), other threads end at their next tick."""
+    """Says how far the work is, a few times a second at most and on the thread that it was made on; where
+    that is refused (:class:`~freecad_fiveaxis.core.base.errors.Cancelled`), other threads end at their next
+    tick."""
 
     def __init__(self, progress: Progress) -> None:
         self.progress, self.caller, self.last = progress, threading.get_ident(), time.monotonic()
@@ -150,8 +178,8 @@ class _Ticks:
 
 
 class _Left(NamedTuple):
-    """Pairs of stretches with facets, or parts of facets: ``block``, ``start``, ``end`` (n,), ``corner`` (3, 3, n), ``leaf``
-    (n,)."""
+    """Pairs of stretches with facets, or parts of facets: ``block``, ``start``, ``end`` (n,), ``corner`` (3,
+    3, n), ``leaf`` (n,)."""
 
     block: Ints
     start: Floats
@@ -160,7 +188,9 @@ class _Left(NamedTuple):
     leaf: Ints
 
     def picked(self, rows: Ints | Bools) -> _Left:
-        return _Left(self.block[rows], self.start[rows], self.end[rows], self.corner[..., rows], self.leaf[rows])
+        return _Left(
+            self.block[rows], self.start[rows], self.end[rows], self.corner[..., rows], self.leaf[rows]
+        )
 
 
 class _TooMany(Exception):
@@ -169,9 +199,9 @@ class _TooMany(Exception):
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """``known`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a pair of a block
-    must be able to exceed; that of a cluster, in the last place, is the limit. ``learns``: what is known of a block clears others
-    of its pairs."""
+    """``known`` (m,) mm: so deep a block is known to be, though not yet where; ``floors`` (m + 1,) mm: what a
+    pair of a block must be able to exceed; that of a cluster, in the last place, is the limit. ``learns``:
+    what is known of a block clears others of its pairs."""
 
     tree: FacetTree
     swept: SweptMotion
@@ -184,21 +214,25 @@ class _Search:
     learns: bool = True
 
     def batches(self, body: Body, blocks: Ints, progress: Progress, lift: Floats | None = None) -> None:
-        """:meth:`batch` for any number of blocks, on all threads: what is found of one depends on none of another batch."""
+        """:meth:`batch` for any number of blocks, on all threads: what is found of one depends on none of
+        another batch."""
         ticks = _Ticks(progress)
         count = 2 * -(-len(blocks) // (2 * BATCH)) if len(blocks) > FEW else min(len(blocks), 1)
         parts = np.array_split(blocks, count) if count else []
         in_threads(lambda some: self.batch(body, some, ticks, lift), parts, ticks.tell)
 
     def batch(self, body: Body, blocks: Ints, ticks: _Ticks, lift: Floats | None = None) -> None:
-        """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``ticks`` are called again and again."""
+        """Fill in the entries of these blocks, or only the ``lift`` (m,) mm they demand; ``ticks`` are called
+        again and again."""
         deep = [piece for piece in body.pieces if piece.most + self.tree.most_allowance > self.limit]
         if not deep:  # no shank or holder was given: nothing to lay out for
             return
         parts = segments_of(self.swept, blocks, self.reach, BENT * self.limit)
         clusters = clusters_of(self.swept, parts, self.reach)
         try:
-            for piece in sorted(deep, key=lambda piece: -piece.most):  # what can be deeper makes the others superfluous
+            for piece in sorted(
+                deep, key=lambda piece: -piece.most
+            ):  # what can be deeper makes the others superfluous
                 left = self._traverse(piece, clusters, parts, ticks)
                 if lift is None:
                     self._refine(piece, left, ticks)
@@ -216,7 +250,9 @@ class _Search:
             floor = np.where(np.maximum(placed, known) > 0.0, np.inf, self.limit)
         else:
             floor = np.maximum(self.limit, known)
-            floor = np.where(placed > 0.0, np.maximum(floor, placed + np.maximum(self.accuracy, RELATIVE * placed)), floor)
+            floor = np.where(
+                placed > 0.0, np.maximum(floor, placed + np.maximum(self.accuracy, RELATIVE * placed)), floor
+            )
         self.floors[block] = floor
 
     def _traverse(self, piece: Piece, clusters: Clusters, parts: MotionSegments, ticks: _Ticks) -> _Left:
@@ -233,10 +269,15 @@ class _Search:
                 raise _TooMany
         segment, leaf = (np.concatenate(column) for column in zip(*done, strict=True))
         leaf = leaf - self.tree.leaf
-        return _Left(parts.block[segment], parts.start[segment], parts.end[segment], self.tree.corners(leaf), leaf)
+        return _Left(
+            parts.block[segment], parts.start[segment], parts.end[segment], self.tree.corners(leaf), leaf
+        )
 
-    def _pruned(self, piece: Piece, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints) -> tuple[Ints, Ints, Bools]:
-        """The pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the place of their floors."""
+    def _pruned(
+        self, piece: Piece, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints
+    ) -> tuple[Ints, Ints, Bools]:
+        """The pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the place of
+        their floors."""
         kept, deep = [], []
         for first in range(0, len(sweep), SLICE):
             some, place = sweep[first : first + SLICE], owner.take(sweep[first : first + SLICE])
@@ -246,21 +287,39 @@ class _Search:
         rows = np.concatenate(kept)
         return sweep[rows], node[rows], np.concatenate(deep)
 
-    def _stay(self, piece: Piece, clusters: Clusters, sweep: Ints, place: Ints, node: Ints) -> tuple[Ints, Bools]:
+    def _stay(
+        self, piece: Piece, clusters: Clusters, sweep: Ints, place: Ints, node: Ints
+    ) -> tuple[Ints, Bools]:
         """:meth:`_pruned` for so many that two threads do not wait for each other: which rows stay."""
         core, off = pared(piece, self.limit if piece.most > self.limit else 0.0)
         floor = self.floors.take(place) - off - self.tree.most_of(node)
         most = np.full(len(node), piece.most - off)
         for first in range(0, len(node), AT_BOXES):
             some = slice(first, first + AT_BOXES)
-            most[some] = np.minimum(most[some], box_bound(core, clusters.ways(sweep[some]), self.tree, node[some]))
+            most[some] = np.minimum(
+                most[some], box_bound(core, clusters.ways(sweep[some]), self.tree, node[some])
+            )
         rows = np.flatnonzero(most > floor)
-        ways, node, floor, most = clusters.ways(sweep.take(rows)), node.take(rows), floor.take(rows), most.take(rows)
+        ways, node, floor, most = (
+            clusters.ways(sweep.take(rows)),
+            node.take(rows),
+            floor.take(rows),
+            most.take(rows),
+        )
         for bound in (plate_bound, facet_bound):
             most = np.minimum(most, bound(core, ways, self.tree, node))
             left = np.flatnonzero(most > floor)
-            rows, ways, node, floor, most = rows.take(left), ways.take(left), node.take(left), floor.take(left), most.take(left)
-        least, place = least_depth(piece, ways, self.tree.points(node)) + self.tree.least_of(node), place.take(rows)
+            rows, ways, node, floor, most = (
+                rows.take(left),
+                ways.take(left),
+                node.take(left),
+                floor.take(left),
+                most.take(left),
+            )
+        least, place = (
+            least_depth(piece, ways, self.tree.points(node)) + self.tree.least_of(node),
+            place.take(rows),
+        )
         if self.learns:
             self._learn(place, least)
         left = np.flatnonzero(most > self.floors.take(place) - off - self.tree.most_of(node))
@@ -280,11 +339,14 @@ class _Search:
             return self._demand_alike(piece, body, left, lift)
         more = self.tree.most_of(self.tree.leaf + left.leaf)
         for by in np.unique(more).tolist():
-            self._demand_alike(piece._replace(round=piece.round + by), grow_body(body, by), left.picked(more == by), lift)
+            self._demand_alike(
+                piece._replace(round=piece.round + by), grow_body(body, by), left.picked(more == by), lift
+            )
         return None
 
     def _demand_alike(self, piece: Piece, body: Body, left: _Left, lift: Floats) -> None:
-        """Raise ``lift`` (m,) to what the pairs demand, those that may demand most first: many others then cannot demand more."""
+        """Raise ``lift`` (m,) to what the pairs demand, those that may demand most first: many others then
+        cannot demand more."""
         start, low = self.swept.pose(left.block, left.start), min(one.low - one.round for one in body.pieces)
         most = ((left.corner - start.tip) * start.axis).sum(axis=1).max(axis=0) - low
         order = np.argsort(-most, kind="stable")
@@ -297,7 +359,8 @@ class _Search:
                 raise_to_demand(lift, some.block, piece, body, pose, way, some.corner, self.limit)
 
     def _refine(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
-        """The depth of the pairs, some of each block at a time: what they tell makes many of the others superfluous."""
+        """The depth of the pairs, some of each block at a time: what they tell makes many of the others
+        superfluous."""
         parts = -(-len(left.block) // AT_ONCE)
         for k in range(parts):
             rows = np.arange(k, len(left.block), parts)
@@ -327,12 +390,14 @@ class _Search:
             left, most = _halved(left, in_time[rows] >= across), np.tile(most, 2)
         np.maximum.at(self.found.bound, left.block, most + self._more(left))
 
-    def _most(self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats) -> tuple[Floats, Floats, Floats]:
-        """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses, and what is left
-        half-way.
+    def _most(
+        self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats
+    ) -> tuple[Floats, Floats, Floats]:
+        """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses,
+        and what is left half-way.
 
-        Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it does not become
-        better.
+        Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it
+        does not become better.
         """
         start, end = self.swept.pose(left.block, left.start), self.swept.pose(left.block, left.end)
         share = 0.125 * (left.end - left.start) ** 2
@@ -341,7 +406,10 @@ class _Search:
 
         def bound(g: Floats) -> tuple[Floats, Floats, Floats]:
             over = np.maximum(*(support_at(piece, there, g, loose, high) for there in (start, end))) + bend
-            begins, half_way = (g * left.corner).sum(axis=1).min(axis=0), support_at(piece, pose, g, high=high)
+            begins, half_way = (
+                (g * left.corner).sum(axis=1).min(axis=0),
+                support_at(piece, pose, g, high=high),
+            )
             return over - begins, over - half_way, half_way - begins
 
         most, in_time, flat = bound(g)
@@ -352,7 +420,11 @@ class _Search:
             ends = []
             for g in end_and_side(piece, pose, point):
                 begins = (g * left.corner).sum(axis=1)
-                ends.append(np.concatenate([support_at(piece, there, g, loose, high) + bend - begins for there in (start, end)]))
+                ends.append(
+                    np.concatenate(
+                        [support_at(piece, there, g, loose, high) + bend - begins for there in (start, end)]
+                    )
+                )
             most = np.minimum(most, least_mixed(*ends))
         return most, in_time, flat
 
@@ -362,16 +434,20 @@ class _Search:
         rows = np.flatnonzero((depth > self.limit) & (depth > found.depth.take(left.block)))
         if not len(rows):
             return
-        order = rows[np.argsort(depth[rows], kind="stable")]  # where a block comes again, the deepest is written last
+        order = rows[
+            np.argsort(depth[rows], kind="stable")
+        ]  # where a block comes again, the deepest is written last
         block = left.block[order]
         found.depth[block], found.u[block], found.place[block] = depth[order], u[order], point.T[order]
         found.facet[block], found.part[block] = self.tree.facet[left.leaf[order]], piece.part
         self._raise(block)
 
 
-def _divided(clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enters: Bools) -> tuple[Ints, Ints]:
-    """The larger partner of each pair replaced by its children; the cluster where it does enter, because only blocks can tell
-    that they know of deeper places."""
+def _divided(
+    clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enters: Bools
+) -> tuple[Ints, Ints]:
+    """The larger partner of each pair replaced by its children; the cluster where it does enter, because only
+    blocks can tell that they know of deeper places."""
     by_way = clusters.arity.take(sweep) > 0
     by_way &= enters | (node >= tree.leaf) | (LONGER * clusters.size.take(sweep) > tree.size.take(node))
     one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)
@@ -389,7 +465,8 @@ def family(first: Ints, count: Ints) -> Ints:
 
 
 def _halved(left: _Left, in_time: Bools) -> _Left:
-    """Each pair as two: the first and the second half of its stretch, or the facet parted across its longest side."""
+    """Each pair as two: the first and the second half of its stretch, or the facet parted across its longest
+    side."""
     middle = 0.5 * (left.start + left.end)
     start = np.concatenate([left.start, np.where(in_time, middle, left.start)])
     end = np.concatenate([np.where(in_time, middle, left.end), left.end])

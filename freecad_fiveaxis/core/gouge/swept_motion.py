@@ -3,13 +3,16 @@
 
 pose      where the tip stands and where the unit axis points, work frame.
 block     the way from one row to the next, u from 0 to 1. Block i leads to row i + 1.
-stretch   a part of a block, from one u to another, short enough to bend little; or several of them in a row (a cluster).
-bend      of a stretch: how far, at most, tip (mm) and axis (a pure number) leave the straight way between its two end poses.
+stretch   a part of a block, from one u to another, short enough to bend little; or several of them in a row
+          (a cluster).
+bend      of a stretch: how far, at most, tip (mm) and axis (a pure number) leave the straight way between its
+          two end poses.
 
-**Why the end poses are enough.** A piece's support in direction g is the larger one of ``g . (tip + z axis) + r |g x axis|``
-for its two discs, plus its round. Where tip and axis move straight this is a convex function of u, because a norm of something
-linear is convex; so it is largest at an end. What they leave the straight way by adds at most ``bend_tip + (|z| + r)
-bend_axis``. A stretch of the body therefore lies in the convex hull of its two end bodies, thickened by that much.
+**Why the end poses are enough.** A piece's support in direction g is the larger one of ``g . (tip + z axis) +
+r |g x axis|`` for its two discs, plus its round. Where tip and axis move straight this is a convex function
+of u, because a norm of something linear is convex; so it is largest at an end. What they leave the straight
+way by adds at most ``bend_tip + (|z| + r) bend_axis``. A stretch of the body therefore lies in the convex
+hull of its two end bodies, thickened by that much.
 """
 
 from __future__ import annotations
@@ -25,13 +28,23 @@ from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 from freecad_fiveaxis.core.machine.kinematics import Chain
 from freecad_fiveaxis.core.motion.deviation.bound import bending, quick_levers
-from freecad_fiveaxis.core.motion.trajectory import Vectors, at, axis, checked_words, frames, motion, tip, to_work
+from freecad_fiveaxis.core.motion.trajectory import (
+    Vectors,
+    at,
+    axis,
+    checked_words,
+    frames,
+    motion,
+    tip,
+    to_work,
+)
 
 WIDE = 4
 """Stretches, or clusters, in a cluster."""
 
 MOST_PARTS = 64
-"""A block is not laid out in more stretches than that at first; what bends more is divided where it matters."""
+"""A block is not laid out in more stretches than that at first; what bends more is divided where it
+matters."""
 
 
 class Poses(NamedTuple):
@@ -43,8 +56,8 @@ class Poses(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class SweptMotion:
-    """``pose`` gives the poses of blocks (n,) at u (n,); ``bend_tip`` (m,) mm and ``bend_axis`` (m,) bound the second derivatives
-    by u of tip and axis in each of the m blocks."""
+    """``pose`` gives the poses of blocks (n,) at u (n,); ``bend_tip`` (m,) mm and ``bend_axis`` (m,) bound
+    the second derivatives by u of tip and axis in each of the m blocks."""
 
     pose: Callable[[Ints, Floats], Poses]
     bend_tip: Floats
@@ -55,8 +68,8 @@ class SweptMotion:
 
 
 def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMotion:
-    """The swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines the point ``above`` mm over
-    the tip (n, 3) mm."""
+    """The swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines the
+    point ``above`` mm over the tip (n, 3) mm."""
     points = tips + above * axes if above else tips
     start, end = _columns(points[:-1]), _columns(points[1:])
     first, last = _columns(axes[:-1]), _columns(axes[1:])
@@ -95,8 +108,8 @@ def ways_up(tips: Floats, axes: Floats, way: Floats) -> SweptMotion:
 def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
     """At share u of the great arc, columns; between opposite axes one of the many there are.
 
-    Not :func:`~.vectors.slerp`: its last digits differ, and the lift, which stops at the first depth that will do, would make
-    other programs of the same solid."""
+    Not :func:`~.vectors.slerp`: its last digits differ, and the lift, which stops at the first depth that
+    will do, would make other programs of the same solid."""
     across = last - (first * last).sum(axis=0) * first
     length = np.linalg.norm(across, axis=0)
     lost = np.flatnonzero(length < NO_DIRECTION)
@@ -108,10 +121,11 @@ def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
 
 
 def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:
-    """The swept motion on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and **degrees**.
+    """The swept motion on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and
+    **degrees**.
 
-    ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven). Raises ProgramError for
-    words that cannot be used.
+    ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven).
+    Raises ProgramError for words that cannot be used.
     """
     rows, frame = checked_words(words), frames(kinematics)
     move = motion(frame, rows[:-1], rows[1:])
@@ -145,8 +159,8 @@ class MotionSegments(NamedTuple):
 
 
 def segments_of(swept: SweptMotion, blocks: Ints, reach: float, least: float) -> MotionSegments:
-    """These blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the straight way by more than
-    ``least`` mm, as far as MOST_PARTS allow."""
+    """These blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the straight
+    way by more than ``least`` mm, as far as MOST_PARTS allow."""
     bent = 0.125 * (swept.bend_tip[blocks] + reach * swept.bend_axis[blocks])
     count = np.clip(np.ceil(np.sqrt(bent / least)), 1, MOST_PARTS).astype(np.int64)
     block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
@@ -155,10 +169,10 @@ def segments_of(swept: SweptMotion, blocks: Ints, reach: float, least: float) ->
 
 
 class StraightSweep(NamedTuple):
-    """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes ``cosine unit`` -+
-    ``turn`` (None where no axis turns: 1 and 0). ``bend_tip`` (mm), ``bend_axis``: what the way itself leaves this one by. All
-    are rows of ``column`` (15 or 11, n), or (7 or 6, n) where all only stand: then travel and bends are None, too, all of them
-    0."""
+    """The straight way between two poses, from ``tip`` - ``travel`` to ``tip`` + ``travel`` with the axes
+    ``cosine unit`` -+ ``turn`` (None where no axis turns: 1 and 0). ``bend_tip`` (mm), ``bend_axis``: what
+    the way itself leaves this one by. All are rows of ``column`` (15 or 11, n), or (7 or 6, n) where all only
+    stand: then travel and bends are None, too, all of them 0."""
 
     column: Floats
     tip: Floats
@@ -173,7 +187,16 @@ class StraightSweep(NamedTuple):
     def of(cls, column: Floats) -> StraightSweep:
         """The way whose rows these are."""
         if len(column) < 11:
-            return cls(column, column[0:3], column[3:6], None, None, None, None, column[6] if len(column) > 6 else None)
+            return cls(
+                column,
+                column[0:3],
+                column[3:6],
+                None,
+                None,
+                None,
+                None,
+                column[6] if len(column) > 6 else None,
+            )
         turn, cosine = (column[11:14], column[14]) if len(column) > 11 else (None, None)
         return cls(column, column[0:3], column[3:6], column[6:9], column[9], column[10], turn, cosine)
 
@@ -183,10 +206,11 @@ class StraightSweep(NamedTuple):
 
 
 class Clusters(NamedTuple):
-    """Stretches and their clusters in one table, the largest first: ``sweep`` (11 or 15, n), rows as in :class:`StraightSweep`;
-    ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity`` (n,); ``first`` the column of the first
-    stretch, ``top`` how many clusters stand at the head. ``still`` (7 or 6, n): the rows of ``sweep`` that are not 0 in any
-    stretch, where all of these only stand; else None."""
+    """Stretches and their clusters in one table, the largest first: ``sweep`` (11 or 15, n), rows as in
+    :class:`StraightSweep`; ``size`` (n,) mm, half the travel; ``child`` (n,) the first part and ``arity``
+    (n,); ``first`` the column of the first stretch, ``top`` how many clusters stand at the head. ``still`` (7
+    or 6, n): the rows of ``sweep`` that are not 0 in any stretch, where all of these only stand; else
+    None."""
 
     sweep: Floats
     size: Floats
@@ -203,7 +227,8 @@ class Clusters(NamedTuple):
 
 
 def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels: int = 3) -> Clusters:
-    """The table over stretches that follow one another; ``reach`` mm from the tip to the farthest point of the body."""
+    """The table over stretches that follow one another; ``reach`` mm from the tip to the farthest point of
+    the body."""
     start, end = swept.pose(parts.block, parts.start), swept.pose(parts.block, parts.end)
     share = 0.125 * (parts.end - parts.start) ** 2
     bend_tip, bend_axis = share * swept.bend_tip[parts.block], share * swept.bend_axis[parts.block]
@@ -217,7 +242,9 @@ def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels:
         rows.insert(0, (*straight, *_joined(straight, start, end, first, last, *rows[0][4:])))
         start, end = begin, stop
         counts.insert(0, len(first))
-    tip, travel, axis, turn, bend_tip, bend_axis = (np.concatenate(column, axis=-1) for column in zip(*rows, strict=True))
+    tip, travel, axis, turn, bend_tip, bend_axis = (
+        np.concatenate(column, axis=-1) for column in zip(*rows, strict=True)
+    )
     cosine, turned = _length(axis), _length(turn)
     unit = np.where(cosine > NO_DIRECTION, axis / np.maximum(cosine, NO_DIRECTION), np.eye(3)[:, 2:])
     sweep = [tip, unit, travel, bend_tip[None], bend_axis[None]]
@@ -226,7 +253,9 @@ def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels:
     size = _length(travel) + bend_tip + reach * (turned + bend_axis)
     table, (child, arity) = np.concatenate(sweep), _family(counts)
     stretches = sum(counts[:-1])
-    still = None if table[6:14, stretches:].any() else np.concatenate([tip, unit, *sweep[6:]])  # and cosine where there is one
+    still = (
+        None if table[6:14, stretches:].any() else np.concatenate([tip, unit, *sweep[6:]])
+    )  # and cosine where there is one
     return Clusters(table, size, child, arity, stretches, counts[0], still)
 
 
@@ -252,13 +281,14 @@ def _straight(start: Poses, end: Poses) -> tuple[Floats, Floats, Floats, Floats]
 
 
 def _joined(
-    straight: tuple[Floats, ...], start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats, bend_axis: Floats
+    straight: tuple[Floats, ...], start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats,
+    bend_axis: Floats
 ) -> tuple[Floats, Floats]:  # fmt: skip
-    """What ways from ``start`` to ``end`` (n,), with their own bends, leave the straight ones (k,) by that lead over those from
-    ``first`` to ``last`` (k,).
+    """What ways from ``start`` to ``end`` (n,), with their own bends, leave the straight ones (k,) by that
+    lead over those from ``first`` to ``last`` (k,).
 
-    Both their ends are compared with the point of the straight way at which its tip is nearest; what lies between them leaves
-    that by no more than the farther end and its own bend.
+    Both their ends are compared with the point of the straight way at which its tip is nearest; what lies
+    between them leaves that by no more than the farther end and its own bend.
     """
     tip, travel, axis, turn = straight
     group = np.repeat(np.arange(len(first)), last - first + 1)

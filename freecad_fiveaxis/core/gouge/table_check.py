@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tool against the machine's table, on the way that the machine really goes.
 
-The table's face is the top of a level slab in the part's frame: there it stands still as the part does, whichever of both the
-machine moves."""
+The table's face is the top of a level slab in the part's frame: there it stands still as the part does,
+whichever of both the machine moves."""
 
 from __future__ import annotations
 
@@ -33,23 +33,28 @@ def check_table(
     height: float, body: Body, kinematics: Chain, program: Program, tolerance: float, back: float = 0.0,
     progress: Progress = silent, rapids: str = INTERPOLATED,
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """Find whether the ``body`` goes more than ``tolerance`` mm below the table's face, whose ``height`` in the work frame is in
-    mm, on any block; see :func:`.check.check_program`. None deeper is missed; told is how deep the face is in the tool, which
-    may be farther below it."""
+    """Find whether the ``body`` goes more than ``tolerance`` mm below the table's face, whose ``height`` in
+    the work frame is in mm, on any block; see :func:`.check.check_program`. None deeper is missed; told is
+    how deep the face is in the tool, which may be farther below it."""
     if rapids == INTERPOLATED and stays_above(height, body, program_motion(kinematics, program, back)):
         return ()
     slab = table_slab(height, kinematics, program)
     check = check_program(slab, body, kinematics, program, tolerance, back, progress, "", rapids)
-    kinds: list[Entries | WayEntries] = [check.cutter, check.above, *([] if check.ways is None else [check.ways])]
+    kinds: list[Entries | WayEntries] = [
+        check.cutter,
+        check.above,
+        *([] if check.ways is None else [check.ways]),
+    ]
     worst = max(kinds, key=lambda one: float(one.depth.max(initial=0.0)))
     return () if not worst.depth.any() else (_below(worst, program, tolerance),)
 
 
 def stays_above(height: float, body: Body, swept: SweptMotion) -> bool:
-    """Tell whether bounds of the whole way show that the ``body`` stays above ``height`` mm: then no block needs to be searched.
+    """Tell whether bounds of the whole way show that the ``body`` stays above ``height`` mm: then no block
+    needs to be searched.
 
-    At the ends of blocks its lowest point is known; between them it goes no lower than the lower one of both, but for what the
-    way leaves the straight one by, as in :mod:`.swept_motion`.
+    At the ends of blocks its lowest point is known; between them it goes no lower than the lower one of both,
+    but for what the way leaves the straight one by, as in :mod:`.swept_motion`.
     """
 
     def lowest(blocks: slice) -> float:
@@ -72,9 +77,14 @@ def table_slab(height: float, kinematics: Chain, program: Program) -> Mesh:
 def _below(entries: Entries | WayEntries, program: Program, tolerance: float) -> Finding:
     """The finding of the deepest block, which says how many there are."""
     block, count = int(entries.depth.argmax()), int(np.count_nonzero(entries.depth))
-    depth, line, (x, y, z) = float(entries.depth[block]), int(program.line[block + 1]), entries.place[block].tolist()
+    depth, line, (x, y, z) = (
+        float(entries.depth[block]),
+        int(program.line[block + 1]),
+        entries.place[block].tolist(),
+    )
     text = say(
-        "The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp the part higher, use "
+        "The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp "
+        "the part higher, use "
         "a longer tool, or lean it less ({max_axis_angle}).",
         part=PARTS[int(entries.part[block])], depth=Length(depth, ".4g"), at=Point((x, y, z)), count=count,
         max_axis_angle=Option("max_axis_angle"),

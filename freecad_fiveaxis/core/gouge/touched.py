@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a round piece that comes down along its axis touches facets first: in their planes, and on their edges."""
+"""Where a round piece that comes down along its axis touches facets first: in their planes, and on their
+edges."""
 
 from __future__ import annotations
 
@@ -22,15 +23,15 @@ AXIAL = 1e-12
 
 
 def points_touched(piece: Piece, pose: Poses, corner: Floats) -> list[Floats]:
-    """The points (3, n) mm of facets, corners (3, 3, n) mm, that the piece touches: one of the facet's plane, NaN where it is not
-    in the facet, and one of each edge, where what it demands is concave."""
+    """The points (3, n) mm of facets, corners (3, 3, n) mm, that the piece touches: one of the facet's plane,
+    NaN where it is not in the facet, and one of each edge, where what it demands is concave."""
     edges = [_highest_over(piece, pose, corner[k], corner[(k + 1) % 3]) for k in range(3)]
     return [_touched(piece, pose, corner), *edges]
 
 
 def _touched(piece: Piece, pose: Poses, corner: Floats) -> Floats:
-    """The point (3, n) of each facet's plane at which a piece that comes down touches it, where that is in the facet; or
-    NaN."""
+    """The point (3, n) of each facet's plane at which a piece that comes down touches it, where that is in
+    the facet; or NaN."""
     a, ab, ac = corner[0], corner[1] - corner[0], corner[2] - corner[0]
     normal = np.cross(ab, ac, axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -45,7 +46,8 @@ def _touched(piece: Piece, pose: Poses, corner: Floats) -> Floats:
 
 
 def _in_facet(arm: Floats, ab: Floats, ac: Floats) -> Bools:
-    """Whether points ``arm`` (3, n) from a facet's corner, in its plane, lie in the facet of edges (3, n) from there."""
+    """Whether points ``arm`` (3, n) from a facet's corner, in its plane, lie in the facet of edges (3, n)
+    from there."""
     one, two, both = (ab * ab).sum(axis=0), (ac * ac).sum(axis=0), (ab * ac).sum(axis=0)
     along, across, det = (arm * ab).sum(axis=0), (arm * ac).sum(axis=0), one * two - both * both
     v, w = two * along - both * across, one * across - both * along
@@ -53,8 +55,8 @@ def _in_facet(arm: Floats, ab: Floats, ac: Floats) -> Bools:
 
 
 def _highest_over(piece: Piece, pose: Poses, begin: Floats, end: Floats) -> Floats:
-    """The point (3, n) from ``begin`` to ``end`` (3, n) that is highest over the underside of a piece, by golden section; about
-    the nearest to the axis where none is under it."""
+    """The point (3, n) from ``begin`` to ``end`` (3, n) that is highest over the underside of a piece, by
+    golden section; about the nearest to the axis where none is under it."""
     arm, way = begin - pose.tip, end - begin
     height, rise = (arm * pose.axis).sum(axis=0), (way * pose.axis).sum(axis=0)
     out, go = arm - height * pose.axis, way - rise * pose.axis
@@ -73,7 +75,10 @@ def _highest_over(piece: Piece, pose: Poses, begin: Floats, end: Floats) -> Floa
     for _ in range(STEPS):
         left = first > second
         low, high = np.where(left, low, one), np.where(left, two, high)
-        one, two = np.where(left, high - GOLDEN * (high - low), two), np.where(left, one, low + GOLDEN * (high - low))
+        one, two = (
+            np.where(left, high - GOLDEN * (high - low), two),
+            np.where(left, one, low + GOLDEN * (high - low)),
+        )
         fresh = demanded(np.where(left, one, two))
         first, second = np.where(left, fresh, second), np.where(left, first, fresh)
     return np.asarray(begin + 0.5 * (low + high) * way)

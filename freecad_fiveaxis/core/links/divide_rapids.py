@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rapids divided until the tool stays clear of the part whichever way the controller drives its axes between their ends.
+"""Rapids divided until the tool stays clear of the part whichever way the controller drives its axes between
+their ends.
 
-way       of a rapid as it is commanded: all axes go evenly; where the controller guides the tip, tip and rotary words do.
-piece     a stretch of it. In a piece each axis may run at a rate of its own: all places between its ends are a box of joints,
-          which is the smaller the shorter the piece. So pieces are halved until their boxes are clear: that ends wherever the
-          commanded way keeps some distance from the part, and the tool stays on that way.
+way       of a rapid as it is commanded: all axes go evenly; where the controller guides the tip, tip and
+          rotary words do.
+piece     a stretch of it. In a piece each axis may run at a rate of its own: all places between its ends are
+          a box of joints, which is the smaller the shorter the piece. So pieces are halved until their boxes
+          are clear: that ends wherever the commanded way keeps some distance from the part, and the tool
+          stays on that way.
 
-What is proven are the words as the controller gets them, rounded. A rapid whose commanded way enters the part is left as it is.
+What is proven are the words as the controller gets them, rounded. A rapid whose commanded way enters the part
+is left as it is.
 """
 
 from __future__ import annotations
@@ -28,7 +32,14 @@ from freecad_fiveaxis.core.gouge.joint_box import JointBoxes, JointSpace
 from freecad_fiveaxis.core.gouge.rapid_ways import which_ways_enter
 from freecad_fiveaxis.core.gouge.search import which_enter
 from freecad_fiveaxis.core.gouge.swept_motion import real_motion, straight_motion
-from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair, forward, joint_words, q_to_words, words_to_q
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    RotaryPair,
+    forward,
+    joint_words,
+    q_to_words,
+    words_to_q,
+)
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.joint_path.rewind import Drive, insert_rows
 from freecad_fiveaxis.core.motion.program.wrapping import CIRCLE
@@ -36,13 +47,14 @@ from freecad_fiveaxis.core.tool.body import Body
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 HALVINGS = 8
-"""Times that a rapid is halved, at most: of 1000 mm pieces of 4 mm are left, less than the clearance that is usual."""
+"""Times that a rapid is halved, at most: of 1000 mm pieces of 4 mm are left, less than the clearance that is
+usual."""
 
 
 @dataclass(frozen=True, eq=False)
 class RapidWays:
-    """The commanded ways of k rapids: ``start``, ``step`` (k, 5) are joints, or tip and rotary words where ``guided``; mm and
-    **degrees**."""
+    """The commanded ways of k rapids: ``start``, ``step`` (k, 5) are joints, or tip and rotary words where
+    ``guided``; mm and **degrees**."""
 
     kinematics: Chain
     dialect: Dialect
@@ -55,7 +67,8 @@ class RapidWays:
         return self.dialect.guide is not None
 
     def words(self, rapid: Ints, share: Floats) -> Floats:
-        """Give the words (n, 5) of the joints, mm and **degrees**, as the controller gets them at shares (n,) of rapids (n,)."""
+        """Give the words (n, 5) of the joints, mm and **degrees**, as the controller gets them at shares (n,)
+        of rapids (n,)."""
         words = self.start[rapid] + share[:, None] * self.step[rapid]
         printed = np.column_stack([rounded(words[:, k], self.dialect.decimals(k)) for k in range(5)])
         return self._joints(printed) if self.guided else printed
@@ -92,8 +105,8 @@ class Pieces(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class RapidClearance:
-    """What tells whether rapids are clear: ``body`` as seen from the tip, which lies ``back`` mm below the driven point, the
-    part's ``tree``, and ``limit`` mm: an entry up to that is none."""
+    """What tells whether rapids are clear: ``body`` as seen from the tip, which lies ``back`` mm below the
+    driven point, the part's ``tree``, and ``limit`` mm: an entry up to that is none."""
 
     body: Body
     tree: FacetTree
@@ -119,11 +132,14 @@ class RapidClearance:
         return which_enter(self.body, self.tree, swept, self.limit, rows, self.progress)[rows]
 
 
-def divide_rapids(joints: JointPath, kinematics: Chain, dialect: Dialect, clearance: RapidClearance) -> JointPath:
+def divide_rapids(
+    joints: JointPath, kinematics: Chain, dialect: Dialect, clearance: RapidClearance
+) -> JointPath:
     """Put rows into the rapids of a joint path until each piece is clear on every way between its ends.
 
-    The rows lie on the commanded ways, rounded as ``dialect`` prints them; all other rows, and rapids that are clear as they are,
-    stay. Pieces that are still not clear after HALVINGS stay as they are then. A finding gives the number of rapids.
+    The rows lie on the commanded ways, rounded as ``dialect`` prints them; all other rows, and rapids that
+    are clear as they are, stay. Pieces that are still not clear after HALVINGS stay as they are then. A
+    finding gives the number of rapids.
     """
     rows, ways = rapid_ways(joints, kinematics, dialect)
     cuts = find_cuts(ways, clearance)
@@ -153,7 +169,8 @@ def rapid_ways(joints: JointPath, kinematics: Chain, dialect: Dialect) -> tuple[
 
 
 def find_cuts(ways: RapidWays, clearance: RapidClearance) -> Pieces:
-    """Find the pieces that end between the ends of their rapids, ordered by rapid and share: a row is needed at each ``end``."""
+    """Find the pieces that end between the ends of their rapids, ordered by rapid and share: a row is needed
+    at each ``end``."""
     count = len(ways.start)
     pieces = Pieces(np.arange(count), np.zeros(count), np.ones(count))
     blocked = pieces.take(clearance.find_blocked(ways, pieces))
@@ -180,7 +197,9 @@ def _insert_words(joints: JointPath, kinematics: Chain, at: Ints, words: Floats)
     put, pair = Insertion(len(path.tip), at), RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     sine = put.interleave(joints.sine, pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
     findings = tuple(_moved(finding, at) for finding in joints.findings)
-    return JointPath(drive.path, drive.row, put.interleave(joints.q, q), drive.branch, sine, findings, joints.rewinds)
+    return JointPath(
+        drive.path, drive.row, put.interleave(joints.q, q), drive.branch, sine, findings, joints.rewinds
+    )
 
 
 def _moved(finding: Finding, at: Ints) -> Finding:
@@ -192,7 +211,8 @@ def _moved(finding: Finding, at: Ints) -> Finding:
 
 def _divided_finding(rapids: int, rows: int, dialect: Dialect) -> Finding:
     text = say(
-        "{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on whichever way {name} "
+        "{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on "
+        "whichever way {name} "
         "drives the axes between their ends.",
         count=rapids, rows=rows, name=dialect.name,
     )  # fmt: skip

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lead-ins: the tool comes to the surface, and leaves it, on an arc tangent to the surface instead of along its axis.
+"""Lead-ins: the tool comes to the surface, and leaves it, on an arc tangent to the surface instead of along
+its axis.
 
-end     of a polyline, at which the tool comes from off the part or goes off it: by rapids or by a raised near link.
+end     of a polyline, at which the tool comes from off the part or goes off it: by rapids or by a raised near
+        link.
 inner   the row next to an end on the polyline.         outer   the row next to it off the part.
-arc     a quarter of a circle, from the end along the surface, away from the polyline, and up the surface normal; the axis stays.
-over    the place over the arc's top, along the axis, that is as high as the outer row: where the approach along the axis begins.
+arc     a quarter of a circle, from the end along the surface, away from the polyline, and up the surface
+        normal; the axis stays.
+over    the place over the arc's top, along the axis, that is as high as the outer row: where the approach
+        along the axis begins.
 
-Where the tool would enter the part, or the table, the radius is halved, at most twice; else there is no arc at that end.
+Where the tool would enter the part, or the table, the radius is halved, at most twice; else there is no arc
+at that end.
 """
 
 from __future__ import annotations
@@ -39,9 +44,9 @@ QUARTER = 0.5 * np.pi
 
 @dataclass(frozen=True)
 class LeadOptions:
-    """``radius`` mm of the arcs; ``tolerance`` mm of their chords; ``limit`` mm: so much the tool may enter; ``table`` mm: height
-    of the table's face in the work frame, None where it is not known; ``driven`` and ``above`` mm: how far above the tip the
-    points lie that the path's tips are and that goes straight."""
+    """``radius`` mm of the arcs; ``tolerance`` mm of their chords; ``limit`` mm: so much the tool may enter;
+    ``table`` mm: height of the table's face in the work frame, None where it is not known; ``driven`` and
+    ``above`` mm: how far above the tip the points lie that the path's tips are and that goes straight."""
 
     radius: float
     tolerance: float
@@ -52,8 +57,9 @@ class LeadOptions:
 
 
 class Ends(NamedTuple):
-    """``row``, ``inner``, ``outer`` (e,) rows of the path; ``along`` (e, 3) unit, along the surface away from the polyline, 0
-    where the polyline has no direction there; ``near`` (e,) whether a near link leads there."""
+    """``row``, ``inner``, ``outer`` (e,) rows of the path; ``along`` (e, 3) unit, along the surface away from
+    the polyline, 0 where the polyline has no direction there; ``near`` (e,) whether a near link leads
+    there."""
 
     row: Ints
     inner: Ints
@@ -67,15 +73,17 @@ class Ends(NamedTuple):
 
 
 class Arcs(NamedTuple):
-    """``point`` (e, k, 3) mm from the first row off the contact to the top; ``over`` (e, 3) mm; ``apart`` (e,) whether that is
-    another place than the top."""
+    """``point`` (e, k, 3) mm from the first row off the contact to the top; ``over`` (e, 3) mm; ``apart``
+    (e,) whether that is another place than the top."""
 
     point: Floats
     over: Floats
     apart: Bools
 
 
-def lead_in(path: CLPath, tree: FacetTree, body: Body, options: LeadOptions, progress: Progress = silent) -> CLPath:
+def lead_in(
+    path: CLPath, tree: FacetTree, body: Body, options: LeadOptions, progress: Progress = silent
+) -> CLPath:
     """Put an arc at each end of a polyline where the tool is free on it; its rows are links at feed.
 
     Gives the very path where it has no such ends. A finding counts the ends with a smaller arc, or none.
@@ -94,7 +102,8 @@ def lead_in(path: CLPath, tree: FacetTree, body: Body, options: LeadOptions, pro
 
 
 def find_ends(path: CLPath, above: float = 0.0) -> Ends:
-    """Find the ends of polylines; ``above`` mm over the path's tips the point lies whose way gives the direction."""
+    """Find the ends of polylines; ``above`` mm over the path's tips the point lies whose way gives the
+    direction."""
     cut = np.concatenate([[False], np.isin(path.motion, (Motion.CUT, Motion.FILL)), [False, False]])
     before, here, after, next_ = cut[:-3], cut[1:-2], cut[2:-1], cut[3:]
     first = np.flatnonzero(~before & ~here & after)  # the row that ends an approach stands on the part
@@ -110,7 +119,8 @@ def find_ends(path: CLPath, above: float = 0.0) -> Ends:
 
 
 def _along(path: CLPath, row: Ints, inner: Ints, above: float) -> Floats:
-    """Unit directions (e, 3) from the inner row on, made perpendicular to the normal; 0 where there is none."""
+    """Unit directions (e, 3) from the inner row on, made perpendicular to the normal; 0 where there is
+    none."""
     point = [path.tip[rows] + above * path.axis[rows] for rows in (row, inner)]
     way, normal = point[0] - point[1], path.normal[row]
     way = way - (way * normal).sum(axis=1, keepdims=True) * normal
@@ -128,13 +138,16 @@ def arcs_at(path: CLPath, ends: Ends, radius: Floats, chords: int) -> Arcs:
     """Lay an arc of ``radius`` (e,) mm from each end."""
     turn = QUARTER * np.arange(1, chords + 1) / chords
     axis, start = path.axis[ends.row], path.tip[ends.row]
-    way = np.sin(turn)[:, None] * ends.along[:, None] + (1.0 - np.cos(turn))[:, None] * path.normal[ends.row][:, None]
+    way = (
+        np.sin(turn)[:, None] * ends.along[:, None]
+        + (1.0 - np.cos(turn))[:, None] * path.normal[ends.row][:, None]
+    )
     point = start[:, None] + radius[:, None, None] * way
     more = ((path.tip[ends.outer] - point[:, -1]) * axis).sum(axis=1)
     return Arcs(point, point[:, -1] + np.maximum(more, 0.0)[:, None] * axis, more > COINCIDENT_MM)
 
 
-# ------------------------------------------------------------------------------------------------ free of part and table
+# ------------------------------------------------------------------------------------- free of part and table
 
 
 def _free_radius(path: CLPath, ends: Ends, tree: FacetTree, body: Body, options: LeadOptions) -> Floats:
@@ -144,7 +157,9 @@ def _free_radius(path: CLPath, ends: Ends, tree: FacetTree, body: Body, options:
     radius[~ends.along.any(axis=1)] = 0.0
     for _ in range(HALVINGS + 1):
         some = ends.select(left)
-        left = left[~_free(path, some, arcs_at(path, some, radius[left], _chords(options)), tree, body, options)]
+        left = left[
+            ~_free(path, some, arcs_at(path, some, radius[left], _chords(options)), tree, body, options)
+        ]
         radius[left] *= 0.5
     radius[left] = 0.0
     return radius
@@ -154,7 +169,9 @@ def _free(path: CLPath, ends: Ends, arcs: Arcs, tree: FacetTree, body: Body, opt
     """Whether (e,) the tool is free from the end over the arc to the outer row."""
     if not len(ends.row):
         return np.zeros(0, np.bool_)
-    tip = np.concatenate([path.tip[ends.row][:, None], arcs.point, arcs.over[:, None], path.tip[ends.outer][:, None]], axis=1)
+    tip = np.concatenate(
+        [path.tip[ends.row][:, None], arcs.point, arcs.over[:, None], path.tip[ends.outer][:, None]], axis=1
+    )
     axis = np.repeat(path.axis[ends.row][:, None], tip.shape[1], axis=1)
     blocks = np.flatnonzero(np.arange(axis.shape[0] * axis.shape[1]) % axis.shape[1] < axis.shape[1] - 1)
     tip = tip - options.driven * axis
@@ -164,7 +181,9 @@ def _free(path: CLPath, ends: Ends, arcs: Arcs, tree: FacetTree, body: Body, opt
     return np.asarray(~enters & ~is_below(body, low, axis[:, 0], options.table, options.limit))
 
 
-def _needless(path: CLPath, ends: Ends, arcs: Arcs, tree: FacetTree, body: Body, options: LeadOptions) -> Ints:
+def _needless(
+    path: CLPath, ends: Ends, arcs: Arcs, tree: FacetTree, body: Body, options: LeadOptions
+) -> Ints:
     """The raised rows that are not needed: near links that are free from arc to arc, without them."""
     place = path.tip.copy()
     place[ends.outer] = arcs.over
@@ -186,7 +205,7 @@ def _near_pairs(ends: Ends) -> Ints:
     return np.unique(outer[ends.near])
 
 
-# ------------------------------------------------------------------------------------------------ the path with arcs
+# ----------------------------------------------------------------------------------------- the path with arcs
 
 
 def _put_in(path: CLPath, ends: Ends, arcs: Arcs, dropped: Ints) -> CLPath:
@@ -212,7 +231,8 @@ def _feed_on_part(path: CLPath, ends: Ends) -> Floats:
 
 
 def _feeds(path: CLPath, ends: Ends, arcs: Arcs) -> Floats:
-    """The feeds (e, k + 1) mm/min of the arcs' rows and the one over them: that of the cut, along the axis that of the plunge."""
+    """The feeds (e, k + 1) mm/min of the arcs' rows and the one over them: that of the cut, along the axis
+    that of the plunge."""
     entry = ends.outer < ends.row
     cut = path.feed[np.maximum(ends.row, ends.inner)]
     feed = np.repeat(cut[:, None], arcs.point.shape[1] + 1, axis=1)
@@ -242,9 +262,11 @@ def _findings(path: CLPath, ends: Ends, radius: Floats, wanted: float) -> tuple[
         return ()
     text = plural(
         len(less),
-        "{count} of {all} ends of passes has a smaller lead-in or lead-out than {radius}, or none, because the tool would enter "
+        "{count} of {all} ends of passes has a smaller lead-in or lead-out than {radius}, or none, because "
+        "the tool would enter "
         "the part or the table on it; a smaller radius fits in more places.",
-        "{count} of {all} ends of passes have a smaller lead-in or lead-out than {radius}, or none, because the tool would enter "
+        "{count} of {all} ends of passes have a smaller lead-in or lead-out than {radius}, or none, because "
+        "the tool would enter "
         "the part or the table on it; a smaller radius fits in more places.",
         all=len(radius),
         radius=Length(wanted),

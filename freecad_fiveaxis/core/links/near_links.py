@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Links that stay near the part: from the end of one polyline to the start of the next without going up to the safe plane.
+"""Links that stay near the part: from the end of one polyline to the start of the next without going up to
+the safe plane.
 
-gap        from the last row of a polyline to the first of the next, which the path bridges by rapids over the part.
-near link  straight from the one to the other, at feed: on the surface itself where they are nearer than the cutter's radius,
-           else lifted by one of a few heights along the tool axes at either end. The axis turns on the way.
+gap        from the last row of a polyline to the first of the next, which the path bridges by rapids over the
+           part.
+near link  straight from the one to the other, at feed: on the surface itself where they are nearer than the
+           cutter's radius, else lifted by one of a few heights along the tool axes at either end. The axis
+           turns on the way.
 
-The lowest near link on which cutter, shank and holder keep out of the part as commanded, and that is worth it, takes the place
-of the rapids; ``pipeline.solve_joints.drive_free`` and the last check look at what the machine makes of it.
+The lowest near link on which cutter, shank and holder keep out of the part as commanded, and that is worth
+it, takes the place of the rapids; ``pipeline.solve_joints.drive_free`` and the last check look at what the
+machine makes of it.
 """
 
 from __future__ import annotations
@@ -45,8 +49,8 @@ LOCKED = 1e-6
 
 
 class Gaps(NamedTuple):
-    """``last``, ``first`` (g,) rows: the end of a polyline and the start of the next; ``worth`` (g,) mm of feed that a near link
-    may be long."""
+    """``last``, ``first`` (g,) rows: the end of a polyline and the start of the next; ``worth`` (g,) mm of
+    feed that a near link may be long."""
 
     last: Ints
     first: Ints
@@ -55,15 +59,18 @@ class Gaps(NamedTuple):
 
 def stay_near(
     path: CLPath, tree: FacetTree, body: Body, radius: float, limit: float, driven: float, above: float,
-    progress: Progress = silent, kinematics: Chain | None = None, spared: Callable[[Ints, Ints], Bools] | None = None,
+    progress: Progress = silent, kinematics: Chain | None = None,
+    spared: Callable[[Ints, Ints], Bools] | None = None,
     most_turn: float = MOST_TURN,
 ) -> CLPath:  # fmt: skip
-    """Replace the rapids between polylines by near links where the tool enters the part by no more than ``limit`` mm on them.
+    """Replace the rapids between polylines by near links where the tool enters the part by no more than
+    ``limit`` mm on them.
 
-    ``radius`` mm of the cutter; ``driven`` and ``above`` mm: how far above the tip the points lie that the path's tips are
-    and that goes straight; ``kinematics``: the machine that must take up the axes on the way, None: any will do; ``spared``:
-    tells of ways from rows (w,) to rows (w,) of the path which must not be gone on the surface, None: all may; ``most_turn``
-    rad: where the axis turns by more the tool goes over the part. Gives the very path where nothing is replaced.
+    ``radius`` mm of the cutter; ``driven`` and ``above`` mm: how far above the tip the points lie that the
+    path's tips are and that goes straight; ``kinematics``: the machine that must take up the axes on the way,
+    None: any will do; ``spared``: tells of ways from rows (w,) to rows (w,) of the path which must not be
+    gone on the surface, None: all may; ``most_turn`` rad: where the axis turns by more the tool goes over the
+    part. Gives the very path where nothing is replaced.
     """
     gaps = _within_limits(_turning_less(find_gaps(path), path, most_turn), path, kinematics)
     height = np.full(len(gaps.last), np.nan)
@@ -72,7 +79,9 @@ def stay_near(
         rows = np.flatnonzero(np.isnan(height) & _worthwhile(path, gaps, lift, radius))
         if spared is not None and lift == 0.0:
             rows = rows[~spared(gaps.last[rows], gaps.first[rows] + 1)]
-        free = _free(path, gaps.last[rows], gaps.first[rows], lift, tree, with_margin(body), limit, driven, above)
+        free = _free(
+            path, gaps.last[rows], gaps.first[rows], lift, tree, with_margin(body), limit, driven, above
+        )
         height[rows[free]] = lift
     chosen = np.flatnonzero(np.isfinite(height))
     return _linked(path, gaps.last[chosen], gaps.first[chosen], height[chosen]) if len(chosen) else path
@@ -107,18 +116,29 @@ def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
 
 
 def _worthwhile(path: CLPath, gaps: Gaps, lift: float, radius: float) -> Bools:
-    """Which gaps (g,) a near link so high bridges sooner than the rapids do; on the surface only the nearest."""
+    """Which gaps (g,) a near link so high bridges sooner than the rapids do; on the surface only the
+    nearest."""
     apart = np.linalg.norm(path.tip[gaps.first] - path.tip[gaps.last], axis=1)
     return np.asarray((apart + 2.0 * lift < gaps.worth) & ((lift > 0.0) | (apart <= radius)))
 
 
 def with_margin(body: Body) -> Body:
     """Make shank and holder of the body larger by the margin all round."""
-    return Body(tuple(one if one.part == CUTTER else one._replace(round=one.round + MARGIN) for one in body.pieces))
+    return Body(
+        tuple(one if one.part == CUTTER else one._replace(round=one.round + MARGIN) for one in body.pieces)
+    )
 
 
 def _free(
-    path: CLPath, last: Ints, first: Ints, lift: float, tree: FacetTree, body: Body, limit: float, driven: float, above: float
+    path: CLPath,
+    last: Ints,
+    first: Ints,
+    lift: float,
+    tree: FacetTree,
+    body: Body,
+    limit: float,
+    driven: float,
+    above: float,
 ) -> Bools:
     """Which (g,) near links so high keep the body out of the part: three blocks each."""
     if not len(last):
@@ -127,7 +147,9 @@ def _free(
     axis = path.axis[ends]
     tip = path.tip[ends] + (np.array([0.0, lift, lift, 0.0])[:, None] - driven) * axis
     blocks = np.flatnonzero(np.arange(4 * len(last)) % 4 < 3)
-    enters = which_enter(body, tree, straight_motion(tip.reshape(-1, 3), axis.reshape(-1, 3), above), limit, blocks)
+    enters = which_enter(
+        body, tree, straight_motion(tip.reshape(-1, 3), axis.reshape(-1, 3), above), limit, blocks
+    )
     return np.asarray(~enters[blocks].reshape(-1, 3).any(axis=1))
 
 
@@ -137,9 +159,14 @@ def _linked(path: CLPath, last: Ints, first: Ints, height: Floats) -> CLPath:
     between[last + 1] += 1
     between[first] -= 1
     kept, up = np.flatnonzero(np.cumsum(between)[:-1] == 0), np.flatnonzero(height > 0.0)
-    place = np.concatenate([kept, last[up] + 0.25, first[up] - 0.25])  # the new rows after the end and before the start
+    place = np.concatenate(
+        [kept, last[up] + 0.25, first[up] - 0.25]
+    )  # the new rows after the end and before the start
     order = np.argsort(place, kind="stable")
-    source, lift = np.concatenate([kept, last[up], first[up]]), np.concatenate([0.0 * kept, height[up], height[up]])
+    source, lift = (
+        np.concatenate([kept, last[up], first[up]]),
+        np.concatenate([0.0 * kept, height[up], height[up]]),
+    )
     feed = np.concatenate([path.feed[kept], path.feed[last[up]], path.feed[last[up]]])
     source, lift, feed, new = source[order], lift[order], feed[order], order >= len(kept)
     axis = path.axis[source]

@@ -6,6 +6,8 @@ from .model import FARTHEST, Axis, Machine, Vector, fitted_columns
 from .safe_start import BY_CLEARANCE, BY_MACHINE, BY_NOTHING, BY_REFERENCE, RETRACTS, SafeStart
 
 __all__ = [
-    "BY_CLEARANCE", "BY_MACHINE", "BY_NOTHING", "BY_REFERENCE", "FARTHEST", "RETRACTS", "Axis", "Machine", "SafeStart", "Vector",
-    "check_new", "fitted_columns", "load_machine", "machine_bytes", "machine_path", "save_machine", "shipped_machines",
+    "BY_CLEARANCE", "BY_MACHINE", "BY_NOTHING", "BY_REFERENCE", "FARTHEST", "RETRACTS", "Axis", "Machine",
+    "SafeStart", "Vector",
+    "check_new", "fitted_columns", "load_machine", "machine_bytes", "machine_path", "save_machine",
+    "shipped_machines",
 ]  # fmt: skip

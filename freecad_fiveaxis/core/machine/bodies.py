@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies of a machine, under ``fiveaxis.bodies`` of its file: what must not hit each other, and what the tool must not hit.
+"""Bodies of a machine, under ``fiveaxis.bodies`` of its file: what must not hit each other, and what the tool
+must not hit.
 
-carrier  the axis that carries the body, ``base`` for what stands still, ``spindle`` for what goes with the tool.
-shape    ``box`` {low, high}, ``cylinder`` {low, high, radius}, ``cone`` {low, high, low_radius, high_radius} (low and high are
-         the middles of its ends), ``sphere`` {centre, radius}, or ``file``, an STL in mm beside the machine's file.
+carrier  the axis that carries the body, ``base`` for what stands still, ``spindle`` for what goes with the
+         tool.
+shape    ``box`` {low, high}, ``cylinder`` {low, high, radius}, ``cone`` {low, high, low_radius, high_radius}
+         (low and high are the middles of its ends), ``sphere`` {centre, radius}, or ``file``, an STL in mm
+         beside the machine's file.
 clearance  how near tool, spindle and other bodies may come.
 place    all in the machine frame with every joint at zero, in the file's unit.
 """
@@ -32,8 +35,8 @@ FARTHEST = 1e5
 
 @dataclass(frozen=True)
 class MachineBody:
-    """``points`` and ``radii``, mm, machine frame, in the order of POINTS and RADII; ``file``: the STL instead, of a shape
-    ``file``; ``clearance`` mm: what comes nearer is told, 0: what is asked for of all."""
+    """``points`` and ``radii``, mm, machine frame, in the order of POINTS and RADII; ``file``: the STL
+    instead, of a shape ``file``; ``clearance`` mm: what comes nearer is told, 0: what is asked for of all."""
 
     name: str
     carrier: str
@@ -50,7 +53,10 @@ def check_carriers(bodies: Sequence[MachineBody], letters: Sequence[str]) -> Non
         if body.carrier not in (BASE, SPINDLE, *letters):
             known = ", ".join((BASE, SPINDLE, *letters))
             text = say(
-                "body {name}: {carrier} carries no body; name one of {known}", name=body.name, carrier=body.carrier, known=known
+                "body {name}: {carrier} carries no body; name one of {known}",
+                name=body.name,
+                carrier=body.carrier,
+                known=known,
             )
             raise MachineError(text, body.carrier)
 
@@ -63,8 +69,8 @@ def free_body_name(label: str, taken: Collection[str]) -> str:
 
 
 def is_round(body: MachineBody, gauge: Vector) -> bool:
-    """Tell whether a body of the spindle turns with the tool about the line through the ``gauge`` point, mm: a cylinder or a
-    cone, upright. It is then proven as part of the tool."""
+    """Tell whether a body of the spindle turns with the tool about the line through the ``gauge`` point, mm:
+    a cylinder or a cone, upright. It is then proven as part of the tool."""
     if body.shape not in (CYLINDER, CONE):
         return False
     low, high = body.points

@@ -16,9 +16,13 @@ from .model import Vector
 
 
 def read_bodies(given: Any, where: str, unit: float) -> tuple[MachineBody, ...]:
-    """Read the list of bodies of a machine's file; ``unit``: mm for one of its lengths. Raises MachineError, with the key."""
+    """Read the list of bodies of a machine's file; ``unit``: mm for one of its lengths. Raises MachineError,
+    with the key."""
     if not isinstance(given, list):
-        text = say('{given} is no list; write [{{"name": ..., "carrier": ..., "box": ...}}]', given=reprlib.repr(given))
+        text = say(
+            '{given} is no list; write [{{"name": ..., "carrier": ..., "box": ...}}]',
+            given=reprlib.repr(given),
+        )
         raise fail(where, text, given)
     bodies = tuple(_read_body(one, f"{where}[{at}]", unit) for at, one in enumerate(given))
     names = [one.name for one in bodies]
@@ -79,7 +83,11 @@ def _sizes(given: Any, shape: str, where: str, unit: float) -> tuple[tuple[Vecto
     points = tuple(as_vector(given[key], f"{where}.{key}", unit, FARTHEST) for key in POINTS[shape])
     radii = tuple(unit * as_number(given[key], f"{where}.{key}") for key in RADII[shape])
     if any(radius < 0.0 or radius > FARTHEST for radius in radii) or (radii and max(radii) <= 0.0):
-        raise fail(where, say("radius {radii} is not above 0, or beyond {most} mm", radii=radii, most=FARTHEST), radii)
+        raise fail(
+            where,
+            say("radius {radii} is not above 0, or beyond {most} mm", radii=radii, most=FARTHEST),
+            radii,
+        )
     if shape == BOX and not all(low < high for low, high in zip(*points, strict=True)):
         raise fail(where, say("low is not below high in each of X, Y, Z"), points)
     if shape in (CYLINDER, CONE) and math.dist(*points) <= 0.0:

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading the JSON of a machine file, key by key: what is missing or makes no sense is a MachineError with the key's dotted name.
+"""Reading the JSON of a machine file, key by key: what is missing or makes no sense is a MachineError with
+the key's dotted name.
 
-Each ``get_`` function takes the object that holds the key, the dotted name of that object with its dot, and the key.
+Each ``get_`` function takes the object that holds the key, the dotted name of that object with its dot, and
+the key.
 """
 
 from __future__ import annotations
@@ -29,7 +31,9 @@ def parse_json(content: bytes) -> Any:
         raise
     except (ValueError, RecursionError) as error:
         kind = say("is empty") if not content.strip() else say("is not JSON ({error})", error=error)
-        raise MachineError(say("the file {kind}; export the machine from FreeCAD again", kind=kind), content[:60]) from None
+        raise MachineError(
+            say("the file {kind}; export the machine from FreeCAD again", kind=kind), content[:60]
+        ) from None
 
 
 def _no_constant(text: str) -> float:
@@ -40,7 +44,9 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for key, value in pairs:
         if key in found:
-            raise MachineError(say("key {key} stands twice in one object; remove one", key=reprlib.repr(key)), key)
+            raise MachineError(
+                say("key {key} stands twice in one object; remove one", key=reprlib.repr(key)), key
+            )
         found[key] = value
     return found
 
@@ -61,7 +67,9 @@ def get_object(holder: JsonObject, where: str, key: str) -> JsonObject:
     """Get an object."""
     value = get_key(holder, where, key)
     if not isinstance(value, dict):
-        raise fail(where + key, say("{value} is not an object; write {{ ... }}", value=reprlib.repr(value)), value)
+        raise fail(
+            where + key, say("{value} is not an object; write {{ ... }}", value=reprlib.repr(value)), value
+        )
     return value
 
 
@@ -71,7 +79,9 @@ def get_text(holder: JsonObject, where: str, key: str) -> str:
     text = " ".join(value.splitlines()) if isinstance(value, str) else "\0"
     if not text.isprintable():
         raise fail(
-            where + key, say("{value} is not a text that can be shown; write one in quotes", value=reprlib.repr(value)), value
+            where + key,
+            say("{value} is not a text that can be shown; write one in quotes", value=reprlib.repr(value)),
+            value,
         )
     return text
 
@@ -80,14 +90,20 @@ def get_choice(holder: JsonObject, where: str, key: str, known: Any) -> str:
     """Get a string that is one of the ``known``."""
     value = get_text(holder, where, key)
     if value not in known:
-        raise fail(where + key, say("{value} is none of {known}", value=reprlib.repr(value), known=", ".join(known)), value)
+        raise fail(
+            where + key,
+            say("{value} is none of {known}", value=reprlib.repr(value), known=", ".join(known)),
+            value,
+        )
     return value
 
 
 def as_number(value: Any, key: str) -> float:
     """Take a value as a finite number."""
     try:
-        number = float("nan") if isinstance(value, bool) or not isinstance(value, (int, float)) else float(value)
+        number = (
+            float("nan") if isinstance(value, bool) or not isinstance(value, (int, float)) else float(value)
+        )
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
@@ -112,6 +128,8 @@ def get_names(holder: JsonObject, where: str, key: str) -> tuple[str, ...]:
     value = get_key(holder, where, key)
     if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
         raise fail(
-            where + key, say('{value} is no list of names; write ["M202", "CYCL DEF 392"]', value=reprlib.repr(value)), value
+            where + key,
+            say('{value} is no list of names; write ["M202", "CYCL DEF 392"]', value=reprlib.repr(value)),
+            value,
         )
     return tuple(value)

@@ -1,21 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Machine files: FreeCAD's own ``.fcm`` (JSON, version 1), in and out, and the machines that come with the program.
+"""Machine files: FreeCAD's own ``.fcm`` (JSON, version 1), in and out, and the machines that come with the
+program.
 
-unit      lengths are mm, or inches where ``machine.units`` says imperial; angles are degrees; rates are per minute.
-parent    the axis that carries this one, null for the base. The axes of the table, from the base outwards, end at the
-          work, those of the head at the tool. Linear axes that stand beside a rotary one on the same parent are taken to
-          lie nearer to the base; two rotary ones side by side leave the chain open and are refused.
+unit      lengths are mm, or inches where ``machine.units`` says imperial; angles are degrees; rates are per
+          minute.
+parent    the axis that carries this one, null for the base. The axes of the table, from the base outwards,
+          end at the work, those of the head at the tool. Linear axes that stand beside a rotary one on the
+          same parent are taken to lie nearer to the base; two rotary ones side by side leave the chain open
+          and are refused.
 unlimited a limit of 99999 mm or degrees or beyond means that the axis has none (JSON knows no infinity).
 fiveaxis  one extra top-level key for what the format lacks: ``gauge_point`` and ``origin`` (machine frame),
-          ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the controller's own
-          where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to a machine coordinate, ``Z``),
-          ``table`` (height of its face, machine frame), ``bodies`` (what the tool must not hit, :mod:`.bodies`) and
-          ``no_motion`` (a list of functions that move nothing, :mod:`.no_motion`). FreeCAD drops it when it saves;
-          each has a default.
+          ``singular_cone`` (degrees), ``controller``, ``rapids`` (interpolated, independent or unknown; the
+          controller's own where it is missing), ``safe_start`` (an object: ``retract`` and, for a retract to
+          a machine coordinate, ``Z``), ``table`` (height of its face, machine frame), ``bodies`` (what the
+          tool must not hit, :mod:`.bodies`) and ``no_motion`` (a list of functions that move nothing,
+          :mod:`.no_motion`). FreeCAD drops it when it saves; each has a default.
 older     files from before the editor's release have keys of their own (:mod:`.older_layout`).
 
-What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it uses must be
-there and make sense: a guess about a machine is worse than a question.
+What the program does not use (tool heads, output, post-processor, base frame) is not read. Every key that it
+uses must be there and make sense: a guess about a machine is worse than a question.
 """
 
 from __future__ import annotations
@@ -88,9 +91,11 @@ def machine_folder() -> Path:
 
 
 def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
-    """The machine of that shipped name, or of that ``.fcm`` file (anything with a folder or the suffix is a file).
+    """The machine of that shipped name, or of that ``.fcm`` file (anything with a folder or the suffix is a
+    file).
 
-    Raises MachineError with file, key and remedy for an unknown name or an unusable file, FileError for a missing one.
+    Raises MachineError with file, key and remedy for an unknown name or an unusable file, FileError for a
+    missing one.
     """
     given = os.fspath(name_or_path)
     if (path := machine_path(given)) is not None:
@@ -100,7 +105,8 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
     hint = say("did you mean {near}? ", near=near[0]) if near else ""
     known = say("known: {names}, or give a {suffix} file", names=", ".join(names), suffix=SUFFIX)
     raise MachineError(
-        say("no machine is called {given}; {hint}{known}", given=reprlib.repr(given), hint=hint, known=known), given
+        say("no machine is called {given}; {hint}{known}", given=reprlib.repr(given), hint=hint, known=known),
+        given,
     )
 
 
@@ -124,19 +130,25 @@ def _beside(machine: Machine, path: Path) -> Machine:
     if not any(body.file for body in machine.bodies):
         return machine
     return replace(
-        machine, bodies=tuple(replace(body, file=str(path.parent / body.file) if body.file else "") for body in machine.bodies)
+        machine,
+        bodies=tuple(
+            replace(body, file=str(path.parent / body.file) if body.file else "") for body in machine.bodies
+        ),
     )
 
 
 @lru_cache(maxsize=64)
 def _read(content: bytes) -> Machine:
-    """A window reads the same few files with every letter that is typed (1.5 ms each); what a file says now counts."""
+    """A window reads the same few files with every letter that is typed (1.5 ms each); what a file says now
+    counts."""
     return read_machine(parse_json(content))
 
 
 def _usable(path: Path) -> Path:
     if "\0" in str(path):
-        raise FileError(say("{path} is no file name: it holds a null character", path=repr(str(path))), str(path))
+        raise FileError(
+            say("{path} is no file name: it holds a null character", path=repr(str(path))), str(path)
+        )
     return path
 
 
@@ -147,13 +159,18 @@ def read_machine(data: Any) -> Machine:
     """Read the objects of a machine file, as JSON has them. Raises MachineError, with the key."""
     if not isinstance(data, dict):
         raise MachineError(
-            say('the file holds {data} instead of an object with the key "machine"', data=reprlib.repr(data)), data
+            say('the file holds {data} instead of an object with the key "machine"', data=reprlib.repr(data)),
+            data,
         )
     version = get_key(data, "", "version")
     if isinstance(version, bool) or version != VERSION:
         raise fail(
             "version",
-            say("{version} cannot be read; only version {known} can", version=reprlib.repr(version), known=VERSION),
+            say(
+                "{version} cannot be read; only version {known} can",
+                version=reprlib.repr(version),
+                known=VERSION,
+            ),
             version,
         )
     machine = get_object(data, "", "machine")
@@ -166,15 +183,25 @@ def read_machine(data: Any) -> Machine:
     found = {letter: read_axis(letter, axes, unit) for letter in axes}
     order = _work_to_tool(found, {letter: _parent(letter, axes) for letter in axes})
     description = get_text(machine, "machine.", "description") if "description" in machine else ""
-    return Machine(name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit))
+    return Machine(
+        name, tuple(found[letter] for letter in order), description=description, **_extra(data, unit)
+    )
 
 
 def _check_whole(axes: JsonObject) -> None:
-    """One line for all keys that the axes lack, where they are several; a single one is named where it is read."""
-    lacking = [f"{letter}.{key}" for letter, axis in axes.items() if isinstance(axis, dict) for key in KEYS if key not in axis]
+    """One line for all keys that the axes lack, where they are several; a single one is named where it is
+    read."""
+    lacking = [
+        f"{letter}.{key}"
+        for letter, axis in axes.items()
+        if isinstance(axis, dict)
+        for key in KEYS
+        if key not in axis
+    ]
     if len(lacking) > 1:
         problem = say(
-            "the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries this one, or null)",
+            "the keys {lacking} are missing; add them (role: one of {roles}; parent: the axis that carries "
+            "this one, or null)",
             lacking=", ".join(lacking),
             roles=", ".join(ROLES),
         )
@@ -209,7 +236,11 @@ def _safe_start(given: JsonObject, where: str, unit: float) -> SafeStart:
     retract = get_choice(given, where, "retract", RETRACTS)
     spare = [key for key in given if key not in ("retract", *(("Z",) if retract == BY_MACHINE else ()))]
     if spare:
-        raise fail(where + spare[0], say("retract {retract} takes no such key; leave it out", retract=retract), given[spare[0]])
+        raise fail(
+            where + spare[0],
+            say("retract {retract} takes no such key; leave it out", retract=retract),
+            given[spare[0]],
+        )
     return SafeStart(retract, unit * get_number(given, where, "Z") if retract == BY_MACHINE else None)
 
 
@@ -217,13 +248,17 @@ def read_axis(letter: str, axes: JsonObject, unit: float) -> Axis:
     """Read one of the ``axes`` of a file whose lengths are ``unit`` mm. Raises MachineError, with the key."""
     if letter not in LINEAR_LETTERS + ROTARY_LETTERS:
         raise fail(
-            "machine.axes", say("{letter} names no axis; use X Y Z and up to two of A B C", letter=reprlib.repr(letter)), letter
+            "machine.axes",
+            say("{letter} names no axis; use X Y Z and up to two of A B C", letter=reprlib.repr(letter)),
+            letter,
         )
     axis, where = get_object(axes, "machine.axes.", letter), f"machine.axes.{letter}."
     rotary = KINDS[get_choice(axis, where, "type", KINDS)]
     role = get_choice(axis, where, "role", ROLES)
     if rotary != role.endswith("rotary"):
-        raise fail(where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role)
+        raise fail(
+            where + "role", say("{role} contradicts the type of the axis; make them agree", role=role), role
+        )
     side: Literal["table", "head"] = "table" if role.startswith("table") else "head"
     direction, point = read_joint(axis, where, rotary, unit)
     limits = get_object(axis, where, "limits")
@@ -242,7 +277,8 @@ def _limit(value: float, rotary: bool, unit: float) -> float:
 
 
 def read_joint(axis: JsonObject, where: str, rotary: bool, unit: float) -> tuple[Vector, Vector]:
-    """Read direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's swapped."""
+    """Read direction and point from {"origin", "axis"} or [[origin], [axis]]; old files have a linear axis's
+    swapped."""
     joint, where = get_key(axis, where, "joint"), where + "joint"
     if isinstance(joint, list):
         if len(joint) != 2:
@@ -251,7 +287,11 @@ def read_joint(axis: JsonObject, where: str, rotary: bool, unit: float) -> tuple
         if not rotary and joint["axis"] == [0, 0, 0]:
             joint = {"origin": joint["axis"], "axis": joint["origin"]}
     elif not isinstance(joint, dict):
-        raise fail(where, say('{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint=reprlib.repr(joint)), joint)
+        raise fail(
+            where,
+            say('{joint} is not {{"origin": [x, y, z], "axis": [x, y, z]}}', joint=reprlib.repr(joint)),
+            joint,
+        )
     origin, direction = (get_key(joint, where + ".", key) for key in ("origin", "axis"))
     return as_vector(direction, where + ".axis"), as_vector(origin, where + ".origin", unit)
 
@@ -260,7 +300,9 @@ def _parent(letter: str, axes: JsonObject) -> str | None:
     where = f"machine.axes.{letter}."
     parent = get_key(axes[letter], where, "parent")
     if parent is not None and (not isinstance(parent, str) or parent not in axes):
-        problem = say("{parent} is no axis of this machine; name one, or null for the base", parent=reprlib.repr(parent))
+        problem = say(
+            "{parent} is no axis of this machine; name one, or null for the base", parent=reprlib.repr(parent)
+        )
         raise fail(where + "parent", problem, parent)
     return parent
 
@@ -275,20 +317,29 @@ def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) ->
                 other=axes[carrier].side,
                 carrier=carrier,
             )
-            raise fail(f"machine.axes.{letter}.parent", say("{sides}; name another, or null for the base", sides=sides), carrier)
+            raise fail(
+                f"machine.axes.{letter}.parent",
+                say("{sides}; name another, or null for the base", sides=sides),
+                carrier,
+            )
     outwards = _outwards(None, axes, parent)
     lost = [letter for letter in axes if letter not in outwards]
     if lost:
         raise fail(
-            "machine.axes", say("{lost} carry one another in a circle; give one the parent null", lost=", ".join(lost)), lost
+            "machine.axes",
+            say("{lost} carry one another in a circle; give one the parent null", lost=", ".join(lost)),
+            lost,
         )
     table = [letter for letter in outwards if axes[letter].side == "table"]
     return table[::-1] + [letter for letter in outwards if axes[letter].side == "head"]
 
 
 def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
-    """The letters from ``carrier`` (itself left out) away from the base; chains of linear axes only come first."""
-    chains = [[letter, *_outwards(letter, axes, parent)] for letter in sorted(axes) if parent[letter] == carrier]
+    """The letters from ``carrier`` (itself left out) away from the base; chains of linear axes only come
+    first."""
+    chains = [
+        [letter, *_outwards(letter, axes, parent)] for letter in sorted(axes) if parent[letter] == carrier
+    ]
     turning = [chain for chain in chains if any(axes[letter].rotary for letter in chain)]
     for side in ("table", "head"):
         rivals = [chain[0] for chain in turning if axes[chain[0]].side == side]
@@ -309,8 +360,9 @@ def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str
 def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool = False) -> None:
     """Write the machine as a ``.fcm`` file that FreeCAD's Machine editor loads too.
 
-    What FreeCAD needs and a Machine does not hold gets FreeCAD's default. Raises FileError where the file exists already
-    (unless ``overwrite``) or cannot be written, MachineError for an axis without a maximum rate; then no file is left.
+    What FreeCAD needs and a Machine does not hold gets FreeCAD's default. Raises FileError where the file
+    exists already (unless ``overwrite``) or cannot be written, MachineError for an axis without a maximum
+    rate; then no file is left.
     """
     target = _usable(Path(path))
     data = machine_bytes(machine)
@@ -348,7 +400,10 @@ def _data(machine: Machine) -> dict[str, Any]:
                 "base_frame": {"origin": [0, 0, 0], "orientation_quaternion": [0, 0, 0, 1]},
                 "tcp_supported": False,
             },
-            "axes": {letter: _axis_data(machine, letter) for letter in sorted(axis.letter for axis in machine.fitted)},
+            "axes": {
+                letter: _axis_data(machine, letter)
+                for letter in sorted(axis.letter for axis in machine.fitted)
+            },
             "toolheads": [{"id": "toolhead1", "name": "Spindle", "toolhead_type": "rotary"}],
         },
         "output": {"units": "metric"},
@@ -382,7 +437,10 @@ def _safe_start_data(start: SafeStart) -> dict[str, Any]:
 def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
     axis = machine.axes[machine.letters.index(letter)]
     if math.isinf(axis.max_rate):
-        raise MachineError(say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter), letter)
+        raise MachineError(
+            say("axis {letter} has no maximum rate; give one, the machine file needs it", letter=letter),
+            letter,
+        )
     outwards = [other.letter for other in machine.fitted if other.side == axis.side]
     outwards = outwards[::-1] if axis.side == "table" else outwards
     place = outwards.index(letter)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the meshes of a machine's bodies are written: beside the machine's file, named after both, over no file."""
+"""Where the meshes of a machine's bodies are written: beside the machine's file, named after both, over no
+file."""
 
 from __future__ import annotations
 
@@ -16,7 +17,9 @@ SUFFIX = ".stl"
 def free_mesh_file(target: Path, body: str, taken: Collection[str] = ()) -> str:
     """Name an STL file for a ``body`` of the machine file ``target`` that neither is there nor ``taken``."""
     used = {name.casefold() for name in taken}
-    return next(name for name in _names(target, body) if name.casefold() not in used and not os.path.lexists(name))
+    return next(
+        name for name in _names(target, body) if name.casefold() not in used and not os.path.lexists(name)
+    )
 
 
 def _names(target: Path, body: str) -> Iterator[str]:

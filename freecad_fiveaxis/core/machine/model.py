@@ -2,12 +2,12 @@
 """The machine: an ordered list of axes from the work to the tool.
 
 side      a table axis carries the work, a head axis the tool.
-joint     where an axis stands: mm or rad from its zero. With all joints zero the spindle's gauge point stands at
-          ``gauge_point``, and the ``point`` of each rotary axis is where its line runs then.
-word      what the controller is told: mm for linear axes, degrees for rotary ones (radians inside the core). A rotary word
-          is the joint; a linear word is counted from the work zero to the tip.
-sign      ISO 841: a positive word moves the **tool relative to the work** along, or right-handed about, ``direction``.
-          A machine of the other habit has the reversed direction.
+joint     where an axis stands: mm or rad from its zero. With all joints zero the spindle's gauge point stands
+          at ``gauge_point``, and the ``point`` of each rotary axis is where its line runs then.
+word      what the controller is told: mm for linear axes, degrees for rotary ones (radians inside the core).
+          A rotary word is the joint; a linear word is counted from the work zero to the tip.
+sign      ISO 841: a positive word moves the **tool relative to the work** along, or right-handed about,
+          ``direction``. A machine of the other habit has the reversed direction.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ ROTARY_LETTERS = ("A", "B", "C")
 WRAPS = ("unwound", "modulo", "rezero")
 
 UNIT_ROUNDING = 4.0 * sys.float_info.epsilon
-"""A direction whose length is that near 1 is kept as given: dividing it again would only stir its last digits."""
+"""A direction whose length is that near 1 is kept as given: dividing it again would only stir its last
+digits."""
 
 SHORTEST_DIRECTION = 1e-6
 """A direction shorter than this is taken for a forgotten one, as FreeCAD's Machine editor does."""
@@ -41,19 +42,23 @@ SHORTEST_DIRECTION = 1e-6
 STAND_INS = ("-", "_")
 """Letters of the rotary axes that a machine of three or four axes has not: no controller knows them."""
 OUT_OF_REACH = 1e-4
-"""A tool axis that leans by less than this (rad) where a machine has no rotary axis is what CL files print with four decimals."""
+"""A tool axis that leans by less than this (rad) where a machine has no rotary axis is what CL files print
+with four decimals."""
 
 FARTHEST = 1e6
-"""No point of a machine lies farther from its zero, mm: a kilometre. Beyond it a file has the wrong unit or a slip."""
+"""No point of a machine lies farther from its zero, mm: a kilometre. Beyond it a file has the wrong unit or a
+slip."""
 
 
 @dataclass(frozen=True)
 class Axis:
-    """One axis. ``direction`` is made unit; ``point`` a point of the axis with all joints zero, machine frame, mm.
+    """One axis. ``direction`` is made unit; ``point`` a point of the axis with all joints zero, machine
+    frame, mm.
 
-    ``low`` and ``high`` in mm or rad, of the joint (for a rotary axis that is its word), infinite where there is no limit;
-    ``max_rate`` mm/min or rad/min. ``wrap``: how the controller takes a rotary word: ``unwound`` (absolute, any number of
-    turns), ``modulo`` or ``rezero``. Raises MachineError for values that no axis can have.
+    ``low`` and ``high`` in mm or rad, of the joint (for a rotary axis that is its word), infinite where there
+    is no limit; ``max_rate`` mm/min or rad/min. ``wrap``: how the controller takes a rotary word: ``unwound``
+    (absolute, any number of turns), ``modulo`` or ``rezero``. Raises MachineError for values that no axis can
+    have.
     """
 
     letter: str
@@ -68,7 +73,8 @@ class Axis:
 
     @property
     def fitted(self) -> bool:
-        """False for the stand-in of a rotary axis that the machine has not: its word is always 0, and never written."""
+        """False for the stand-in of a rotary axis that the machine has not: its word is always 0, and never
+        written."""
         return self.letter not in STAND_INS
 
     def __post_init__(self) -> None:
@@ -79,12 +85,22 @@ class Axis:
             say("a {kind} axis is called one of {letters}", kind=kind, letters=" ".join(letters)),
             self.letter,
         )
-        self._need(self.side in ("table", "head"), say("side {side} is neither table nor head", side=repr(self.side)), self.side)
+        self._need(
+            self.side in ("table", "head"),
+            say("side {side} is neither table nor head", side=repr(self.side)),
+            self.side,
+        )
         object.__setattr__(self, "direction", self._unit())
         object.__setattr__(
-            self, "point", finite_vector(self.point, say("axis {letter}: joint origin", letter=self.letter), FARTHEST)
+            self,
+            "point",
+            finite_vector(self.point, say("axis {letter}: joint origin", letter=self.letter), FARTHEST),
         )
-        low, high, unit = (math.degrees(self.low), math.degrees(self.high), "deg") if self.rotary else (self.low, self.high, "mm")
+        low, high, unit = (
+            (math.degrees(self.low), math.degrees(self.high), "deg")
+            if self.rotary
+            else (self.low, self.high, "mm")
+        )
         self._need(
             low < high,
             say(
@@ -96,7 +112,10 @@ class Axis:
         )
         self._need(
             self.max_rate > 0,
-            say("maximum rate {max_rate} is not positive; give what the drive reaches", max_rate=Number(self.max_rate)),
+            say(
+                "maximum rate {max_rate} is not positive; give what the drive reaches",
+                max_rate=Number(self.max_rate),
+            ),
             self.max_rate,
         )
         self._need(
@@ -114,7 +133,10 @@ class Axis:
         length = math.hypot(x, y, z)
         self._need(
             length > SHORTEST_DIRECTION,
-            say("joint axis {place} has no direction; give a unit vector", place=Point((x, y, z), "g", bare=True)),
+            say(
+                "joint axis {place} has no direction; give a unit vector",
+                place=Point((x, y, z), "g", bare=True),
+            ),
             (x, y, z),
         )
         return (x, y, z) if abs(length - 1.0) <= UNIT_ROUNDING else (x / length, y / length, z / length)
@@ -122,17 +144,19 @@ class Axis:
 
 @dataclass(frozen=True)
 class Machine:
-    """``axes`` from work to tool, the table's before the head's: X, Y, Z and up to two rotary. Where there are fewer,
-    stand-ins that never turn follow (:attr:`Axis.fitted`): records have five columns.
+    """``axes`` from work to tool, the table's before the head's: X, Y, Z and up to two rotary. Where there
+    are fewer, stand-ins that never turn follow (:attr:`Axis.fitted`): records have five columns.
     ``gauge_point`` mm, machine frame.
 
-    ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the pole.
-    ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm. ``controller``: name of the
-    dialect that the machine speaks unless the settings say otherwise, or empty. ``safe_start``: how its programs begin and end.
-    ``rapids``: how its controller drives the axes in a rapid, one of :data:`~.base.rapids.RAPIDS`, or empty: as its dialect says.
-    ``table`` mm: height of the table's face in the machine frame, all joints zero; None where it is not known. ``no_motion``: its
-    control's functions that move nothing (:mod:`.no_motion`). ``bodies``: what the tool must not hit, and what carries it.
-    Raises MachineError for axes that do not make a machine of three to five axes, and for such a function that moves.
+    ``singular_cone`` rad: half angle about the first rotary axis within which a block counts as near the
+    pole. ``origin``: where the work zero stands unless the setup says otherwise, machine frame, mm.
+    ``controller``: name of the dialect that the machine speaks unless the settings say otherwise, or empty.
+    ``safe_start``: how its programs begin and end. ``rapids``: how its controller drives the axes in a rapid,
+    one of :data:`~.base.rapids.RAPIDS`, or empty: as its dialect says. ``table`` mm: height of the table's
+    face in the machine frame, all joints zero; None where it is not known. ``no_motion``: its control's
+    functions that move nothing (:mod:`.no_motion`). ``bodies``: what the tool must not hit, and what carries
+    it. Raises MachineError for axes that do not make a machine of three to five axes, and for such a function
+    that moves.
     """
 
     name: str
@@ -170,7 +194,12 @@ class Machine:
         if not 0.0 <= self.singular_cone <= math.pi / 2:
             cone = math.degrees(self.singular_cone)
             raise MachineError(
-                say("machine {name}: singular_cone {cone} is not between 0 and 90", name=self.name, cone=Angle(cone)), cone
+                say(
+                    "machine {name}: singular_cone {cone} is not between 0 and 90",
+                    name=self.name,
+                    cone=Angle(cone),
+                ),
+                cone,
             )
 
     def _check_axes(self) -> None:
@@ -178,11 +207,16 @@ class Machine:
         if kinds.count(True) > 2 or kinds.count(False) != 3:
             count = f"{kinds.count(False)} linear and {kinds.count(True)} rotary axes"
             raise MachineError(
-                say("machine {name} has {count}; needs 3 and at most 2", name=self.name, count=count), self.letters
+                say("machine {name} has {count}; needs 3 and at most 2", name=self.name, count=count),
+                self.letters,
             )
         if len(set(self.letters)) != len(self.letters):
             raise MachineError(
-                say("machine {name} has two axes of the same letter: {letters}", name=self.name, letters=self.letters),
+                say(
+                    "machine {name} has two axes of the same letter: {letters}",
+                    name=self.name,
+                    letters=self.letters,
+                ),
                 self.letters,
             )
         sides = [axis.side for axis in self.axes]
@@ -225,15 +259,17 @@ class Machine:
 
 
 def fitted_columns(letters: str) -> list[int]:
-    """The columns of the words whose axes the machine really has, by the letters of all ("XYZA-": 0 1 2 3)."""
+    """The columns of the words whose axes the machine really has, by the letters of all ("XYZA-": 0 1 2
+    3)."""
     return [column for column, letter in enumerate(letters) if letter not in STAND_INS]
 
 
 def with_stand_ins(name: str, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
-    """The axes with stand-ins for the rotary ones that are missing, nearest to the tool, where they move nothing.
+    """The axes with stand-ins for the rotary ones that are missing, nearest to the tool, where they move
+    nothing.
 
-    Beside one axis stands one across it and the tool: no axis that the machine reaches is then near a pole. Raises MachineError
-    where a single rotary axis is parallel to the tool.
+    Beside one axis stands one across it and the tool: no axis that the machine reaches is then near a pole.
+    Raises MachineError where a single rotary axis is parallel to the tool.
     """
     rotary = [axis for axis in axes if axis.rotary]
     if not rotary:
@@ -243,7 +279,8 @@ def with_stand_ins(name: str, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
     x, y, _ = rotary[0].direction
     if math.hypot(x, y) < SHORTEST_DIRECTION:
         text = say(
-            "machine {name}: its only rotary axis {letter} is parallel to the tool and never tilts it; leave it out of the file",
+            "machine {name}: its only rotary axis {letter} is parallel to the tool and never tilts it; leave "
+            "it out of the file",
             name=name,
             letter=rotary[0].letter,
         )
@@ -256,7 +293,8 @@ def _stand_in(which: int, direction: Vector) -> Axis:
 
 
 def finite_vector(value: Sequence[float], what: str, most: float = sys.float_info.max) -> Vector:
-    """Three finite numbers, none larger than ``most``, as a tuple of floats; else MachineError naming ``what``."""
+    """Three finite numbers, none larger than ``most``, as a tuple of floats; else MachineError naming
+    ``what``."""
     try:
         x, y, z = (float(component) for component in value)
     except (TypeError, ValueError, OverflowError):

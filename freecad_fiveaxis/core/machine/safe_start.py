@@ -21,7 +21,8 @@ RETRACTS = (BY_MACHINE, BY_REFERENCE, BY_CLEARANCE, BY_NOTHING)
 
 @dataclass(frozen=True)
 class SafeStart:
-    """``retract``: one of RETRACTS; ``z`` mm: the machine coordinate of ``machine``, None for the others. Raises MachineError."""
+    """``retract``: one of RETRACTS; ``z`` mm: the machine coordinate of ``machine``, None for the others.
+    Raises MachineError."""
 
     retract: str = BY_CLEARANCE
     z: float | None = None
@@ -29,11 +30,20 @@ class SafeStart:
     def __post_init__(self) -> None:
         if self.retract not in RETRACTS:
             raise MachineError(
-                say("retract {retract} is none of {retracts}", retract=repr(self.retract), retracts=", ".join(RETRACTS)),
+                say(
+                    "retract {retract} is none of {retracts}",
+                    retract=repr(self.retract),
+                    retracts=", ".join(RETRACTS),
+                ),
                 self.retract,
             )
         if (self.z is None) == (self.retract == BY_MACHINE):
             remedy = say("give Z, a machine coordinate") if self.z is None else say("leave Z out")
-            raise MachineError(say("retract {retract}: {remedy}", retract=self.retract, remedy=remedy), self.z)
+            raise MachineError(
+                say("retract {retract}: {remedy}", retract=self.retract, remedy=remedy), self.z
+            )
         if self.z is not None and not math.isfinite(self.z):
-            raise MachineError(say("retract Z {z} is not finite; give a machine coordinate", z=Length(self.z, bare=True)), self.z)
+            raise MachineError(
+                say("retract Z {z} is not finite; give a machine coordinate", z=Length(self.z, bare=True)),
+                self.z,
+            )

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Singular blocks: where the rotary axes turn far to move the tool axis a little.
 
-measure        ``|a1 . (a2 x k)|`` with a1, a2 the rotary axes as they stand and k the tool axis. It depends on the second
-               rotary word only, ``H |sin d|`` with d that word counted from its position at the pole; on a machine of
-               orthogonal axes it is the sine of the tilt.
-singular cone  all poses whose measure is below that of an axis which stands at the cone's half angle from the pole.
+measure        ``|a1 . (a2 x k)|`` with a1, a2 the rotary axes as they stand and k the tool axis. It depends
+               on the second rotary word only, ``H |sin d|`` with d that word counted from its position at the
+               pole; on a machine of orthogonal axes it is the sine of the tilt.
+singular cone  all poses whose measure is below that of an axis which stands at the cone's half angle from the
+               pole.
 rotary travel  ``|change of the first rotary word| + |change of the second|`` over the block.
 axis travel    the angle between the tool axes at the block's two ends.
-singular block a block whose real tool axis comes inside the singular cone while its rotary travel is at least TRAVEL_RATIO
+singular block a block whose real tool axis comes inside the singular cone while its rotary travel is at least
+TRAVEL_RATIO
                times its axis travel and at least LEAST_TRAVEL.
 
-Far from the pole a machine turns about as much as its tool axis does; near it the first rotary axis has to turn by any
-amount, and the tip, which only the linear axes hold in place, leaves its line (So et al. 2008, section 1 and Table 2).
-Within a block d goes evenly, so the least measure is exact without sampling: 0 where d passes a multiple of pi, else that of
-one of the ends.
+Far from the pole a machine turns about as much as its tool axis does; near it the first rotary axis has to
+turn by any amount, and the tip, which only the linear axes hold in place, leaves its line (So et al. 2008,
+section 1 and Table 2). Within a block d goes evenly, so the least measure is exact without sampling: 0 where
+d passes a multiple of pi, else that of one of the ends.
 """
 
 from __future__ import annotations
@@ -30,15 +32,16 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, RotaryPair
 TRAVEL_RATIO = 4.0
 """Rotary travel that counts as large, in axis travels."""
 LEAST_TRAVEL = math.radians(1.0)
-"""Rotary travel below which no block is singular, rad: on a lever of 200 mm the tip then leaves its chord by 8 micrometres at
-most, and the ratio of two tiny rounded travels says nothing."""
+"""Rotary travel below which no block is singular, rad: on a lever of 200 mm the tip then leaves its chord by
+8 micrometres at most, and the ratio of two tiny rounded travels says nothing."""
 
 
 @dataclass(frozen=True, eq=False)
 class Singularity:
     """One row a block of the Program, row 0 (the first position) all zero.
 
-    ``least_sine`` (m,) least measure along the block; ``rotary_travel``, ``axis_travel`` (m,) rad; ``singular`` (m,).
+    ``least_sine`` (m,) least measure along the block; ``rotary_travel``, ``axis_travel`` (m,) rad;
+    ``singular`` (m,).
     """
 
     least_sine: Floats
@@ -51,7 +54,8 @@ class Singularity:
 
 
 def find_singular(kinematics: Chain, words: Floats, cone: float) -> Singularity:
-    """The singular blocks among ``words`` (m, 5) mm and **degrees**; ``cone`` half angle of the singular cone, rad."""
+    """The singular blocks among ``words`` (m, 5) mm and **degrees**; ``cone`` half angle of the singular
+    cone, rad."""
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     count = len(words)
     least, rotary, axis, singular = np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count, bool)
@@ -71,8 +75,8 @@ def find_singular(kinematics: Chain, words: Floats, cone: float) -> Singularity:
 
 
 def in_cone(kinematics: Chain, words: Floats, cone: float) -> Bools:
-    """The blocks (m,) among ``words`` (m, 5) mm and **degrees** whose real tool axis comes inside the singular cone, however far
-    they turn; ``cone`` half angle, rad. Row 0 is no block: False."""
+    """The blocks (m,) among ``words`` (m, 5) mm and **degrees** whose real tool axis comes inside the
+    singular cone, however far they turn; ``cone`` half angle, rad. Row 0 is no block: False."""
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     inside = find_singular(kinematics, words, cone).least_sine < _cone_measure(pair, cone)
     inside[:1] = False
@@ -80,7 +84,8 @@ def in_cone(kinematics: Chain, words: Floats, cone: float) -> Bools:
 
 
 def _cone_measure(pair: RotaryPair, cone: float) -> float:
-    """The measure at ``cone`` rad from the pole: ``cos(cone) = cos b cos g + H cos d`` (symbols of rotary_pair)."""
+    """The measure at ``cone`` rad from the pole: ``cos(cone) = cos b cos g + H cos d`` (symbols of
+    rotary_pair)."""
     cos_d = (math.cos(cone) - (pair.near + 1.0 - pair.reach)) / pair.reach
     if cos_d <= 0.0:
         return math.inf
@@ -88,7 +93,8 @@ def _cone_measure(pair: RotaryPair, cone: float) -> float:
 
 
 def _least_sine(angle: Floats, sine: Floats) -> Floats:
-    """Least |sin| between successive angles (n + 1,), whose |sin| are ``sine``: |sin| is concave between its zeros."""
+    """Least |sin| between successive angles (n + 1,), whose |sin| are ``sine``: |sin| is concave between its
+    zeros."""
     half_turn = np.floor(angle * (1.0 / math.pi))
     least = np.minimum(sine[1:], sine[:-1])
     least[np.flatnonzero(half_turn[1:] != half_turn[:-1])] = 0.0
@@ -98,7 +104,8 @@ def _least_sine(angle: Floats, sine: Floats) -> Floats:
 def _axis_travel(pair: RotaryPair, second: Floats, sine: Floats, turn1: Floats, turn2: Floats) -> Floats:
     """Angle between successive tool axes: from the chord, so that small ones are exact.
 
-    With w the part of ``R2 ez`` across the pole, ``chord^2 = 4 sin^2 b sin^2(turn2 / 2) + 4 sin^2(turn1 / 2) w0 . w1
+    With w the part of ``R2 ez`` across the pole, ``chord^2 = 4 sin^2 b sin^2(turn2 / 2) + 4 sin^2(turn1 / 2)
+    w0 . w1
     - 2 sin(turn1) (w0 x w1)``: the chord of the second turn alone, then what the first one adds.
     """
     sin_b = pair.reach / math.sqrt(1.0 - pair.cos_g**2)
@@ -122,5 +129,6 @@ def _half_sine_squared(angle: Floats) -> Floats:
 
 
 def _lean(pair: RotaryPair, sin_b: float, second: Floats) -> Floats:
-    """The n part of ``R2 ez``: ``cos b sin g - sin b cos g cos d = sin(g - b) + 2 sin b cos g sin^2(d / 2)``."""
+    """The n part of ``R2 ez``: ``cos b sin g - sin b cos g cos d = sin(g - b) + 2 sin b cos g sin^2(d /
+    2)``."""
     return np.asarray(2.0 * sin_b * (pair.aside + pair.cos_g * np.sin(0.5 * second) ** 2))

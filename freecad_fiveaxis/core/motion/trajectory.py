@@ -4,10 +4,10 @@
 block     the move from one row of words to the next: every word runs linearly from start to end.
 u         how much of the block is done, 0 to 1, the same for all axes.
 arm       the three vectors of the chain's product form, each of which moves linearly within a block:
-          ``tip = s + R1(a) (w + R2(b) v)``, with ``a`` and ``b`` the two rotary words. ``s`` and ``w`` are given in the first
-          frame, ``v`` in the second.
-frame     the first frame has its z along the first rotary axis, the second frame along the second one. In them a turn is
-          a turn of two components, and lengths and distances are those of the work frame.
+          ``tip = s + R1(a) (w + R2(b) v)``, with ``a`` and ``b`` the two rotary words. ``s`` and ``w`` are
+          given in the first frame, ``v`` in the second.
+frame     the first frame has its z along the first rotary axis, the second frame along the second one. In
+          them a turn is a turn of two components, and lengths and distances are those of the work frame.
 column    one component for all blocks. A component that no word moves stays a single number (a 0-d array).
 """
 
@@ -43,9 +43,9 @@ Vectors = tuple[Floats, Floats, Floats]
 class Frames:
     """The chain's constants in its two rotary frames.
 
-    ``first`` (3, 3): rows are the first frame's axes in the work frame; ``mix`` (3, 3) takes the second frame's
-    components to the first frame; ``tool`` (3,) is the tool axis in the second frame with both rotary words zero; the nine
-    components of the arm are ``offset`` (9,) + ``gain`` (9, 3) @ (X, Y, Z), mm.
+    ``first`` (3, 3): rows are the first frame's axes in the work frame; ``mix`` (3, 3) takes the second
+    frame's components to the first frame; ``tool`` (3,) is the tool axis in the second frame with both rotary
+    words zero; the nine components of the arm are ``offset`` (9,) + ``gain`` (9, 3) @ (X, Y, Z), mm.
     """
 
     first: Floats
@@ -96,14 +96,18 @@ def frames(kinematics: Chain) -> Frames:
         basis = second if slot == 2 else first
         gain[3 * slot : 3 * slot + 3, j] = basis @ kinematics.direction[j]
     offset = np.concatenate(
-        [first @ kinematics.point1, first @ (kinematics.point2 - kinematics.point1), -(second @ kinematics.point2)]
+        [
+            first @ kinematics.point1,
+            first @ (kinematics.point2 - kinematics.point1),
+            -(second @ kinematics.point2),
+        ]
     )
     return Frames(first, _cleaned(first @ second.T), _cleaned(second @ z), _cleaned(gain), offset)
 
 
 def _basis(z: Floats, hint: Floats) -> Floats:
-    """Rows x, y, z of a right-handed frame about unit ``z``, its x as near to ``hint`` as can be, so that ``hint`` has no y in
-    it however near to ``z`` it lies: :func:`axis` relies on that."""
+    """Rows x, y, z of a right-handed frame about unit ``z``, its x as near to ``hint`` as can be, so that
+    ``hint`` has no y in it however near to ``z`` it lies: :func:`axis` relies on that."""
     across = [v - (v @ z) * z for v in (hint, np.roll(hint, 1))]
     x = across[0] if np.linalg.norm(across[0]) > PARALLEL else across[1]
     x = x / np.linalg.norm(x)
@@ -131,16 +135,19 @@ def turned(x: Floats, y: Floats, cos: Floats, sin: Floats) -> tuple[Floats, Floa
 
 
 def flat_length(x: Floats, y: Floats) -> Floats:
-    """The length of (x, y): four times as fast as np.hypot, and no component here is near the ends of a float's range."""
+    """The length of (x, y): four times as fast as np.hypot, and no component here is near the ends of a
+    float's range."""
     return np.asarray(np.sqrt(x * x + y * y))
 
 
 def checked_words(words: ArrayLike) -> Floats:
-    """``words`` as floats (m, 5). Raises ProgramError for another shape, and for words that are no numbers or too large."""
+    """``words`` as floats (m, 5). Raises ProgramError for another shape, and for words that are no numbers or
+    too large."""
     rows = np.asarray(words, float)
     if rows.ndim != 2 or rows.shape[1] != 5:
         raise ProgramError(
-            say("words have shape {shape}; give one row of five words for each block", shape=rows.shape), rows.shape
+            say("words have shape {shape}; give one row of five words for each block", shape=rows.shape),
+            rows.shape,
         )
     good = np.abs(rows) <= FARTHEST_WORD  # False for NaN
     if not good.all():
@@ -148,7 +155,8 @@ def checked_words(words: ArrayLike) -> Floats:
         value = float(rows[row, word])
         raise ProgramError(
             say(
-                "word {word} of row {row} is {value}; words are numbers up to {farthest_word} mm or degrees: correct it, or the "
+                "word {word} of row {row} is {value}; words are numbers up to {farthest_word} mm or degrees: "
+                "correct it, or the "
                 "unit of the file",
                 word=word + 1,
                 row=row,
@@ -174,7 +182,8 @@ def _arm(frame: Frames, words: Floats) -> tuple[Columns, Floats, Floats]:
 
 
 def chained_motion(frame: Frames, words: Floats) -> tuple[Motion, Pose]:
-    """The m - 1 blocks between successive rows of words (m, 5), mm and **degrees**; and the poses of all rows."""
+    """The m - 1 blocks between successive rows of words (m, 5), mm and **degrees**; and the poses of all
+    rows."""
     arm, a, b = _arm(frame, words)
     step = tuple(np.diff(p) if p.ndim else np.asarray(0.0) for p in arm)
     start = tuple(p[:-1] if p.ndim else p for p in arm)
@@ -190,7 +199,8 @@ def at(move: Motion, u: Floats) -> Pose:
 
 
 def inner(frame: Frames, at_: Pose) -> Vectors:
-    """``y = w + R2(b) v``: the tip as seen from the first rotary axis before it turns; columns of the first frame."""
+    """``y = w + R2(b) v``: the tip as seen from the first rotary axis before it turns; columns of the first
+    frame."""
     _, _, _, wx, wy, wz, vx, vy, vz = at_.arm
     x, y = turned(vx, vy, at_.cos_b, at_.sin_b)
     return (
@@ -214,7 +224,10 @@ def tip(frame: Frames, at_: Pose) -> Vectors:
 
 def axis(frame: Frames, at_: Pose) -> Vectors:
     """The unit tool axis, columns of the first frame."""
-    tx, tz = float(frame.tool[0]), np.asarray(frame.tool[2])  # the second frame's x is chosen so that tool[1] is zero
+    tx, tz = (
+        float(frame.tool[0]),
+        np.asarray(frame.tool[2]),
+    )  # the second frame's x is chosen so that tool[1] is zero
     columns = (tx * at_.cos_b, tx * at_.sin_b, tz)
     x, y, z = (combine(row, columns) for row in frame.mix)
     return (*turned(x, y, at_.cos_a, at_.sin_a), z)
@@ -227,11 +240,12 @@ def to_work(frame: Frames, vector: Vectors) -> Vectors:
 
 
 def derivatives(frame: Frames, move: Motion, u: Floats) -> tuple[Vectors, Vectors, Vectors]:
-    """The tip and its first and second derivative by u, columns of the first frame, mm. ``u`` has the columns' shape.
+    """The tip and its first and second derivative by u, columns of the first frame, mm. ``u`` has the
+    columns' shape.
 
     With ``J`` the quarter turn about an axis and ``'`` the derivative by u (w, v, s, a, b are linear in u):
-    ``y' = w' + R2 (v' + b' J v)``, ``y'' = R2 (2 b' J v' - b'^2 v_across)``, and the same once more about the first axis:
-    ``p' = s' + R1 (y' + a' J y)``, ``p'' = R1 (y'' + 2 a' J y' - a'^2 y_across)``.
+    ``y' = w' + R2 (v' + b' J v)``, ``y'' = R2 (2 b' J v' - b'^2 v_across)``, and the same once more about the
+    first axis: ``p' = s' + R1 (y' + a' J y)``, ``p'' = R1 (y'' + 2 a' J y' - a'^2 y_across)``.
     """
     now = at(move, u)
     ds, dw, dv = move.arm_step[0:3], move.arm_step[3:6], move.arm_step[6:9]
@@ -243,7 +257,12 @@ def derivatives(frame: Frames, move: Motion, u: Floats) -> tuple[Vectors, Vector
     dy = (dw[0] + dy[0], dw[1] + dy[1], dw[2] + dy[2])
     ddy = _mixed(frame, (*second_v, np.asarray(0.0)), now)
     dp = turned(dy[0] - da * y[1], dy[1] + da * y[0], now.cos_a, now.sin_a)
-    ddp = turned(ddy[0] - 2.0 * da * dy[1] - da * da * y[0], ddy[1] + 2.0 * da * dy[0] - da * da * y[1], now.cos_a, now.sin_a)
+    ddp = turned(
+        ddy[0] - 2.0 * da * dy[1] - da * da * y[0],
+        ddy[1] + 2.0 * da * dy[0] - da * da * y[1],
+        now.cos_a,
+        now.sin_a,
+    )
     return outer(now, y), (ds[0] + dp[0], ds[1] + dp[1], ds[2] + dy[2]), (*ddp, ddy[2])
 
 
@@ -260,7 +279,7 @@ def axis_motion(frame: Frames, move: Motion) -> Motion:
     return Motion(arm, (np.asarray(0.0),) * 9, move.a, move.a_step, move.b, move.b_step)
 
 
-# ------------------------------------------------------------------------------------------------ rows in, rows out
+# ------------------------------------------------------------------------------------------ rows in, rows out
 
 
 def tip_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
@@ -280,7 +299,9 @@ def axis_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -
     return _rows(to_work(frame, axis(frame, at(move, at_u))), move, at_u)
 
 
-def tip_derivatives_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> tuple[Floats, Floats, Floats]:
+def tip_derivatives_at(
+    kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike
+) -> tuple[Floats, Floats, Floats]:
     """The real tip and its first and second derivative by u, work frame, mm; shapes as in :func:`tip_at`."""
     frame = frames(kinematics)
     move, at_u = _broadcast(frame, start, end, u)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The lines before and after the blocks, from a dialect's templates.
 
-slot   ``{title}`` a comment: what it is for; ``{program}`` the program number; ``{path}`` the path control mode; ``{offset}`` the
-       work offset; ``{tool}``, ``{length}``, ``{spindle}``, ``{coolant}``; ``{feed_mode}``; ``{axes}`` the letters of the
-       words with commas; ``{shorter}`` how rotary words are taken; ``{cutter}`` tool, cutter and length; the words of a safe
-       start (:mod:`.start`); in a guide's and a high-speed mode's lines ``{number}``, the tool's number, and ``{tolerance}``, mm.
+slot   ``{title}`` a comment: what it is for; ``{program}`` the program number; ``{path}`` the path control
+       mode; ``{offset}`` the work offset; ``{tool}``, ``{length}``, ``{spindle}``, ``{coolant}``;
+       ``{feed_mode}``; ``{axes}`` the letters of the words with commas; ``{shorter}`` how rotary words are
+       taken; ``{cutter}`` tool, cutter and length; the words of a safe start (:mod:`.start`); in a guide's
+       and a high-speed mode's lines ``{number}``, the tool's number, and ``{tolerance}``, mm.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ from freecad_fiveaxis.core.controllers.dialect import Dialect
 from freecad_fiveaxis.core.machine import fitted_columns
 
 SLOTS = (
-    "title", "program", "path", "offset", "tool", "length", "spindle", "coolant", "feed_mode", "axes", "shorter", "number",
+    "title", "program", "path", "offset", "tool", "length", "spindle", "coolant", "feed_mode", "axes",
+    "shorter", "number",
     "tolerance", "cutter", "height", "rotaries", "over", "over_tip",
 )  # fmt: skip
 NO_START: Mapping[str, str] = MappingProxyType(dict.fromkeys(("height", "rotaries", "over", "over_tip"), ""))
@@ -30,10 +32,10 @@ USUAL_TOLERANCE = 0.01
 
 @dataclass(frozen=True)
 class PostOptions:
-    """What the head of a program says. ``tool`` number, None: the operator has set tool and length; ``speed`` of the spindle
-    1/min, 0: off; ``coolant``; ``offset`` one of the dialect's ``work_offsets``; ``program`` number; ``blend`` mm: how far
-    corners may be rounded, 0: exact path (where the controller has the choice). What the head names: ``cutter``, and the tool's
-    ``length`` mm, None where that is not known."""
+    """What the head of a program says. ``tool`` number, None: the operator has set tool and length; ``speed``
+    of the spindle 1/min, 0: off; ``coolant``; ``offset`` one of the dialect's ``work_offsets``; ``program``
+    number; ``blend`` mm: how far corners may be rounded, 0: exact path (where the controller has the choice).
+    What the head names: ``cutter``, and the tool's ``length`` mm, None where that is not known."""
 
     tool: int | None = None
     speed: float = 0.0
@@ -48,28 +50,38 @@ class PostOptions:
         if self.tool is not None and not 0 < self.tool < 100_000:
             raise SettingsError(say("tool number is {tool}; give 1 to 99999", tool=self.tool), self.tool)
         if not 0.0 <= self.speed < 1e6:
-            raise SettingsError(say("spindle speed is {speed} 1/min; give 0 to 999999", speed=Number(self.speed)), self.speed)
+            raise SettingsError(
+                say("spindle speed is {speed} 1/min; give 0 to 999999", speed=Number(self.speed)), self.speed
+            )
         if not re.fullmatch(r"G(5[4-9]|[15][0-9]{2})(\.[1-9])?( ?P[0-9]{1,3})?", self.offset):
             raise SettingsError(
-                say("work offset is {offset}; give G54 to G59, or another that the controller has", offset=repr(self.offset)),
+                say(
+                    "work offset is {offset}; give G54 to G59, or another that the controller has",
+                    offset=repr(self.offset),
+                ),
                 self.offset,
             )
         if not 0 < self.program < 10_000:
-            raise SettingsError(say("program number is {program}; give 1 to 9999", program=self.program), self.program)
+            raise SettingsError(
+                say("program number is {program}; give 1 to 9999", program=self.program), self.program
+            )
         if not 0.0 <= self.blend < 1000.0:
             raise SettingsError(
-                say("blend tolerance is {blend}; give 0 (exact path) to 999", blend=Length(self.blend)), self.blend
+                say("blend tolerance is {blend}; give 0 (exact path) to 999", blend=Length(self.blend)),
+                self.blend,
             )
 
 
 def slot_texts(
-    dialect: Dialect, title: str, options: PostOptions, inverse_time: bool, letters: str = "XYZAC", modulo: bool = False,
+    dialect: Dialect, title: str, options: PostOptions, inverse_time: bool, letters: str = "XYZAC",
+    modulo: bool = False,
     start: Mapping[str, str] = NO_START,
 ) -> dict[str, str]:  # fmt: skip
-    """The text of every slot. ``letters`` of the words; ``modulo``: some rotary word is taken by the shorter way; ``start``: the
-    words of a safe start.
+    """The text of every slot. ``letters`` of the words; ``modulo``: some rotary word is taken by the shorter
+    way; ``start``: the words of a safe start.
 
-    Raises SettingsError where the controller has no such work offset, or needs a tool number and there is none.
+    Raises SettingsError where the controller has no such work offset, or needs a tool number and there is
+    none.
     """
     dialect.check_offset(options.offset)
     if dialect.guide is not None and dialect.guide.needs_tool and options.tool is None:
@@ -86,11 +98,17 @@ def slot_texts(
     return {
         "title": dialect.remark(f"for {title}"),
         "program": f"{options.program:04d}",
-        "path": dialect.blend_path.format(blend=f"{options.blend:.4f}") if options.blend > 0.0 else dialect.exact_path,
+        "path": dialect.blend_path.format(blend=f"{options.blend:.4f}")
+        if options.blend > 0.0
+        else dialect.exact_path,
         "offset": dialect.work_offset.format(offset=options.offset),
         "tool": _tool(dialect, options),
-        "length": dialect.remark("no tool call") if options.tool is None else dialect.tool_length.format(tool=options.tool),
-        "spindle": dialect.spindle_on.format(speed=options.speed) if options.speed > 0.0 else dialect.spindle_off,
+        "length": dialect.remark("no tool call")
+        if options.tool is None
+        else dialect.tool_length.format(tool=options.tool),
+        "spindle": dialect.spindle_on.format(speed=options.speed)
+        if options.speed > 0.0
+        else dialect.spindle_off,
         "coolant": dialect.coolant_on if options.coolant else dialect.coolant_off,
         "feed_mode": dialect.inverse_time if inverse_time else dialect.per_minute,
         "axes": ",".join(sorted((letters[k] for k in fitted_columns(letters)), key=dialect.order.index)),
@@ -103,7 +121,8 @@ def slot_texts(
 
 
 def _cutter(dialect: Dialect, options: PostOptions) -> str:
-    """A comment as ``(T3 BALL 10 MM, L 120.000)``. Its commas are harmless: no instruction begins with a tool or a cutter."""
+    """A comment as ``(T3 BALL 10 MM, L 120.000)``. Its commas are harmless: no instruction begins with a tool
+    or a cutter."""
     number = "" if options.tool is None else f"T{options.tool} "
     length = "" if options.length is None else f", L {options.length:.3f}"
     text = (number + (options.cutter or "cutter as the operator has set it") + length).upper()
@@ -125,12 +144,15 @@ def framed(dialect: Dialect, slots: dict[str, str], blocks: int) -> tuple[bytes,
         after = len(head) + blocks
         head = [_numbered(dialect, at, line) for at, line in enumerate(head)]
         tail = [_numbered(dialect, after + at, line) for at, line in enumerate(tail)]
-    before, behind = ("".join(line + dialect.newline for line in lines).encode("ascii") for lines in (head, tail))
+    before, behind = (
+        "".join(line + dialect.newline for line in lines).encode("ascii") for lines in (head, tail)
+    )
     return before, behind
 
 
 def numbered_anew(dialect: Dialect, lines: list[str]) -> list[str]:
-    """The lines of a whole program, to which some without a number were added, with the numbers that the dialect wants on all."""
+    """The lines of a whole program, to which some without a number were added, with the numbers that the
+    dialect wants on all."""
     if not dialect.number_all:
         return lines
     bare = re.compile(rf"^{dialect.number_letter}[0-9]+ ")

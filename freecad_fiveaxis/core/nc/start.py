@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a program comes to its first block, and leaves the part at its end: never with all axes at once.
 
-retract   Z up, as the machine file says (``safe_start``): to a machine coordinate, to its reference point, or to a plane above
-          the part. The first two stand before the tool call, the plane after it, because it needs the tool's length.
+retract   Z up, as the machine file says (``safe_start``): to a machine coordinate, to its reference point, or
+          to a plane above the part. The first two stand before the tool call, the plane after it, because it
+          needs the tool's length.
 rotaries  both rotary axes to where the first block wants them, the tip not yet guided.
 over      X and Y to where the first block wants them. Block 0 then only drives Z.
-tip       where all table axes turn about Z, X and Y of a guided program are told with the tip guided: they then do not
-          depend on the tool's length. Elsewhere Z of the work leans with the table, so X and Y are driven before the switch.
+tip       where all table axes turn about Z, X and Y of a guided program are told with the tip guided: they
+          then do not depend on the tool's length. Elsewhere Z of the work leans with the table, so X and Y
+          are driven before the switch.
 
-Templates as in :mod:`.head`: ``{height}``, ``{rotaries}``, ``{over}``, ``{over_tip}``, ``{cutter}``; ``{guide_off}`` are the
-lines that end a guide, which may still be on from another program.
+Templates as in :mod:`.head`: ``{height}``, ``{rotaries}``, ``{over}``, ``{over_tip}``, ``{cutter}``;
+``{guide_off}`` are the lines that end a guide, which may still be on from another program.
 """
 
 from __future__ import annotations
@@ -28,11 +30,11 @@ UPRIGHT = 1e-9
 
 
 def with_start(dialect: Dialect, start: SafeStart, over_by_tip: bool = False, turns: bool = True) -> Dialect:
-    """The dialect with the lines of a safe start and end, of joint output and of guided, and the line that names the cutter.
-    ``turns``: the machine has rotary axes.
+    """The dialect with the lines of a safe start and end, of joint output and of guided, and the line that
+    names the cutter. ``turns``: the machine has rotary axes.
 
-    ``over_by_tip``: as ``tip`` above. A guide that gives the tool's length itself leaves no way to a plane above the part before
-    it: there the reference point is taken instead."""
+    ``over_by_tip``: as ``tip`` above. A guide that gives the tool's length itself leaves no way to a plane
+    above the part before it: there the reference point is taken instead."""
     named = replace(dialect, head=_named(dialect.head), guided_head=_named(dialect.guided_head))
     if start.retract == BY_NOTHING:
         return named
@@ -73,7 +75,10 @@ def _before_tool(head: tuple[str, ...], lines: tuple[str, ...]) -> tuple[str, ..
 
 
 def _joint_head(dialect: Dialect, start: SafeStart, turns: bool) -> tuple[str, ...]:
-    retract, turn = _retract(dialect, start), (*((_rapid(dialect, "rotaries"),) if turns else ()), _rapid(dialect, "over"))
+    retract, turn = (
+        _retract(dialect, start),
+        (*((_rapid(dialect, "rotaries"),) if turns else ()), _rapid(dialect, "over")),
+    )
     if start.retract == BY_CLEARANCE:
         return (*dialect.head, *retract, *turn)
     return (*_before_tool(dialect.head, retract), *turn)
@@ -100,10 +105,13 @@ def _guided_tail(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
 
 
 def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, str]:
-    """The words of the start's slots: those of block 0, and the ``height`` (mm, a word of Z) of the plane above the part."""
+    """The words of the start's slots: those of block 0, and the ``height`` (mm, a word of Z) of the plane
+    above the part."""
     first = program.words[0] if len(program.words) else np.zeros(5)
     tip = program.guided.tip[0] if len(program.words) and program.guided is not None else first
-    order = sorted(fitted_columns(program.letters)[3:], key=lambda column: dialect.order.index(program.letters[column]))
+    order = sorted(
+        fitted_columns(program.letters)[3:], key=lambda column: dialect.order.index(program.letters[column])
+    )
     return {
         "height": "Z" + _number(height, dialect.linear_decimals, dialect.plus),
         "rotaries": " ".join(_rotary(program, dialect, column, float(first[column])) for column in order),

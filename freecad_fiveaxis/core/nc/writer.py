@@ -12,7 +12,16 @@ from numpy.typing import NDArray
 
 from freecad_fiveaxis.core.base.chunks import chunks, in_threads
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.base.number_text import EXACT, Choice, Column, Part, Units, nearest_whole, rounded, table_parts
+from freecad_fiveaxis.core.base.number_text import (
+    EXACT,
+    Choice,
+    Column,
+    Part,
+    Units,
+    nearest_whole,
+    rounded,
+    table_parts,
+)
 from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import say
@@ -26,20 +35,28 @@ from .start import start_words
 
 
 def write_nc(
-    program: Program, dialect: Dialect, title: str, options: PostOptions | None = None, progress: Progress = silent,
+    program: Program, dialect: Dialect, title: str, options: PostOptions | None = None,
+    progress: Progress = silent,
     height: float = 0.0,
 ) -> bytes:  # fmt: skip
-    """The NC file as ASCII; ``height`` mm: the word of Z of the plane above the part, for a dialect that starts and ends there.
+    """The NC file as ASCII; ``height`` mm: the word of Z of the plane above the part, for a dialect that
+    starts and ends there.
      Block i stands in line ``dialect.first_line + i``; numbers are fixed-point, never "-0.0000".
 
-    Modal words that do not change are left out (where the dialect is modal), the motion word never. Under G93 every feed
-    block has its F. Where the feed mode changes inside the program the block says so.
+    Modal words that do not change are left out (where the dialect is modal), the motion word never. Under G93
+    every feed block has its F. Where the feed mode changes inside the program the block says so.
     """
     inverse_first = bool(program.inverse_time[0]) if len(program.words) else False
     modulo, start = "modulo" in program.wrap, start_words(program, dialect, height)
-    slots = slot_texts(dialect, title, options or PostOptions(), inverse_first, program.letters, modulo, start)
+    slots = slot_texts(
+        dialect, title, options or PostOptions(), inverse_first, program.letters, modulo, start
+    )
     head, tail = framed(dialect, slots, len(program.words))
-    rows = table_parts(_block(program, dialect), dialect.newline.encode(), progress) if len(program.words) else ()
+    rows = (
+        table_parts(_block(program, dialect), dialect.newline.encode(), progress)
+        if len(program.words)
+        else ()
+    )
     return b"".join([head, *rows, tail])
 
 
@@ -73,12 +90,15 @@ def _axes(program: Program, dialect: Dialect) -> Sequence[Part]:
     words = [_word(one, len(program.words)) for one in addresses]
     if dialect.modal:
         words = _modal(words, dialect.guide is not None and dialect.guide.vector is not None)
-    return [part for word, one in zip(words, addresses, strict=True) for part in _spelt(word, one, dialect.plus)]
+    return [
+        part for word, one in zip(words, addresses, strict=True) for part in _spelt(word, one, dialect.plus)
+    ]
 
 
 @dataclass(frozen=True)
 class _AddressWord:
-    """One word of every block: ``values`` (m,) with ``decimals``; ``close`` stands after the number; ``fold``: 0 to 360."""
+    """One word of every block: ``values`` (m,) with ``decimals``; ``close`` stands after the number;
+    ``fold``: 0 to 360."""
 
     prefix: str
     values: Floats
@@ -88,17 +108,27 @@ class _AddressWord:
 
 
 def _address_words(program: Program, dialect: Dialect) -> list[_AddressWord]:
-    """The words in the order of the block. Raises ProgramError where the dialect guides and the program is for joints, or not."""
+    """The words in the order of the block. Raises ProgramError where the dialect guides and the program is
+    for joints, or not."""
     guided = program.guided if len(program.words) else None
     if len(program.words) and (guided is None) != (dialect.guide is None):
-        raise ProgramError(say("the program was not built for {name} as it is to be written", name=dialect.name), dialect.name)
+        raise ProgramError(
+            say("the program was not built for {name} as it is to be written", name=dialect.name),
+            dialect.name,
+        )
     linear = program.words if guided is None else guided.tip
-    order = sorted(fitted_columns(program.letters), key=lambda column: dialect.order.index(program.letters[column]))
+    order = sorted(
+        fitted_columns(program.letters), key=lambda column: dialect.order.index(program.letters[column])
+    )
     vector = None if guided is None or dialect.guide is None else dialect.guide.vector
-    addresses = [_axis_word(program, column, linear, dialect) for column in order if column < 3 or vector is None]
+    addresses = [
+        _axis_word(program, column, linear, dialect) for column in order if column < 3 or vector is None
+    ]
     if vector is not None and guided is not None and guided.vector is not None and dialect.guide is not None:
         decimals = dialect.guide.vector_decimals
-        addresses += [_AddressWord(f" {word}", guided.vector[:, k], decimals) for k, word in enumerate(vector)]
+        addresses += [
+            _AddressWord(f" {word}", guided.vector[:, k], decimals) for k, word in enumerate(vector)
+        ]
     return addresses
 
 
@@ -121,12 +151,16 @@ def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
 
 
 def _spelt(word: Column | Units, address: _AddressWord, signed: bool) -> list[Part]:
-    """The word as the parts of a block: with a plus sign where the dialect has one, and what stands after the number."""
+    """The word as the parts of a block: with a plus sign where the dialect has one, and what stands after the
+    number."""
     parts: list[Part] = [word]
     shown = np.ones(len(word.values), np.bool_) if word.show is None else word.show
     if signed:
         positive = word.values >= 0
-        parts = [replace(word, prefix=word.prefix + b"+", show=shown & positive), replace(word, show=shown & ~positive)]
+        parts = [
+            replace(word, prefix=word.prefix + b"+", show=shown & positive),
+            replace(word, show=shown & ~positive),
+        ]
     if address.close:
         parts.append(Choice(shown.view(np.int8), (b"", address.close.encode())))
     return parts
@@ -145,7 +179,9 @@ def _word(address: _AddressWord, rows: int) -> Column | Units:
     if not all(in_threads(count, chunks(rows))):
         return Column(prefix, rounded(address.values, address.decimals), address.decimals)
     counted = steps.view(np.int64)
-    return Units(prefix, counted % (360 * 10**address.decimals) if address.fold else counted, address.decimals)
+    return Units(
+        prefix, counted % (360 * 10**address.decimals) if address.fold else counted, address.decimals
+    )
 
 
 def _feed(program: Program, dialect: Dialect, feeding: Bools) -> list[Part]:
@@ -166,7 +202,9 @@ def _feed_changed(program: Program, feeding: Bools) -> Bools:
     before = np.searchsorted(end, begin) - 1
     changed[begin] = True
     row, last = begin[before >= 0], end[before[before >= 0]]
-    changed[row] = (program.feed[row] != program.feed[last]) | (program.inverse_time[row] != program.inverse_time[last])
+    changed[row] = (program.feed[row] != program.feed[last]) | (
+        program.inverse_time[row] != program.inverse_time[last]
+    )
     return changed
 
 

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool axes of strategy `auto`: every contact takes its axis from the field on the surface, where that is free.
+"""The tool axes of strategy `auto`: every contact takes its axis from the field on the surface, where that is
+free.
 
-contact    all rows of one contact point: they have the same point and the same facet normals on either side. They share one
-           axis, which is free where it is so for each of them.
-preferred  the axis of the field, leaned by lead and tilt; where that is not free the axis of the field; where that is not
-           either, the nearest free direction of one of the nearest nodes.
+contact    all rows of one contact point: they have the same point and the same facet normals on either side.
+           They share one axis, which is free where it is so for each of them.
+preferred  the axis of the field, leaned by lead and tilt; where that is not free the axis of the field; where
+           that is not either, the nearest free direction of one of the nearest nodes.
 
-Nodes are few, and a narrow place may have none: contacts that are not free become nodes themselves, and the field is found once
-more (:func:`refine_field`). Contacts without any free axis are told apart: a path that is made leaves them out, others keep the
-axis given there.
+Nodes are few, and a narrow place may have none: contacts that are not free become nodes themselves, and the
+field is found once more (:func:`refine_field`). Contacts without any free axis are told apart: a path that is
+made leaves them out, others keep the axis given there.
 """
 
 from __future__ import annotations
@@ -35,26 +36,38 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 from freecad_fiveaxis.core.toolpath.feed_direction import SHORT, feed_direction
 
 from .at_pole import take_pole
-from .axis_field import Nodes, are_free, find_field, find_freedom, nearest_free, raised, with_margin, with_way_out
+from .axis_field import (
+    Nodes,
+    are_free,
+    find_field,
+    find_freedom,
+    nearest_free,
+    raised,
+    with_margin,
+    with_way_out,
+)
 from .facets_with_axis import AxisField
 
 CLOSE = 1e-6
 """Of a step: rows that much farther apart by rounding are not divided again."""
 
 FEW = 0.005
-"""Of all contacts: where so few have no free axis, those are single places in corners, and no reason to check the program."""
+"""Of all contacts: where so few have no free axis, those are single places in corners, and no reason to check
+the program."""
 
 MORE = 400
 """Contacts, at most, that become nodes because they are not free."""
 
 SOME = 8000
-"""Contacts, about, that are asked for these: where nothing is free there, it is not free at those beside them either."""
+"""Contacts, about, that are asked for these: where nothing is free there, it is not free at those beside them
+either."""
 
 
 @dataclass(frozen=True, eq=False)
 class Contacts:
-    """Of k contact points: ``first`` (k,) row, ``facet`` (k,) and mean normal ``mean`` (k, 3); of n rows: the ``contact`` (n,) of
-    each, ``stand`` (n, 3) mm where its tool stands, ``normal`` (n, 3), ``fits`` (n,) whether the ball does."""
+    """Of k contact points: ``first`` (k,) row, ``facet`` (k,) and mean normal ``mean`` (k, 3); of n rows: the
+    ``contact`` (n,) of each, ``stand`` (n, 3) mm where its tool stands, ``normal`` (n, 3), ``fits`` (n,)
+    whether the ball does."""
 
     point: Floats
     facet: Ints
@@ -65,10 +78,15 @@ class Contacts:
     normal: Floats
     fits: Bools
 
-    def free(self, axis: Floats, wanted: Bools, reacher: Reacher, tree: FacetTree, progress: Progress) -> Bools:
-        """Whether the contacts ``wanted`` (k,) are free with ``axis`` (k, 3), at each of their rows; the others are not."""
+    def free(
+        self, axis: Floats, wanted: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
+    ) -> Bools:
+        """Whether the contacts ``wanted`` (k,) are free with ``axis`` (k, 3), at each of their rows; the
+        others are not."""
         rows = np.flatnonzero((wanted & self.all_fit)[self.contact])
-        into = rows[(axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < -math.sin(reacher.cutter.undercut)]  # leans in
+        into = rows[
+            (axis[self.contact[rows]] * self.normal[rows]).sum(axis=1) < -math.sin(reacher.cutter.undercut)
+        ]  # leans in
         good = wanted & self.all_fit
         good[self.contact[into]] = False
         for part in (self.leads, ~self.leads):  # where the first row is not free the others need not be asked
@@ -103,10 +121,11 @@ def auto_axes(
     path: OffsetPath, given: Floats, field: AxisField, mesh: Mesh, reacher: Reacher, options: AxisOptions,
     progress: Progress = silent, contacts: Contacts | None = None,
 ) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
-    """Find the unit axis (n, 3) of every row of ``path``, what is free with it (n,) of :class:`Free`, and say where nothing is.
+    """Find the unit axis (n, 3) of every row of ``path``, what is free with it (n,) of :class:`Free`, and say
+    where nothing is.
 
-    ``given`` (n, 3): what stays where no axis is free; ``field`` of the facets of ``mesh`` that are cut; ``reacher``: tool,
-    machine and table; ``contacts``: those of ``path``, None: found here.
+    ``given`` (n, 3): what stays where no axis is free; ``field`` of the facets of ``mesh`` that are cut;
+    ``reacher``: tool, machine and table; ``contacts``: those of ``path``, None: found here.
     """
     tree = facet_tree(mesh)
     contacts, long = contacts or find_contacts(path, mesh, reacher), with_way_out(reacher, tree)
@@ -138,9 +157,9 @@ def refine_field(
     field: AxisField, path: OffsetPath, mesh: Mesh, reacher: Reacher, progress: Progress = silent,
     contacts: Contacts | None = None,
 ) -> AxisField:  # fmt: skip
-    """Find the field once more with up to MORE contacts of ``path`` among its nodes, of those at which the ball fits and the tool
-    with its way out is not free with the axis of the ``field`` given; that very field where there are none. ``contacts``: those
-    of ``path``, None: found here."""
+    """Find the field once more with up to MORE contacts of ``path`` among its nodes, of those at which the
+    ball fits and the tool with its way out is not free with the axis of the ``field`` given; that very field
+    where there are none. ``contacts``: those of ``path``, None: found here."""
     tree, wide = facet_tree(mesh), with_margin(reacher)
     if not len(path.point) or not field.freedom.some.any():
         return field
@@ -155,28 +174,38 @@ def refine_field(
     rows = rows[:: max(1, -(-len(rows) // MORE))]
     at = contacts.first[rows]
     normal = contacts.mean[rows]
-    stand = contacts.stand[at] + wide.cutter.corner * (contacts.normal[at] - normal)  # the ball stays where it is
-    more = Nodes(contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing)
+    stand = contacts.stand[at] + wide.cutter.corner * (
+        contacts.normal[at] - normal
+    )  # the ball stays where it is
+    more = Nodes(
+        contacts.point[rows], contacts.facet[rows], normal, stand, contacts.fits[at], field.nodes.spacing
+    )
     freedom = field.freedom.joined(find_freedom(more, wide, tree, field.freedom.direction, progress))
     nodes = field.nodes.joined(more)
     return AxisField(nodes, freedom, find_field(nodes, freedom, wide, tree, progress))
 
 
 def select_rows_with_way_out(free: Ints, polyline: Ints) -> Ints:
-    """Choose the rows (k,) between the first and the last of each polyline (n,) from which the tool can be drawn out, of what is
-    ``free`` (n,) there: what lies before and behind them can be neither come to nor left."""
+    """Choose the rows (k,) between the first and the last of each polyline (n,) from which the tool can be
+    drawn out, of what is ``free`` (n,) there: what lies before and behind them can be neither come to nor
+    left."""
     out = np.flatnonzero(free == Free.WAY_OUT)
     number = np.cumsum(np.diff(polyline, prepend=polyline[:1]) != 0)
-    first, last = np.full(number[-1:].max(initial=-1) + 1, len(free)), np.full(number[-1:].max(initial=-1) + 1, -1)
+    first, last = (
+        np.full(number[-1:].max(initial=-1) + 1, len(free)),
+        np.full(number[-1:].max(initial=-1) + 1, -1),
+    )
     np.minimum.at(first, number[out], out)
     np.maximum.at(last, number[out], out)
     row = np.arange(len(free))
     return np.flatnonzero((row >= first[number]) & (row <= last[number]))
 
 
-def divided(path: OffsetPath, axis: Floats, step: float, ring: float, barrel: Flank | None = None) -> tuple[OffsetPath, Floats]:
-    """Put rows between those of ``path`` until contacts are at most ``step`` mm apart, with axes (n, 3) that turn evenly;
-    ``ring`` mm of the cutter, or the flank of a barrel."""
+def divided(
+    path: OffsetPath, axis: Floats, step: float, ring: float, barrel: Flank | None = None
+) -> tuple[OffsetPath, Floats]:
+    """Put rows between those of ``path`` until contacts are at most ``step`` mm apart, with axes (n, 3) that
+    turn evenly; ``ring`` mm of the cutter, or the flank of a barrel."""
     pieces = np.ones(len(axis), np.int64)
     away = np.linalg.norm(np.diff(path.point, axis=0), axis=1)
     joined = np.diff(path.polyline) == 0
@@ -185,8 +214,8 @@ def divided(path: OffsetPath, axis: Floats, step: float, ring: float, barrel: Fl
 
 
 def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
-    """Find the contacts of ``path`` and where the tool stands there: dear, so :func:`refine_field` and :func:`auto_axes` take
-    them from whoever asks both."""
+    """Find the contacts of ``path`` and where the tool stands there: dear, so :func:`refine_field` and
+    :func:`auto_axes` take them from whoever asks both."""
     begins = np.ones(len(path.point), np.bool_)
     begins[1:] = np.diff(path.polyline) != 0
     for column, limit in ((path.point, SHORT), (path.before, 0.0), (path.after, 0.0)):
@@ -200,12 +229,13 @@ def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
 
 
 def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
-    """The contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed polyline as one."""
+    """The contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed
+    polyline as one."""
     start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
     end = np.append(start[1:], len(contact)) - 1
-    same = (np.abs(path.point[start] - path.point[end]).max(axis=1) < SHORT) & (path.before[start] == path.before[end]).all(
-        axis=1
-    )
+    same = (np.abs(path.point[start] - path.point[end]).max(axis=1) < SHORT) & (
+        path.before[start] == path.before[end]
+    ).all(axis=1)
     same &= (path.after[start] == path.after[end]).all(axis=1)
     into = np.arange(len(first))
     into[contact[end[same]]] = contact[start[same]]
@@ -214,9 +244,16 @@ def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints
 
 
 def _pulled(
-    field: AxisField, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, progress: Progress
+    field: AxisField,
+    contacts: Contacts,
+    axis: Floats,
+    free: Bools,
+    reacher: Reacher,
+    tree: FacetTree,
+    progress: Progress,
 ) -> tuple[Floats, Bools]:
-    """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes, and what is free."""
+    """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes,
+    and what is free."""
     found, free, wanted, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
     if not len(out):
         return found, free
@@ -235,7 +272,8 @@ def _pulled(
 
 
 def _leaned(
-    path: OffsetPath, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree, options: AxisOptions,
+    path: OffsetPath, contacts: Contacts, axis: Floats, free: Bools, reacher: Reacher, tree: FacetTree,
+    options: AxisOptions,
     progress: Progress,
 ) -> Floats:  # fmt: skip
     """The axes (k, 3) leaned by lead and tilt where that leaves them ``free`` (k,)."""
@@ -253,8 +291,10 @@ def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
         return ()
     x, y, z = contacts.point[int(held.argmax())].tolist()
     text = say(
-        "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the machine can take up and "
-        "that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer tool, or turn the "
+        "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
+        "machine can take up and "
+        "that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer "
+        "tool, or turn the "
         "part.",
         count=count,
         all=len(free),
@@ -266,7 +306,8 @@ def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
 
 
 def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
-    """Say over which length of ``path`` the tool does not get out along its axis, where ``rows`` (k,) are all that is kept."""
+    """Say over which length of ``path`` the tool does not get out along its axis, where ``rows`` (k,) are all
+    that is kept."""
     out = np.ones(len(path.point), np.bool_)
     out[rows] = False
     steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), np.diff(path.polyline) == 0
@@ -275,7 +316,8 @@ def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
         return ()
     x, y, z = path.point[int(out.argmax())].tolist()
     text = say(
-        "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it could not get out "
+        "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it "
+        "could not get out "
         "along its axis; they are left out. Turn the part, or use a smaller holder.",
         length=Length(length, ".4g"),
         place=Point((x, y, z)),

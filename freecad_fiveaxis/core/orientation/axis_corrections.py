@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The corrections of tool axes that know the machine, by name: what is cut stays, the axes change.
 
-To add one: a line in AXIS_CORRECTIONS. ``job`` takes those that its settings name, ``compare`` puts each into a column.
+To add one: a line in AXIS_CORRECTIONS. ``job`` takes those that its settings name, ``compare`` puts each into
+a column.
 """
 
 from __future__ import annotations
@@ -30,7 +31,8 @@ Findings = tuple[Finding, ...]
 
 @dataclass(frozen=True, eq=False)
 class PartToCut:
-    """The ``mesh`` whose ``facets`` (f,) are cut, and the tool, its machine and table (``reacher``) that must keep out of it."""
+    """The ``mesh`` whose ``facets`` (f,) are cut, and the tool, its machine and table (``reacher``) that must
+    keep out of it."""
 
     mesh: Mesh
     facets: Bools
@@ -39,9 +41,10 @@ class PartToCut:
 
 @dataclass(frozen=True)
 class AxisCorrectionOptions:
-    """``driven_to_hub`` mm: from the point that the words drive to the middle of the cutter's corner circles; ``ring`` mm: the
-    radius of these, 0 for a ball; ``feed`` mm/min; ``tolerance`` mm; ``max_tilt``, ``max_change`` rad: how far an axis may leave
-    the facet normals, and the axis given; ``lean``: lead and tilt that were asked for; ``part``: what is cut with which tool."""
+    """``driven_to_hub`` mm: from the point that the words drive to the middle of the cutter's corner circles;
+    ``ring`` mm: the radius of these, 0 for a ball; ``feed`` mm/min; ``tolerance`` mm; ``max_tilt``,
+    ``max_change`` rad: how far an axis may leave the facet normals, and the axis given; ``lean``: lead and
+    tilt that were asked for; ``part``: what is cut with which tool."""
 
     driven_to_hub: float = 0.0
     ring: float = 0.0
@@ -57,15 +60,17 @@ def _no_trade(*_: object) -> Findings:
     return ()
 
 
-def _as_they_are(offset: OffsetPath, axis: Floats, options: AxisCorrectionOptions) -> tuple[OffsetPath, Floats]:
+def _as_they_are(
+    offset: OffsetPath, axis: Floats, options: AxisCorrectionOptions
+) -> tuple[OffsetPath, Floats]:
     return offset, axis
 
 
 @dataclass(frozen=True)
 class AxisCorrection:
-    """``axes``: from rows, their unit axes (n, 3) and a machine to better axes (n, 3), and what there is to say of them.
-    ``trade``: of the same, what other limits would give; asked only where there was something to say, for it takes as long.
-    ``rows``: the rows, and their axes, with as many between them as it needs."""
+    """``axes``: from rows, their unit axes (n, 3) and a machine to better axes (n, 3), and what there is to
+    say of them. ``trade``: of the same, what other limits would give; asked only where there was something to
+    say, for it takes as long. ``rows``: the rows, and their axes, with as many between them as it needs."""
 
     axes: Callable[[OffsetPath, Floats, Chain, AxisCorrectionOptions, Progress], tuple[Floats, Findings]]
     trade: Callable[[OffsetPath, Floats, Chain, AxisCorrectionOptions, Progress], Findings] = _no_trade
@@ -76,7 +81,9 @@ def _to_least_deviation(
     offset: OffsetPath, axis: Floats, kinematics: Chain, options: AxisCorrectionOptions, progress: Progress
 ) -> tuple[Floats, Findings]:
     tilt, feed = options.max_tilt, options.feed
-    return minimax_axes(offset, axis, kinematics, options.driven_to_hub, tilt, feed, progress, options.ring), ()
+    return minimax_axes(
+        offset, axis, kinematics, options.driven_to_hub, tilt, feed, progress, options.ring
+    ), ()
 
 
 def _past_pole(
@@ -90,7 +97,9 @@ def _other_changes(
 ) -> Findings:
     change, hub = options.max_change, options.driven_to_hub
     barrel = None if options.part is None else options.part.reacher.cutter.barrel
-    return trade_findings(offset, axis, kinematics, change, options.tolerance, hub, progress, options.ring, barrel)
+    return trade_findings(
+        offset, axis, kinematics, change, options.tolerance, hub, progress, options.ring, barrel
+    )
 
 
 def _to_free_axes(
@@ -106,7 +115,9 @@ def _to_free_axes(
     return axis, found
 
 
-def _close_rows(offset: OffsetPath, axis: Floats, options: AxisCorrectionOptions) -> tuple[OffsetPath, Floats]:
+def _close_rows(
+    offset: OffsetPath, axis: Floats, options: AxisCorrectionOptions
+) -> tuple[OffsetPath, Floats]:
     """Rows no farther apart than the cutter's radius: over a wide facet the field turns too."""
     if options.part is None:
         return offset, axis

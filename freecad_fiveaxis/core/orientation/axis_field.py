@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tool axis as a field: at every place of the surface a unit vector with which the tool is free, smooth over it.
+"""The tool axis as a field: at every place of the surface a unit vector with which the tool is free, smooth
+over it.
 
-node        a place on the surface with its facet's normal; there the tool stands on the part, raised along the normal where the
-            ball itself would enter (no axis helps there).
-direction   one of many unit vectors, spread evenly; the same ones are tried at every node that they lean from by no more than
-            WIDEST, a lollipop by its undercut more, and the node's own normal besides.
-free        within the machine's limits, above the table, cutter, shank and holder out of the part, and no body of the machine in
-            the way.
-near        in (point, spacing x normal): places whose normals differ by 90 deg are as far apart as neighbours with the same one.
+node        a place on the surface with its facet's normal; there the tool stands on the part, raised along
+            the normal where the ball itself would enter (no axis helps there).
+direction   one of many unit vectors, spread evenly; the same ones are tried at every node that they lean from
+            by no more than WIDEST, a lollipop by its undercut more, and the node's own normal besides.
+free        within the machine's limits, above the table, cutter, shank and holder out of the part, and no
+            body of the machine in the way.
+near        in (point, spacing x normal): places whose normals differ by 90 deg are as far apart as neighbours
+            with the same one.
 
-The field begins with the normals where these are free and with few directions that free the most of the rest (a set cover).
-Then each node takes the mean of its neighbours, its own axis and a little of its normal, pulled back to the nearest free
-direction, again and again: a turn is spread over the millimetres about an edge. Last, what is not free takes a free direction.
+The field begins with the normals where these are free and with few directions that free the most of the rest
+(a set cover). Then each node takes the mean of its neighbours, its own axis and a little of its normal,
+pulled back to the nearest free direction, again and again: a turn is spread over the millimetres about an
+edge. Last, what is not free takes a free direction.
 """
 
 from __future__ import annotations
@@ -40,13 +43,15 @@ DIRECTIONS = 250
 """Unit vectors over the whole sphere; about 14 deg from one to the next."""
 
 WIDEST = math.radians(88.0)
-"""How far a direction may lean from the normal of the surface: in a deep pocket the tool stands nearly along its walls."""
+"""How far a direction may lean from the normal of the surface: in a deep pocket the tool stands nearly along
+its walls."""
 
 MAIN = 8
 """Normals, at most, along which the part may have pockets and bores: those of most area."""
 
 ASIDE, ABOUT = math.radians(3.0), 6
-"""rad by which directions stand off a main one, and how many: so the tool gets along the walls of what stands along it."""
+"""rad by which directions stand off a main one, and how many: so the tool gets along the walls of what stands
+along it."""
 
 ALIKE = 0.02
 """Of a unit vector: normals that differ by less in each coordinate are taken for one."""
@@ -80,7 +85,8 @@ FEW = 0.01
 """Of the nodes: a direction that frees fewer is not taken into the cover."""
 
 CELL = 1.25
-"""Times half the mean distance of directions: a mean so near to a free direction is taken for free until it is asked."""
+"""Times half the mean distance of directions: a mean so near to a free direction is taken for free until it
+is asked."""
 
 BATCH = 16384
 """Trials at a time: a stop is heard soon."""
@@ -91,8 +97,9 @@ IN_CACHE = 256
 
 @dataclass(frozen=True, eq=False)
 class Nodes:
-    """``point`` (n, 3) mm on the surface, its ``facet`` (n,) and unit ``normal`` (n, 3), ``stand`` (n, 3) mm: where the tool's
-    contact is, raised; ``fits`` (n,) whether the ball is out of the part there. ``spacing`` mm between nodes."""
+    """``point`` (n, 3) mm on the surface, its ``facet`` (n,) and unit ``normal`` (n, 3), ``stand`` (n, 3) mm:
+    where the tool's contact is, raised; ``fits`` (n,) whether the ball is out of the part there. ``spacing``
+    mm between nodes."""
 
     point: Floats
     facet: Ints
@@ -108,7 +115,8 @@ class Nodes:
     def take(self, rows: Ints) -> Nodes:
         """Pick these nodes (k,)."""
         return Nodes(
-            self.point[rows], self.facet[rows], self.normal[rows], self.stand[rows], self.fits[rows], self.spacing
+            self.point[rows], self.facet[rows], self.normal[rows], self.stand[rows], self.fits[rows],
+            self.spacing
         )  # fmt: skip
 
     def joined(self, more: Nodes) -> Nodes:
@@ -122,7 +130,8 @@ class Nodes:
 
 @dataclass(frozen=True, eq=False)
 class Freedom:
-    """``direction`` (d, 3) unit; ``free`` (n, d) at each node; ``upright`` (n,) whether its own normal is free; ``met`` (n,) of
+    """``direction`` (d, 3) unit; ``free`` (n, d) at each node; ``upright`` (n,) whether its own normal is
+    free; ``met`` (n,) of
     :class:`Obstacle`: what is in the way of the direction that gets farthest."""
 
     direction: Floats
@@ -159,8 +168,8 @@ def even_directions(count: int = DIRECTIONS) -> Floats:
 
 
 def main_directions(mesh: Mesh) -> Floats:
-    """Find the unit vectors (d, 3), both ways, along which pockets, bores and walls of a part most likely stand, and some a
-    little aside: the axes of the work frame and the normals of most area."""
+    """Find the unit vectors (d, 3), both ways, along which pockets, bores and walls of a part most likely
+    stand, and some a little aside: the axes of the work frame and the normals of most area."""
     key, group = np.unique(np.round(mesh.normal / ALIKE).astype(np.int64), axis=0, return_inverse=True)
     area = np.bincount(group.ravel(), mesh.area, len(key))
     most = np.argsort(-area, kind="stable")[:MAIN]
@@ -191,13 +200,18 @@ def surface_nodes(mesh: Mesh, facets: Bools, reacher: Reacher, tree: FacetTree, 
 
 
 def raised(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> tuple[Floats, Bools]:
-    """Raise contacts (n, 3) mm along their unit ``normal`` (n, 3) until a ball end is out of the part, and say which (n,) are:
-    within RAISED of its radius. Of other cutters nothing is known before their axis is: they stay."""
+    """Raise contacts (n, 3) mm along their unit ``normal`` (n, 3) until a ball end is out of the part, and
+    say which (n,) are: within RAISED of its radius. Of other cutters nothing is known before their axis is:
+    they stay."""
     cutter, stand = reacher.cutter, np.array(point, float)
     fits = np.ones(len(point), np.bool_)
     if cutter.ring > 0.0:
         return stand, fits
-    ball, rows, up = Body((round_piece(0.0, cutter.corner, cutter.corner),)), np.arange(len(point)), np.zeros(len(point))
+    ball, rows, up = (
+        Body((round_piece(0.0, cutter.corner, cutter.corner),)),
+        np.arange(len(point)),
+        np.zeros(len(point)),
+    )
     for _ in range(RAISES + 1):
         depth = find_entries(ball, tree, still_positions(stand[rows], normal[rows]), reacher.limit).bound
         deep = depth > reacher.limit
@@ -211,19 +225,28 @@ def raised(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> 
 
 def with_margin(reacher: Reacher, margin: float = MARGIN) -> Reacher:
     """Thicken shank, holder and a lollipop's neck by ``margin`` mm all round."""
-    shank, holder = (tuple((wide + 2.0 * margin, long) for wide, long in rows) for rows in (reacher.shank, reacher.holder))
+    shank, holder = (
+        tuple((wide + 2.0 * margin, long) for wide, long in rows) for rows in (reacher.shank, reacher.holder)
+    )
     return replace(reacher, cutter=reacher.cutter.thickened(margin), shank=shank, holder=holder)
 
 
 def are_free(
-    reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, axis: Floats, progress: Progress = silent
+    reacher: Reacher,
+    tree: FacetTree,
+    stand: Floats,
+    normal: Floats,
+    axis: Floats,
+    progress: Progress = silent,
 ) -> Bools:
-    """Ask whether (n,) the tool is free on these contacts ``stand`` (n, 3) mm with unit ``normal`` and ``axis`` (n, 3)."""
+    """Ask whether (n,) the tool is free on these contacts ``stand`` (n, 3) mm with unit ``normal`` and
+    ``axis`` (n, 3)."""
     return np.asarray(_met(reacher, tree, stand, normal, axis, progress) == Obstacle.NONE)
 
 
 def _met(
-    reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, axis: Floats, progress: Progress = silent,
+    reacher: Reacher, tree: FacetTree, stand: Floats, normal: Floats, axis: Floats,
+    progress: Progress = silent,
     height: Floats | None = None,
 ) -> Ints:  # fmt: skip
     """What is in the way (n,) of :class:`Obstacle` there."""
@@ -236,10 +259,13 @@ def _met(
     return met
 
 
-def find_freedom(nodes: Nodes, reacher: Reacher, tree: FacetTree, direction: Floats, progress: Progress = silent) -> Freedom:
+def find_freedom(
+    nodes: Nodes, reacher: Reacher, tree: FacetTree, direction: Floats, progress: Progress = silent
+) -> Freedom:
     """Try ``direction`` (d, 3) and the own normals at all nodes where the ball fits.
 
-    Only where no axis lets the tool be drawn out along it, it is enough that the tool is free as it stands."""
+    Only where no axis lets the tool be drawn out along it, it is enough that the tool is free as it
+    stands."""
     direction = direction[within_limits(reacher, direction)]
     rows, height = np.arange(len(nodes.point)), part_heights(tree, nodes.normal)
     found = _tried(nodes, rows, with_way_out(reacher, tree), tree, direction, height, progress)
@@ -250,34 +276,56 @@ def find_freedom(nodes: Nodes, reacher: Reacher, tree: FacetTree, direction: Flo
 
 
 def with_way_out(reacher: Reacher, tree: FacetTree) -> Reacher:
-    """The tool as it would be if it were in all places at once on its way out of the part's box along its axis."""
+    """The tool as it would be if it were in all places at once on its way out of the part's box along its
+    axis."""
     return replace(reacher, far=2.0 * float(np.linalg.norm(tree.half[:, 0])) + tree.most_allowance)
 
 
 def _tried(
-    nodes: Nodes, rows: Ints, reacher: Reacher, tree: FacetTree, direction: Floats, height: Floats, progress: Progress
+    nodes: Nodes,
+    rows: Ints,
+    reacher: Reacher,
+    tree: FacetTree,
+    direction: Floats,
+    height: Floats,
+    progress: Progress,
 ) -> Freedom:
-    """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,) mm of the part there."""
+    """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,) mm of
+    the part there."""
     stand, normal, fits = nodes.stand[rows], nodes.normal[rows], nodes.fits[rows]
     along = normal @ direction.T
     tried = (along > math.cos(WIDEST + reacher.cutter.undercut)) & fits[:, None]
     node, way = np.nonzero(tried)
-    free, farthest = np.zeros(tried.shape, np.bool_), np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER))
+    free, farthest = (
+        np.zeros(tried.shape, np.bool_),
+        np.where(fits, int(Obstacle.LIMITS), int(Obstacle.CUTTER)),
+    )
     within = replace(reacher, kinematics=None, most=math.pi)
     met = _met(within, tree, stand[node], normal[node], direction[way], progress, height[node])
     free[node, way] = met == Obstacle.NONE
-    above = along[node, way] > math.cos(WIDEST)  # what an undercut meets below the surface is no reason: few places have one
+    above = along[node, way] > math.cos(
+        WIDEST
+    )  # what an undercut meets below the surface is no reason: few places have one
     np.maximum.at(farthest, node[above], met[above])
     own = np.where(fits, _met(reacher, tree, stand, normal, normal, height=height), int(Obstacle.CUTTER))
     return Freedom(direction, free, own == Obstacle.NONE, np.maximum(farthest, own))
 
 
-def find_field(nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree, progress: Progress = silent) -> Floats:
-    """Find the unit axis (n, 3) of every node: free wherever any direction is, else the mean of its neighbours."""
-    _, near = scipy.spatial.cKDTree(nodes.places()).query(nodes.places(), k=min(NEIGHBOURS + 1, len(nodes.point)))
+def find_field(
+    nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree, progress: Progress = silent
+) -> Floats:
+    """Find the unit axis (n, 3) of every node: free wherever any direction is, else the mean of its
+    neighbours."""
+    _, near = scipy.spatial.cKDTree(nodes.places()).query(
+        nodes.places(), k=min(NEIGHBOURS + 1, len(nodes.point))
+    )
     near = near.reshape(len(nodes.point), -1)[:, 1:]
     weight = agreeing(nodes.normal[:, None], nodes.normal[near])
-    axis, some, strict = _first_guess(nodes.normal, freedom), freedom.some, np.zeros(len(nodes.point), np.bool_)
+    axis, some, strict = (
+        _first_guess(nodes.normal, freedom),
+        freedom.some,
+        np.zeros(len(nodes.point), np.bool_),
+    )
     for _ in range(2):
         axis = _smoothed(axis, nodes.normal, (near, weight), freedom, strict)
         progress("axis field", 1.0)
@@ -287,15 +335,19 @@ def find_field(nodes: Nodes, freedom: Freedom, reacher: Reacher, tree: FacetTree
 
 
 def _first_guess(normal: Floats, freedom: Freedom) -> Floats:
-    """The normals (n, 3) where these are free, else the nearest direction of the set cover, else any that is free."""
+    """The normals (n, 3) where these are free, else the nearest direction of the set cover, else any that is
+    free."""
     cover = _set_cover(normal, freedom)
-    axis, got = nearest_free(normal, normal, replace(freedom, direction=freedom.direction[cover], free=freedom.free[:, cover]))
+    axis, got = nearest_free(
+        normal, normal, replace(freedom, direction=freedom.direction[cover], free=freedom.free[:, cover])
+    )
     other, _ = nearest_free(normal, normal, freedom)
     return np.where(got[:, None], axis, other)
 
 
 def _set_cover(normal: Floats, freedom: Freedom) -> Ints:
-    """Few directions (c,) that free most nodes whose own normals are not, each the one that frees most of the rest."""
+    """Few directions (c,) that free most nodes whose own normals are not, each the one that frees most of the
+    rest."""
     left, found = freedom.some & ~freedom.upright, list[int]()
     frees = freedom.free & (normal @ freedom.direction.T > WELL)
     for _ in range(FRAMES if frees.shape[1] else 0):
@@ -309,7 +361,8 @@ def _set_cover(normal: Floats, freedom: Freedom) -> Ints:
 
 
 def nearest_free(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats, Bools]:
-    """Find the free direction (n, 3) nearest to unit ``axis`` (n, 3), and where there is one (n,); elsewhere the axis stays."""
+    """Find the free direction (n, 3) nearest to unit ``axis`` (n, 3), and where there is one (n,); elsewhere
+    the axis stays."""
     found, got = np.array(axis, float), np.zeros(len(axis), np.bool_)
     for first in range(0, len(axis), IN_CACHE):
         rows = slice(first, first + IN_CACHE)
@@ -321,16 +374,22 @@ def nearest_free(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats
 def _nearest_of_few(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Floats, Bools]:
     """:func:`nearest_free` for so many that their table (n, d) of cosines stays in the processor's cache."""
     along = np.where(freedom.free, axis @ freedom.direction.T, -2.0)
-    along = np.concatenate([along, np.where(freedom.upright, (axis * normal).sum(axis=1), -2.0)[:, None]], axis=1)
+    along = np.concatenate(
+        [along, np.where(freedom.upright, (axis * normal).sum(axis=1), -2.0)[:, None]], axis=1
+    )
     best = along.argmax(axis=1)
     got, own = along.max(axis=1) > -2.0, best == len(freedom.direction)
-    found = np.where(own[:, None], normal, freedom.direction[np.where(own, 0, best)] if len(freedom.direction) else normal)
+    found = np.where(
+        own[:, None], normal, freedom.direction[np.where(own, 0, best)] if len(freedom.direction) else normal
+    )
     return np.where(got[:, None], found, axis), got
 
 
-def _smoothed(axis: Floats, normal: Floats, about: tuple[Ints, Floats], freedom: Freedom, strict: Bools) -> Floats:
-    """The field after ROUNDS means ``about`` each node: its neighbours (n, k) and their weights (n, k). ``strict`` (n,): what
-    takes a free direction itself, whatever is near it."""
+def _smoothed(
+    axis: Floats, normal: Floats, about: tuple[Ints, Floats], freedom: Freedom, strict: Bools
+) -> Floats:
+    """The field after ROUNDS means ``about`` each node: its neighbours (n, k) and their weights (n, k).
+    ``strict`` (n,): what takes a free direction itself, whatever is near it."""
     near, weight = about
     share = weight / np.maximum(weight.sum(axis=1), 1e-9)[:, None]
     for _ in range(ROUNDS):
@@ -342,8 +401,8 @@ def _smoothed(axis: Floats, normal: Floats, about: tuple[Ints, Floats], freedom:
 
 
 def agreeing(one: Floats, other: Floats) -> Floats:
-    """Weigh (...) unit normals (..., 3) by how they agree: 1 up to 90 deg, nothing where they oppose, as on two sides of a thin
-    wall."""
+    """Weigh (...) unit normals (..., 3) by how they agree: 1 up to 90 deg, nothing where they oppose, as on
+    two sides of a thin wall."""
     return np.asarray(np.clip(1.0 + (one * other).sum(axis=-1) / OPPOSING, 0.0, 1.0))
 
 

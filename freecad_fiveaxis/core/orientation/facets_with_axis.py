@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The field of tool axes of a part, and which of its facets it serves: a facet is left out where no axis is free on it.
+"""The field of tool axes of a part, and which of its facets it serves: a facet is left out where no axis is
+free on it.
 
-A facet is left out as a whole only where none of the nodes on it and near it has a free axis; of the others each contact is asked
-(:mod:`.auto_axis`).
+A facet is left out as a whole only where none of the nodes on it and near it has a free axis; of the others
+each contact is asked (:mod:`.auto_axis`).
 """
 
 from __future__ import annotations
@@ -46,8 +47,8 @@ BATCH = 16384
 """Points that are asked for an axis at a time."""
 
 LONGER, TRIED, ENOUGH = (10.0, 20.0, 40.0, 80.0), 60, 0.9
-"""mm by which a tool is tried to stick out farther where the machine is in the way, at so many nodes, about; it helps where such
-a share is free then."""
+"""mm by which a tool is tried to stick out farther where the machine is in the way, at so many nodes, about;
+it helps where such a share is free then."""
 
 ABOUT = 3
 """Nodes about the middle of a facet of which one must be free, where none lies on it."""
@@ -62,8 +63,9 @@ class AxisField:
     axis: Floats
 
     def near(self, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
-        """The nodes (k, NEAREST) nearest to points (k, 3) mm with unit normals (k, 3) of those where any axis is free, and their
-        weights: one over the distance, and none for one that is as far off as the next one after them."""
+        """The nodes (k, NEAREST) nearest to points (k, 3) mm with unit normals (k, 3) of those where any axis
+        is free, and their weights: one over the distance, and none for one that is as far off as the next one
+        after them."""
         rows, tree = self._tree()
         return self._near(tree, rows, point, normal)
 
@@ -72,7 +74,9 @@ class AxisField:
         rows = np.flatnonzero(self.freedom.some)
         return rows, scipy.spatial.cKDTree(self.nodes.places()[rows])
 
-    def _near(self, tree: scipy.spatial.cKDTree, rows: Ints, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
+    def _near(
+        self, tree: scipy.spatial.cKDTree, rows: Ints, point: Floats, normal: Floats
+    ) -> tuple[Ints, Floats]:
         count = min(NEAREST + 1, len(rows))
         away, found = tree.query(near_places(point, normal, self.nodes.spacing), k=np.arange(1, count + 1))
         away = np.maximum(away, 1e-6 * self.nodes.spacing)
@@ -96,8 +100,9 @@ class AxisField:
 def find_axis_field(
     mesh: Mesh, facets: Bools, reacher: Reacher, progress: Progress = silent, direction: Floats | None = None
 ) -> AxisField:
-    """Find the field on ``facets`` (f,) of the part for tool, machine and table (``reacher``); ``direction`` (d, 3): what is
-    tried, None: spread evenly, and the part's own main ones. Raises SettingsError for sizes that no tool has."""
+    """Find the field on ``facets`` (f,) of the part for tool, machine and table (``reacher``); ``direction``
+    (d, 3): what is tried, None: spread evenly, and the part's own main ones. Raises SettingsError for sizes
+    that no tool has."""
     tree, wide = facet_tree(mesh), with_margin(reacher)
     direction = np.concatenate([main_directions(mesh), even_directions()]) if direction is None else direction
     nodes = surface_nodes(mesh, facets, reacher, tree)
@@ -108,10 +113,11 @@ def find_axis_field(
 def select_facets(
     field: AxisField, mesh: Mesh, facets: Bools, most: float, reacher: Reacher | None = None
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """Choose those of ``facets`` (f,) on or near which a node has a free axis, and say by reason what is left out.
+    """Choose those of ``facets`` (f,) on or near which a node has a free axis, and say by reason what is left
+    out.
 
-    ``most`` rad: the largest angle from +Z that was wanted; ``reacher``: with which a longer tool is tried where the machine is
-    in the way, None: none is. Raises ReachError where nothing is left.
+    ``most`` rad: the largest angle from +Z that was wanted; ``reacher``: with which a longer tool is tried
+    where the machine is in the way, None: none is. Raises ReachError where nothing is left.
     """
     some, out = field.freedom.some, np.zeros(len(mesh.face), np.bool_)
     if some.all():
@@ -119,27 +125,35 @@ def select_facets(
     rows = np.flatnonzero(facets)
     middle = mesh.vertex[mesh.face[rows]].mean(axis=1)
     about = near_places(middle, mesh.normal[rows], field.nodes.spacing)
-    _, near = scipy.spatial.cKDTree(field.nodes.places()).query(about, k=np.arange(1, min(ABOUT, len(some)) + 1))
+    _, near = scipy.spatial.cKDTree(field.nodes.places()).query(
+        about, k=np.arange(1, min(ABOUT, len(some)) + 1)
+    )
     out[rows] = ~some[near].any(axis=1)
     out[field.nodes.facet[some]] = False
     reason = np.full(len(out), int(Obstacle.NONE))
     reason[rows] = field.freedom.met[near].max(axis=1)
     if not (facets & ~out).any():
         met = Obstacle(int(np.bincount(reason[rows], mesh.area[rows]).argmax()))
-        raise ReachError(say("no facet can be cut: no tool axis is free on any; {remedy}", remedy=_REMEDY[met]), None)
+        raise ReachError(
+            say("no facet can be cut: no tool axis is free on any; {remedy}", remedy=_REMEDY[met]), None
+        )
     by_machine = reacher is not None and (out & (reason == Obstacle.MACHINE)).any()
     longer = _try_longer(field, mesh, reacher) if reacher is not None and by_machine else ""
     return facets & ~out, _left_out(mesh, out, reason, most, longer)
 
 
 def _try_longer(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
-    """Say by how much a longer tool would help, tried at some of the nodes where the machine is in the way; nothing where no
-    tool does that is up to the last of LONGER longer."""
+    """Say by how much a longer tool would help, tried at some of the nodes where the machine is in the way;
+    nothing where no tool does that is up to the last of LONGER longer."""
     held = np.flatnonzero(~field.freedom.some & (field.freedom.met == Obstacle.MACHINE))
     nodes, tree = field.nodes.take(held[:: max(1, len(held) // TRIED)]), facet_tree(mesh)
     for more in LONGER:
         longer = stick_out_farther(with_margin(reacher), more)
-        share = float(find_freedom(nodes, longer, tree, field.freedom.direction).some.mean()) if len(held) else 0.0
+        share = (
+            float(find_freedom(nodes, longer, tree, field.freedom.direction).some.mean())
+            if len(held)
+            else 0.0
+        )
         if share >= ENOUGH:
             return say(
                 "With a tool that sticks out {more} farther an axis is free on about {share} % of that.",
@@ -152,7 +166,10 @@ def _left_out(mesh: Mesh, out: Bools, reason: Ints, most: float, longer: str) ->
     """How much area is left out for each reason; the place is the middle of the largest such facet."""
     down = out & (reason == Obstacle.LIMITS) & (mesh.normal[:, 2] < -math.sin(LEVEL))
     groups = [(obstacle, out & ~down & (reason == obstacle)) for obstacle in _REMEDY]
-    return (*_looking_down(mesh, down, most), *(_without_axis(mesh, group, why, longer) for why, group in groups if group.any()))
+    return (
+        *_looking_down(mesh, down, most),
+        *(_without_axis(mesh, group, why, longer) for why, group in groups if group.any()),
+    )
 
 
 def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
@@ -160,7 +177,8 @@ def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
         return ()
     lost, share, place = _area_of(mesh, down)
     text = say(
-        "{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets there. Turn the part "
+        "{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets "
+        "there. Turn the part "
         "over, or raise the largest axis angle.",
         area=Area(lost, ".6g"), share=share, most=Angle(math.degrees(most)),
     )  # fmt: skip
@@ -185,10 +203,14 @@ def _area_of(mesh: Mesh, group: Bools) -> tuple[float, Number, tuple[float, floa
 
 
 _REMEDY: dict[Obstacle, Sentence] = {
-    Obstacle.LIMITS: say("beyond the machine's limits or the largest axis angle; turn the part over, or raise the angle"),
+    Obstacle.LIMITS: say(
+        "beyond the machine's limits or the largest axis angle; turn the part over, or raise the angle"
+    ),
     Obstacle.TABLE: say("the tool would go below the table; clamp the part higher"),
     Obstacle.CUTTER: say("it is too tight for the cutter; use a smaller one"),
     Obstacle.SHANK: say("the shank is in the way; use a thinner or a longer one"),
     Obstacle.HOLDER: say("the holder is in the way; let the tool stick out farther"),
-    Obstacle.MACHINE: say("the machine is in the way; use a longer tool, or clamp the part higher or elsewhere"),
+    Obstacle.MACHINE: say(
+        "the machine is in the way; use a longer tool, or clamp the part higher or elsewhere"
+    ),
 }

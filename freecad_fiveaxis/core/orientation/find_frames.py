@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The few tool axes with which a part is cut with locked rotary axes, and which place is cut with which of them.
+"""The few tool axes with which a part is cut with locked rotary axes, and which place is cut with which of
+them.
 
-candidate  a direction that the machine takes up: many, evenly over the sphere, and the part's own main ones; on a machine of one
-           rotary axis those that it turns through.
-cover      of the candidates the one that frees most places, then the one that frees most of the rest, and so on: first where it
-           stands well on the surface, then wherever it is free. Those that the later ones have made needless are taken out.
-frame      a direction of the cover. A place is cut in the frame that sees it flattest of those in which the tool is free there.
+candidate  a direction that the machine takes up: many, evenly over the sphere, and the part's own main ones;
+           on a machine of one rotary axis those that it turns through.
+cover      of the candidates the one that frees most places, then the one that frees most of the rest, and so
+           on: first where it stands well on the surface, then wherever it is free. Those that the later ones
+           have made needless are taken out.
+frame      a direction of the cover. A place is cut in the frame that sees it flattest of those in which the
+           tool is free there.
 """
 
 from __future__ import annotations
@@ -27,7 +30,15 @@ from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.passes.frames import Frames
 
-from .axis_field import Freedom, Nodes, even_directions, find_freedom, main_directions, surface_nodes, with_margin
+from .axis_field import (
+    Freedom,
+    Nodes,
+    even_directions,
+    find_freedom,
+    main_directions,
+    surface_nodes,
+    with_margin,
+)
 from .facets_with_axis import AxisField, select_facets
 
 MOST = 12
@@ -46,10 +57,12 @@ PLACES = 8000
 """Places that are given to frames, evenly by area."""
 
 SOONER = 1e-3
-"""Of a cosine: by that the earlier of two frames is taken that see a place alike, so that a plane is not cut in both."""
+"""Of a cosine: by that the earlier of two frames is taken that see a place alike, so that a plane is not cut
+in both."""
 
 NEIGHBOURS, ROUNDS, TOGETHER = 8, 4, 0.2
-"""Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in the frame of all of them."""
+"""Places beside a place, how often they are asked, and how much of a cosine it is worth to be cut in the
+frame of all of them."""
 
 STEPS = 72
 """Positions of a single rotary axis that are tried."""
@@ -58,10 +71,11 @@ STEPS = 72
 def find_frames(
     mesh: Mesh, facets: Bools, reacher: Reacher, most: float, count: int = MOST, progress: Progress = silent
 ) -> tuple[Frames, Bools, tuple[Finding, ...]]:
-    """Find at most ``count`` frames for ``facets`` (f,), those of them that are cut in any (f,), and what is left out.
+    """Find at most ``count`` frames for ``facets`` (f,), those of them that are cut in any (f,), and what is
+    left out.
 
-    ``reacher``: tool, machine and table; ``most`` rad: the largest angle from +Z that was wanted. Raises ReachError where
-    nothing is left, SettingsError for sizes that no tool has.
+    ``reacher``: tool, machine and table; ``most`` rad: the largest angle from +Z that was wanted. Raises
+    ReachError where nothing is left, SettingsError for sizes that no tool has.
     """
     tree, wide = facet_tree(mesh), with_margin(reacher)
     nodes = surface_nodes(mesh, facets, reacher, tree)
@@ -95,18 +109,22 @@ def _facets_seen(frames: Frames, places: Nodes, mesh: Mesh, keep: Bools) -> Bool
 
 
 def candidates(mesh: Mesh, kinematics: Chain | None) -> Floats:
-    """Give the directions (d, 3), unit, that are tried: on a machine of one rotary axis those that it turns through."""
+    """Give the directions (d, 3), unit, that are tried: on a machine of one rotary axis those that it turns
+    through."""
     if kinematics is None or all(axis.fitted for axis in kinematics.axes[3:]):
         return np.concatenate([main_directions(mesh), even_directions()])
     words = np.zeros((STEPS + 1, 5))
-    words[:, 3:] = np.linspace(np.maximum(kinematics.low[3:], -math.pi), np.minimum(kinematics.high[3:], math.pi), STEPS + 1)
+    words[:, 3:] = np.linspace(
+        np.maximum(kinematics.low[3:], -math.pi), np.minimum(kinematics.high[3:], math.pi), STEPS + 1
+    )
     return forward(kinematics, words)[1]
 
 
 def find_cover(free: Bools, cosine: Floats, up: Floats, most: int, least: float | None = None) -> Ints:
-    """Choose at most ``most`` directions (c,) that free most places, of what is ``free`` (n, d) of directions whose ``cosine``
-    (n, d) to the places' normals and height ``up`` (d,) are known: of those that free about as many the flatter and more
-    upright. One that frees fewer than ``least`` places besides, None: FEW of all, is not taken."""
+    """Choose at most ``most`` directions (c,) that free most places, of what is ``free`` (n, d) of directions
+    whose ``cosine`` (n, d) to the places' normals and height ``up`` (d,) are known: of those that free about
+    as many the flatter and more upright. One that frees fewer than ``least`` places besides, None: FEW of
+    all, is not taken."""
     least = max(1.0, FEW * len(free) if least is None else least)
     better = 1.0 + BETTER * (cosine + up)
     well, chosen = free & (cosine > WELL), list[int]()
@@ -157,8 +175,8 @@ def in_order(axis: Floats) -> Floats:
 
 
 def assign(free: Bools, places: Nodes, axis: Floats) -> Ints:
-    """Give each place the frame (n,), of unit ``axis`` (k, 3), that sees it flattest of those in which it is ``free`` (n, k), and
-    that places beside it have; -1 where it is free in none."""
+    """Give each place the frame (n,), of unit ``axis`` (k, 3), that sees it flattest of those in which it is
+    ``free`` (n, k), and that places beside it have; -1 where it is free in none."""
     if not len(axis):
         return np.full(len(free), -1)
     flat = np.where(free, places.normal @ axis.T - SOONER * np.arange(len(axis)), -np.inf)
@@ -175,12 +193,19 @@ def assign(free: Bools, places: Nodes, axis: Floats) -> Ints:
 
 
 def _nodes_of(nodes: Nodes, rows: Ints) -> Nodes:
-    return Nodes(nodes.point[rows], nodes.facet[rows], nodes.normal[rows], nodes.stand[rows], nodes.fits[rows], nodes.spacing)
+    return Nodes(
+        nodes.point[rows],
+        nodes.facet[rows],
+        nodes.normal[rows],
+        nodes.stand[rows],
+        nodes.fits[rows],
+        nodes.spacing,
+    )
 
 
 def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: int) -> tuple[Finding, ...]:
-    """The area that no frame sees, by the share of the places, and what of it is free under another direction (``elsewhere``
-    (n,)); nothing where it is no more than a single place."""
+    """The area that no frame sees, by the share of the places, and what of it is free under another direction
+    (``elsewhere`` (n,)); nothing where it is no more than a single place."""
     out = frames.frame < 0
     if np.count_nonzero(out) < 2:
         return ()
@@ -189,9 +214,11 @@ def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: in
     x, y, z = frames.point[int((out & elsewhere if could else out).argmax())].tolist()
     more = say("allow more frames") if len(frames.axis) == count < MOST else say("cut that with other passes")
     text = say(
-        "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in none of the {count} "
+        "{area} ({share} % of the part), the first at {place}, are left out, for the tool is free there in "
+        "none of the {count} "
         "frames. Along other axes it is free on {could} of it: {more}. For the rest use a smaller tool.",
-        area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"), place=Point((x, y, z)),
+        area=Area(lost, ".4g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"),
+        place=Point((x, y, z)),
         count=len(frames.axis), could=Area(could, ".4g"), more=more,
     )  # fmt: skip
     return (report_finding(Code.OUTSIDE_FRAMES, text, lost, 0.0, place=(x, y, z)),)
@@ -199,6 +226,12 @@ def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: in
 
 def _report_frames(frames: Frames) -> Finding:
     """How many frames there are, and their axes."""
-    shown = "; ".join(",".join(f"{number:g}" for number in (np.round(axis, 3) + 0.0).tolist()) for axis in frames.axis)
-    text = say("The part is cut in {count} frames, each with a tool axis of its own: {axes}.", count=len(frames.axis), axes=shown)
+    shown = "; ".join(
+        ",".join(f"{number:g}" for number in (np.round(axis, 3) + 0.0).tolist()) for axis in frames.axis
+    )
+    text = say(
+        "The part is cut in {count} frames, each with a tool axis of its own: {axes}.",
+        count=len(frames.axis),
+        axes=shown,
+    )
     return report_finding(Code.FRAMES, text, float(len(frames.axis)))

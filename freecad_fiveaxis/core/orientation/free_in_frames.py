@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes that are cut with locked rotary axes: where the tool is free with the axis of its frame, and the order of the frames."""
+"""Passes that are cut with locked rotary axes: where the tool is free with the axis of its frame, and the
+order of the frames."""
 
 from __future__ import annotations
 
@@ -30,8 +31,8 @@ def stands_in(frames: Frames) -> list[tuple[str, AxisOptions]]:
 def free_in_frames(
     path: OffsetPath, frames: Frames, frame: Ints, mesh: Mesh, reacher: Reacher, progress: Progress = silent
 ) -> tuple[Ints, tuple[Finding, ...]]:
-    """Find what is free (n,) of :class:`Free` at every row of ``path`` with the axis of the ``frame`` (k,) of its pass, and say
-    where nothing is though the place is one of that frame."""
+    """Find what is free (n,) of :class:`Free` at every row of ``path`` with the axis of the ``frame`` (k,) of
+    its pass, and say where nothing is though the place is one of that frame."""
     tree, contacts = facet_tree(mesh), find_contacts(path, mesh, reacher)
     own = frame[path.pass_[contacts.first]]
     axis, free = frames.axis[own], np.zeros(len(own), np.int64)
@@ -44,12 +45,13 @@ def free_in_frames(
 
 
 def by_frame(path: OffsetPath, frames: Frames, frame: Ints, to_and_fro: bool) -> tuple[OffsetPath, Floats]:
-    """Give the polylines of ``path`` frame by frame and the axes (n, 3) of their rows; ``to_and_fro``: those of a frame in an
-    order that spares way, where there is one."""
+    """Give the polylines of ``path`` frame by frame and the axes (n, 3) of their rows; ``to_and_fro``: those
+    of a frame in an order that spares way, where there is one."""
     own = frame[path.pass_]
     pieces = [take_path_rows(path, np.flatnonzero(own == number)) for number in np.unique(own)]
     axes = [
-        np.repeat(frames.axis[number][None], len(one.point), axis=0) for number, one in zip(np.unique(own), pieces, strict=True)
+        np.repeat(frames.axis[number][None], len(one.point), axis=0)
+        for number, one in zip(np.unique(own), pieces, strict=True)
     ]
     if to_and_fro:
         pieces = [order_with_axes(one, axis)[0] for one, axis in zip(pieces, axes, strict=True)]
@@ -71,7 +73,8 @@ def _held(held: Bools, contacts: Contacts) -> tuple[Finding, ...]:
         return ()
     x, y, z = contacts.point[int(held.argmax())].tolist()
     text = say(
-        "At {count} of {all} contacts ({share} %), the first at {place}, the tool is not free with the axis of their frame; they "
+        "At {count} of {all} contacts ({share} %), the first at {place}, the tool is not free with the axis "
+        "of their frame; they "
         "are left out. Use a smaller cutter or holder, a longer tool, or other passes for the rest.",
         count=count, all=len(held), share=Number(100.0 * count / len(held), ".3g"), place=Point((x, y, z)),
     )  # fmt: skip

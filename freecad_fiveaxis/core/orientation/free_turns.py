@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the tool meets while its axis turns from one free contact to the next.
 
-blocked   a move between two rows whose axis turns so far that what lies between is asked, and is not free somewhere there. More
-          contacts are put into it, each with a free axis of its own; where that does not help either, the pass is broken there.
+blocked   a move between two rows whose axis turns so far that what lies between is asked, and is not free
+          somewhere there. More contacts are put into it, each with a free axis of its own; where that does
+          not help either, the pass is broken there.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ from .axis_field import are_free, raised
 from .facets_with_axis import AxisField
 
 TURN, STEP = math.radians(2.0), math.radians(5.0)
-"""Turns below the first are not asked: at 100 mm from the tip the way bulges by 0.015 mm. Between samples the axis turns by no
-more than the second."""
+"""Turns below the first are not asked: at 100 mm from the tip the way bulges by 0.015 mm. Between samples the
+axis turns by no more than the second."""
 MOST = 16
 """Samples within one move, at most."""
 PARTS = 4
@@ -36,10 +37,15 @@ ROUNDS = 2
 
 
 def find_blocked_turns(
-    path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent, chosen: Bools | None = None
+    path: OffsetPath,
+    axis: Floats,
+    mesh: Mesh,
+    reacher: Reacher,
+    progress: Progress = silent,
+    chosen: Bools | None = None,
 ) -> Bools:
-    """Find the rows (n,) that the tool comes to through the part while its axis (n, 3) turns evenly from the row before; of rows
-    that are not ``chosen`` (n,) none, None: all are."""
+    """Find the rows (n,) that the tool comes to through the part while its axis (n, 3) turns evenly from the
+    row before; of rows that are not ``chosen`` (n,) none, None: all are."""
     blocked, cosine = np.zeros(len(axis), np.bool_), (axis[1:] * axis[:-1]).sum(axis=1)
     turning = (np.diff(path.polyline) == 0) & (True if chosen is None else chosen[1:])
     turn = np.where(turning, np.arccos(np.clip(cosine, -1.0, 1.0)), 0.0)
@@ -59,8 +65,9 @@ def find_blocked_turns(
 
 
 def lead_out(polyline: Ints, free: Ints) -> Bools:
-    """Find the rows (n,) to which moves lead that begin or end in a piece with a way out: rows on end of a ``polyline`` (n,) at
-    which the tool is ``free`` (n,), and can be drawn out at one. What else there is, :func:`.select_rows_with_way_out` drops."""
+    """Find the rows (n,) to which moves lead that begin or end in a piece with a way out: rows on end of a
+    ``polyline`` (n,) at which the tool is ``free`` (n,), and can be drawn out at one. What else there is,
+    :func:`.select_rows_with_way_out` drops."""
     breaks = np.diff(polyline) != 0
     piece = np.cumsum(np.append(False, breaks | (np.diff(free > Free.NONE))))
     out: Bools = np.isin(piece, piece[free == Free.WAY_OUT])
@@ -69,13 +76,14 @@ def lead_out(polyline: Ints, free: Ints) -> Bools:
 
 
 def divide_blocked_turns(
-    path: OffsetPath, axis: Floats, free: Ints, field: AxisField, mesh: Mesh, reacher: Reacher, options: AxisOptions,
+    path: OffsetPath, axis: Floats, free: Ints, field: AxisField, mesh: Mesh, reacher: Reacher,
+    options: AxisOptions,
     progress: Progress = silent,
 ) -> tuple[OffsetPath, Floats, Ints, Bools]:  # fmt: skip
     """Put contacts into the blocked moves of ``path``, with axes of their own from the ``field``.
 
-    ``axis`` (n, 3), ``free`` (n,): as of :func:`.auto_axes`. Returns path, axes and what is free, of all rows, and whether the
-    move to each row is blocked still.
+    ``axis`` (n, 3), ``free`` (n,): as of :func:`.auto_axes`. Returns path, axes and what is free, of all
+    rows, and whether the move to each row is blocked still.
     """
     cutter = reacher.cutter
     blocked = find_blocked_turns(path, axis, mesh, reacher, progress, lead_out(path.polyline, free))
@@ -89,5 +97,7 @@ def divide_blocked_turns(
         axis = np.array(axis)
         axis[new], free[new], _ = auto_axes(more, given, field, mesh, reacher, options, progress)
         beside = added | np.append(False, added[:-1])  # the other moves are as they were, and not blocked
-        blocked = find_blocked_turns(path, axis, mesh, reacher, progress, beside & lead_out(path.polyline, free))
+        blocked = find_blocked_turns(
+            path, axis, mesh, reacher, progress, beside & lead_out(path.polyline, free)
+        )
     return path, axis, free, blocked

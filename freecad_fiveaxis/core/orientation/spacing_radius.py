@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far apart the passes of a cutter may stand that is no ball, and what scallop a stepover leaves: that depends on its axes.
+"""How far apart the passes of a cutter may stand that is no ball, and what scallop a stepover leaves: that
+depends on its axes.
 
-radius    of the ball whose passes may stand as far apart: in a plane across the passes, of the shadow of cutter and surface.
+radius    of the ball whose passes may stand as far apart: in a plane across the passes, of the shadow of
+          cutter and surface.
 """
 
 from __future__ import annotations
@@ -20,7 +22,8 @@ SAME_STAND = 2.0
 """deg; facets whose normals differ by less stand alike under a fixed axis when the passes are spaced."""
 
 FOREMOST_LEAD = 1e-3
-"""rad: a bottom that stands square is taken to lean forward by this much: it then touches with its foremost point, as it sits."""
+"""rad: a bottom that stands square is taken to lean forward by this much: it then touches with its foremost
+point, as it sits."""
 
 MOST = 0.99
 """Share of the facets whose curvature along the passes counts; a few slivers bend by anything."""
@@ -29,7 +32,8 @@ SETTLED = 8
 """Rounds in which the scallop of a stepover and the radius at its height agree."""
 
 STEEPEST = 0.02
-"""Sine: a wall that is steeper to the axis, or faces the passes more squarely, does not count when the passes are spaced."""
+"""Sine: a wall that is steeper to the axis, or faces the passes more squarely, does not count when the passes
+are spaced."""
 
 
 UPRIGHT = 1e-9
@@ -41,8 +45,9 @@ def spacing_radius(
 ) -> float:
     """The radius, mm, of the ball whose passes along ``angle`` rad may stand as far apart as this cutter's.
 
-    ``keep`` (f,): the facets that are cut. A tool that follows the surface stands alike everywhere; under a fixed axis the facet
-    on which the cutter is narrowest counts for all. How the surface bends along the passes counts, too. A ball: its radius.
+    ``keep`` (f,): the facets that are cut. A tool that follows the surface stands alike everywhere; under a
+    fixed axis the facet on which the cutter is narrowest counts for all. How the surface bends along the
+    passes counts, too. A ball: its radius.
     """
     if cutter.touches_as_ball:
         return cutter.radius
@@ -52,16 +57,23 @@ def spacing_radius(
     bend = _bend(facet_curvature(mesh)[:, keep], normal, travel)
     travel = travel if strategy == "fixed" else np.array((1.0, 0.0, 0.0))
     upright = np.array(options.fixed, float) / np.linalg.norm(options.fixed)
-    normal = _few(normal, travel, upright, _least_upright(cutter)) if strategy == "fixed" else np.array([[0.0, 0.0, 1.0]])
+    normal = (
+        _few(normal, travel, upright, _least_upright(cutter))
+        if strategy == "fixed"
+        else np.array([[0.0, 0.0, 1.0]])
+    )
     axis = np.broadcast_to(upright, normal.shape) if strategy == "fixed" else normal
-    radii = [np.array([np.inf]), *_radii(cutter, normal, axis, np.cross(normal, travel), options, scallop, bend)]
+    radii = [
+        np.array([np.inf]),
+        *_radii(cutter, normal, axis, np.cross(normal, travel), options, scallop, bend),
+    ]
     least = float(np.concatenate(radii).min())
     return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
 
 
 def _radius_around(cutter: Cutter, mesh: Mesh, rows: Ints, options: AxisOptions, scallop: float) -> float:
-    """The same of a tool that points at an axis, on the facets ``rows``, for passes around that axis and along it: where the
-    surface slants to the axis, the cutter stands on it aslant."""
+    """The same of a tool that points at an axis, on the facets ``rows``, for passes around that axis and
+    along it: where the surface slants to the axis, the cutter stands on it aslant."""
     about = np.array(options.about, float) / np.linalg.norm(options.about)
     outward, _ = away_from(mesh.vertex[mesh.face[rows]].mean(axis=1), np.array(options.through, float), about)
     radii = [np.array([np.inf])]
@@ -73,19 +85,35 @@ def _radius_around(cutter: Cutter, mesh: Mesh, rows: Ints, options: AxisOptions,
         if not len(stands):
             continue
         way, normal = way[stands] / length[stands, None], normal[stands]
-        bend = float(np.quantile(row_dot(turned_along(facet_curvature(mesh)[:, rows[stands]], way), way), MOST))
+        bend = float(
+            np.quantile(row_dot(turned_along(facet_curvature(mesh)[:, rows[stands]], way), way), MOST)
+        )
         given = np.concatenate([normal, outward[stands], way], axis=1)
         few = np.unique(np.rint(np.degrees(given) / SAME_STAND), axis=0, return_index=True)[1]
-        radii += _radii(cutter, normal[few], outward[stands][few], np.cross(normal, way)[few], options, scallop, max(bend, 0.0))
+        radii += _radii(
+            cutter,
+            normal[few],
+            outward[stands][few],
+            np.cross(normal, way)[few],
+            options,
+            scallop,
+            max(bend, 0.0),
+        )
     least = float(np.concatenate(radii).min())
     return max(least, 1.001 * scallop) if np.isfinite(least) else cutter.radius
 
 
 def _radii(
-    cutter: Cutter, normal: Floats, upright: Floats, side: Floats, options: AxisOptions, scallop: float, bend: float
+    cutter: Cutter,
+    normal: Floats,
+    upright: Floats,
+    side: Floats,
+    options: AxisOptions,
+    scallop: float,
+    bend: float,
 ) -> list[Floats]:
-    """The radii (k,), mm, of the balls that leave the scallop of the cutter, for travel in either sense across the unit ``side``
-    (n, 3), the tool ``upright`` (n, 3) before it is leaned."""
+    """The radii (k,), mm, of the balls that leave the scallop of the cutter, for travel in either sense
+    across the unit ``side`` (n, 3), the tool ``upright`` (n, 3) before it is leaned."""
     radii = []
     for sense in (1.0, -1.0):
         feed = np.cross(side, upright)
@@ -99,9 +127,16 @@ def _radii(
 
 
 def scallop_of(
-    cutter: Cutter, mesh: Mesh, keep: Bools, angle: float, strategy: str, options: AxisOptions, stepover: float
+    cutter: Cutter,
+    mesh: Mesh,
+    keep: Bools,
+    angle: float,
+    strategy: str,
+    options: AxisOptions,
+    stepover: float,
 ) -> float:
-    """About the scallop, mm, that passes ``stepover`` mm apart leave on a flat; other arguments as for :func:`spacing_radius`."""
+    """About the scallop, mm, that passes ``stepover`` mm apart leave on a flat; other arguments as for
+    :func:`spacing_radius`."""
     half, scallop = 0.5 * stepover, 0.125 * stepover**2 / cutter.radius
     for _ in range(1 if cutter.touches_as_ball else SETTLED):
         radius = spacing_radius(cutter, mesh, keep, angle, strategy, options, scallop)
@@ -120,7 +155,8 @@ def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
 
 
 def _least_upright(cutter: Cutter) -> float:
-    """The sine above which a wall is not too steep to count: with the flank of a barrel upright walls are cut."""
+    """The sine above which a wall is not too steep to count: with the flank of a barrel upright walls are
+    cut."""
     return STEEPEST if cutter.barrel is None else -UPRIGHT
 
 
@@ -128,4 +164,6 @@ def _few(normal: Floats, travel: Floats, upright: Floats, least: float) -> Float
     """Normals that stand for all alike, without those that look along the passes or away from the tool."""
     key = np.unique(np.rint(np.degrees(normal) / SAME_STAND), axis=0)
     few = key / np.linalg.norm(key, axis=1)[:, None]
-    return np.asarray(few[(np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST) & (few @ upright > least)])
+    return np.asarray(
+        few[(np.linalg.norm(np.cross(few, travel), axis=1) > STEEPEST) & (few @ upright > least)]
+    )

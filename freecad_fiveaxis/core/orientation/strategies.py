@@ -3,12 +3,15 @@
 
 axis       unit vector from the tip to the holder, in the work frame.
 feed       unit direction of travel over the part, made perpendicular to the axis.
-left       axis x feed: to the left for one who stands on the part with the axis upwards and looks along the feed.
+left       axis x feed: to the left for one who stands on the part with the axis upwards and looks along the
+           feed.
 lead       how far the tool leans forward: a positive lead turns the axis about *left*, towards the feed.
-tilt       how far the tool leans sideways: a positive tilt turns the axis right-handed about the feed, to the right.
+tilt       how far the tool leans sideways: a positive tilt turns the axis right-handed about the feed, to the
+           right.
 
-A strategy is one function and one line in STRATEGIES; lead and tilt go on top of any. All rows of one contact point have the
-same facet normals on either side, so they get the same axis: the tool does not turn while it closes a gap at a co-edge.
+A strategy is one function and one line in STRATEGIES; lead and tilt go on top of any. All rows of one contact
+point have the same facet normals on either side, so they get the same axis: the tool does not turn while it
+closes a gap at a co-edge.
 """
 
 from __future__ import annotations
@@ -24,12 +27,20 @@ from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import say
 from freecad_fiveaxis.core.base.vectors import away_from
 from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
-from freecad_fiveaxis.core.toolpath.feed_direction import OPPOSED, SHORT, across, feed_direction, is_zero, unit_or
+from freecad_fiveaxis.core.toolpath.feed_direction import (
+    OPPOSED,
+    SHORT,
+    across,
+    feed_direction,
+    is_zero,
+    unit_or,
+)
 
 Vector = tuple[float, float, float]
 
 UPPER = (1e-6, 1e-7, 1.0)
-"""What is up; of sides that are level the one towards +X, then +Y, so that passes in either sense lean to the same one."""
+"""What is up; of sides that are level the one towards +X, then +Y, so that passes in either sense lean to the
+same one."""
 
 FOLLOWING = ("facet_mean", "step_weighted")
 """Strategies whose axes are the surface's normals, on which a barrel has to lean."""
@@ -37,9 +48,9 @@ FOLLOWING = ("facet_mean", "step_weighted")
 
 @dataclass(frozen=True)
 class AxisOptions:
-    """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad; ``through``, mm, and ``about``,
-    any length: the axis that the strategy ``from_axis`` points at; ``upwards``: the tilt may be to the left instead, for a whole
-    pass, where the axis is more upright so."""
+    """``fixed``: the axis of the strategy of that name, any length; ``lead`` and ``tilt`` in rad;
+    ``through``, mm, and ``about``, any length: the axis that the strategy ``from_axis`` points at;
+    ``upwards``: the tilt may be to the left instead, for a whole pass, where the axis is more upright so."""
 
     fixed: Vector = (0.0, 0.0, 1.0)
     lead: float = 0.0
@@ -52,14 +63,16 @@ class AxisOptions:
 def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
     """Unit axis (n, 3) of every row: the strategy, then lead and tilt.
 
-    Raises SettingsError for an unknown strategy, a lead or tilt that is no number, and a fixed axis of no length.
-    Lead and tilt follow the order of the rows: order and reverse passes first (:func:`..passes.field.cut`).
+    Raises SettingsError for an unknown strategy, a lead or tilt that is no number, and a fixed axis of no
+    length. Lead and tilt follow the order of the rows: order and reverse passes first
+    (:func:`..passes.field.cut`).
     """
     find = find_strategy(strategy)
     for name in ("lead", "tilt"):
         if not np.isfinite(getattr(options, name)):
             raise SettingsError(
-                say("{name} is {value}; give an angle", name=name, value=getattr(options, name)), getattr(options, name)
+                say("{name} is {value}; give an angle", name=name, value=getattr(options, name)),
+                getattr(options, name),
             )
     axis = find(path, options)
     if (options.lead == 0.0 and options.tilt == 0.0) or not len(axis):
@@ -70,7 +83,8 @@ def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
 
 
 def _upper_side(path: OffsetPath, axis: Floats, feed: Floats) -> Floats:
-    """1 for the rows (n, 1) of each polyline along which the right of the tool is on the whole its upper side, else -1."""
+    """1 for the rows (n, 1) of each polyline along which the right of the tool is on the whole its upper
+    side, else -1."""
     start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
     rise = np.add.reduceat(np.cross(feed, axis) @ np.array(UPPER), start)
     return np.repeat(np.where(rise < 0.0, -1.0, 1.0), np.diff(start, append=len(axis)))[:, None]
@@ -93,8 +107,8 @@ def facet_mean(path: OffsetPath, options: AxisOptions) -> Floats:
 def step_weighted(path: OffsetPath, options: AxisOptions) -> Floats:
     """divides the angle between the two facet normals by the steps on either side (Lin & Ye, eqs. 9, 10)
 
-    The angle from the first normal is ``S2 / (S1 + S2)`` of the angle between them: the longer step keeps its normal more
-    nearly. So the axis turns less over a long step and more over a short one.
+    The angle from the first normal is ``S2 / (S1 + S2)`` of the angle between them: the longer step keeps its
+    normal more nearly. So the axis turns less over a long step and more over a short one.
     """
     total = path.step_before + path.step_after
     share = np.divide(path.step_after, total, out=np.full(len(total), 0.5), where=total > SHORT)
@@ -102,7 +116,8 @@ def step_weighted(path: OffsetPath, options: AxisOptions) -> Floats:
 
 
 def minimax(path: OffsetPath, options: AxisOptions) -> Floats:
-    """the smallest largest deviation of each pass on this machine and set-up, within --max-tilt of the facet normals
+    """the smallest largest deviation of each pass on this machine and set-up, within --max-tilt of the facet
+    normals
 
     It needs the machine: here it is only begun, as facet_mean. The correction of that name goes on from there
     (``orientation.axis_corrections``).
@@ -111,10 +126,11 @@ def minimax(path: OffsetPath, options: AxisOptions) -> Floats:
 
 
 def auto(path: OffsetPath, options: AxisOptions) -> Floats:
-    """a smooth field of axes on the surface with which cutter, shank and holder are free of the part, within the machine's limits
+    """a smooth field of axes on the surface with which cutter, shank and holder are free of the part, within
+    the machine's limits
 
-    It needs part and machine: here it is only begun, as facet_mean. The correction of that name goes on from there
-    (``orientation.axis_corrections``).
+    It needs part and machine: here it is only begun, as facet_mean. The correction of that name goes on from
+    there (``orientation.axis_corrections``).
     """
     return facet_mean(path, options)
 
@@ -125,7 +141,10 @@ def fixed(path: OffsetPath, options: AxisOptions) -> Floats:
     length = float(np.linalg.norm(vector))
     if vector.shape != (3,) or not np.isfinite(length) or length == 0.0:
         raise SettingsError(
-            say("fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1", fixed=options.fixed), options.fixed
+            say(
+                "fixed tool axis {fixed} has no direction; give three numbers, as 0,0,1", fixed=options.fixed
+            ),
+            options.fixed,
         )
     return np.repeat((vector / length)[:, None], len(path.point), axis=1).T
 
@@ -150,7 +169,9 @@ def _direction_of(about: Vector) -> Floats:
     vector = np.array(about, float)
     length = float(np.linalg.norm(vector))
     if not np.isfinite(length) or length == 0.0:
-        raise SettingsError(say("axis {about} has no direction; give three numbers, as 1,0,0", about=about), about)
+        raise SettingsError(
+            say("axis {about} has no direction; give three numbers, as 1,0,0", about=about), about
+        )
     return np.asarray(vector / length)
 
 
@@ -172,7 +193,9 @@ def find_strategy(name: str) -> Strategy:
     if name not in STRATEGIES:
         raise SettingsError(
             say(
-                "unknown tool-axis strategy {name}; choose one of {strategies}", name=repr(name), strategies=", ".join(STRATEGIES)
+                "unknown tool-axis strategy {name}; choose one of {strategies}",
+                name=repr(name),
+                strategies=", ".join(STRATEGIES),
             ),
             name,
         )
@@ -180,8 +203,8 @@ def find_strategy(name: str) -> Strategy:
 
 
 def leaned(axis: Floats, feed: Floats, lead: float, tilt: Floats | float) -> Floats:
-    """The axis turned by ``lead`` about left, then by ``tilt``, one or (n, 1), about the feed (Rodrigues for perpendicular
-    vectors)."""
+    """The axis turned by ``lead`` about left, then by ``tilt``, one or (n, 1), about the feed (Rodrigues for
+    perpendicular vectors)."""
     right = np.cross(feed, axis)
     return np.asarray(np.cos(lead) * (np.cos(tilt) * axis + np.sin(tilt) * right) + np.sin(lead) * feed)
 

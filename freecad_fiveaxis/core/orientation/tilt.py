@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cure that turns the tool: tilt its axis until shank, holder and, where that can help, the cutter are free of the part.
+"""The cure that turns the tool: tilt its axis until shank, holder and, where that can help, the cutter are
+free of the part.
 
-offset    of a row: a vector across the given axis; its length (rad) says how far the axis is turned, its direction which way.
+offset    of a row: a vector across the given axis; its length (rad) says how far the axis is turned, its
+          direction which way.
 state     one of the offsets that a row may choose.
 window    the rows near a block that enters, with rows put in between; no other row is touched.
 
-The offsets of a run are those of the least ``sum of |offset|^2 ds + SPREAD^2 |change of offset|^2 / ds + a penalty for every mm
-that enters``: the smallest tilt that frees, spread over the rows before and behind like a strip that is pulled aside
-there and springs back. It is found by dynamic programming over a coarse fan of states, then over ever finer ones about the
-offsets found. Whether a state enters is asked of whole blocks, with both their ends in that state.
+The offsets of a run are those of the least ``sum of |offset|^2 ds + SPREAD^2 |change of offset|^2 / ds + a
+penalty for every mm that enters``: the smallest tilt that frees, spread over the rows before and behind like
+a strip that is pulled aside there and springs back. It is found by dynamic programming over a coarse fan of
+states, then over ever finer ones about the offsets found. Whether a state enters is asked of whole blocks,
+with both their ends in that state.
 
 The contact stays; a cutter that is no ball sits anew. A run that the search does not better keeps its axes.
 """
@@ -54,7 +57,8 @@ FINEST = math.radians(0.1)
 """rad; offsets are not searched more finely."""
 
 ABOVE, OF_CUTTER = 1e3, 3e2
-"""Penalties for a mm of the way on which shank or holder, or the cutter, enter, where a radian over a mm costs 1."""
+"""Penalties for a mm of the way on which shank or holder, or the cutter, enter, where a radian over a mm
+costs 1."""
 
 RESTLESS = 0.1
 """rad: what a turn of a ring cutter's contact about its bottom by a radian counts as."""
@@ -76,14 +80,17 @@ LEAN = 1e-6
 
 
 def tilt_free(
-    path: OffsetPath, axis: Floats, cutter: Cutter, body: Body, tree: FacetTree, kinematics: Chain, max_tilt: float,
+    path: OffsetPath, axis: Floats, cutter: Cutter, body: Body, tree: FacetTree, kinematics: Chain,
+    max_tilt: float,
     tolerance: float, progress: Progress = silent, above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
-    """The path, with rows put in, and axes turned by at most ``max_tilt`` rad so that the body stays out of the part but for
-    ``tolerance`` mm wherever that can be; findings say what was turned, and what could not be freed.
+    """The path, with rows put in, and axes turned by at most ``max_tilt`` rad so that the body stays out of
+    the part but for ``tolerance`` mm wherever that can be; findings say what was turned, and what could not
+    be freed.
 
-    ``axis`` (n, 3) unit, one for each row. Axes stay within the rotary limits of ``kinematics``. Where nothing enters that a tilt
-    could free, the very path and axes given come back. ``above`` mm: how far over the tip the point lies that goes straight.
+    ``axis`` (n, 3) unit, one for each row. Axes stay within the rotary limits of ``kinematics``. Where
+    nothing enters that a tilt could free, the very path and axes given come back. ``above`` mm: how far over
+    the tip the point lies that goes straight.
     """
     task = _Task(cutter, body, tree, kinematics, max_tilt, tolerance, max(cutter.diameter, SPREAD), above)
     hit = task.entering(path, axis)
@@ -110,7 +117,8 @@ def tilt_free(
 
 
 class _Hits(NamedTuple):
-    """Of blocks (m,), or of each state's (k, m): whether shank or holder enter, and whether the cutter does."""
+    """Of blocks (m,), or of each state's (k, m): whether shank or holder enter, and whether the cutter
+    does."""
 
     above: Bools
     cutter: Bools
@@ -129,11 +137,17 @@ class _Task:
 
     def tips(self, path: OffsetPath, axis: Floats) -> Floats:
         """Where the tips (n, 3) stand under these axes (n, 3)."""
-        return np.asarray(hub_positions(path, axis, self.cutter.ring, self.cutter.barrel) - self.cutter.corner * axis)
+        return np.asarray(
+            hub_positions(path, axis, self.cutter.ring, self.cutter.barrel) - self.cutter.corner * axis
+        )
 
     def entering(self, path: OffsetPath, axis: Floats) -> Bools:
-        """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might free."""
-        swept, joined = straight_motion(self.tips(path, axis), axis, self.above), np.flatnonzero(np.diff(path.polyline) == 0)
+        """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might
+        free."""
+        swept, joined = (
+            straight_motion(self.tips(path, axis), axis, self.above),
+            np.flatnonzero(np.diff(path.polyline) == 0),
+        )
         hits = self.hits(swept, joined, self.hopeless(swept, joined))
         return np.asarray(hits.above | hits.cutter)
 
@@ -145,9 +159,12 @@ class _Task:
         return np.flatnonzero(which_enter(ball, self.tree, swept, AIM * self.tolerance, blocks))
 
     def hits(self, swept: SweptMotion, blocks: Ints, hopeless: Ints, margin: float = 0.0) -> _Hits:
-        """What enters these blocks; ``hopeless``: where the cutter is not looked at; ``margin`` mm for shank and holder."""
+        """What enters these blocks; ``hopeless``: where the cutter is not looked at; ``margin`` mm for shank
+        and holder."""
         limit = self.tolerance
-        above = tuple(piece._replace(round=piece.round + margin) for piece in self.body.only(SHANK, HOLDER).pieces)
+        above = tuple(
+            piece._replace(round=piece.round + margin) for piece in self.body.only(SHANK, HOLDER).pieces
+        )
         lower = which_enter(self.body.only(CUTTER), self.tree, swept, limit, np.setdiff1d(blocks, hopeless))
         return _Hits(which_enter(Body(above), self.tree, swept, limit, blocks), lower)
 
@@ -181,7 +198,9 @@ def _offsets(task: _Task, path: OffsetPath, axis: Floats, window: Bools, progres
     for number, group in enumerate(np.split(start, np.flatnonzero(np.diff(part)) + 1)):
         end = np.append(start, len(rows))[np.searchsorted(start, group[-1]) + 1]
         some = rows[group[0] : end]
-        run = _Runs.of(task, take_path_rows(path, some), axis[some], window[np.minimum(some, len(window) - 1)])
+        run = _Runs.of(
+            task, take_path_rows(path, some), axis[some], window[np.minimum(some, len(window) - 1)]
+        )
         offset[some] = run.found(partial(_tell, progress, number, int(part[-1]) + 1))
     progress("tilt", 1.0)
     return offset
@@ -193,8 +212,8 @@ def _tell(progress: Progress, number: int, groups: int, share: float) -> None:
 
 @dataclass(frozen=True, eq=False)
 class _Runs:
-    """Some whole runs: ``window`` blocks (w,), ``hopeless`` ones among them; ``weight`` (n - 1,) mm of each block; the ``frame``
-    (2, n, 3) across the axes; ``first`` and ``size`` (p,)."""
+    """Some whole runs: ``window`` blocks (w,), ``hopeless`` ones among them; ``weight`` (n - 1,) mm of each
+    block; the ``frame`` (2, n, 3) across the axes; ``first`` and ``size`` (p,)."""
 
     task: _Task
     path: OffsetPath
@@ -223,7 +242,9 @@ class _Runs:
         most = self.task.max_tilt
         angle = np.arange(SPOKES) * (2.0 * np.pi / SPOKES)
         spokes = np.stack([np.cos(angle), np.sin(angle)])
-        fan = np.concatenate([np.zeros((2, 1)), *(spokes * most * (k + 1) / RINGS for k in range(RINGS))], axis=1)
+        fan = np.concatenate(
+            [np.zeros((2, 1)), *(spokes * most * (k + 1) / RINGS for k in range(RINGS))], axis=1
+        )
         cross = np.stack(np.meshgrid([0.0, -1.0, 1.0], [0.0, -1.0, 1.0])).reshape(2, -1)
         step = 0.5 * most / RINGS
         rounds = max(math.ceil(math.log2(step / FINEST)), 0) + 1
@@ -235,7 +256,8 @@ class _Runs:
         return self.better(offset)
 
     def chosen(self, offset: Floats, states: Floats) -> Floats:
-        """The best way through ``offset`` (n, 3) and, about it, the ``states`` (2, k), of which the first is none."""
+        """The best way through ``offset`` (n, 3) and, about it, the ``states`` (2, k), of which the first is
+        none."""
         tried = offset + np.einsum("ks,knc->snc", states, self.frame)
         size = np.linalg.norm(tried, axis=2)
         tried *= np.minimum(1.0, self.task.max_tilt / np.maximum(size, self.task.max_tilt))[:, :, None]
@@ -252,8 +274,8 @@ class _Runs:
         return np.stack([self.task.tips(self.path, axis) for axis in axes])
 
     def allowed(self, axes: Floats) -> Bools:
-        """Which states (k, n) a row may take: none but the first outside the window, nor beyond the rotary limits, nor where
-        the flank would lean into the facet."""
+        """Which states (k, n) a row may take: none but the first outside the window, nor beyond the rotary
+        limits, nor where the flank would lean into the facet."""
         count, n = axes.shape[:2]
         inner = np.zeros(n, np.bool_)
         inner[self.window] = inner[self.window + 1] = True
@@ -279,10 +301,13 @@ class _Runs:
     def share(self, block: Floats) -> Floats:
         """What blocks (..., n - 1) give to the rows (..., n) at their ends, half each."""
         none = np.zeros((*block.shape[:-1], 1))
-        return np.asarray(0.5 * (np.concatenate([block, none], axis=-1) + np.concatenate([none, block], axis=-1)))
+        return np.asarray(
+            0.5 * (np.concatenate([block, none], axis=-1) + np.concatenate([none, block], axis=-1))
+        )
 
     def change(self, offset: Floats, tips: Floats, axes: Floats) -> Floats:
-        """The cost (k, k, n - 1) of going from state to state: of turning the axis, and the contact about a ring's bottom."""
+        """The cost (k, k, n - 1) of going from state to state: of turning the axis, and the contact about a
+        ring's bottom."""
         kind = offset
         if (ring := self.task.cutter.ring) > 0.0:
             seat = (tips + self.task.cutter.corner * axes - self.path.centre) / ring
@@ -290,7 +315,9 @@ class _Runs:
         square = (kind * kind).sum(axis=2)
         both = np.matmul(kind[:, :-1].transpose(1, 0, 2), kind[:, 1:].transpose(1, 2, 0))
         apart = square[:, :-1].T[:, :, None] + square[:, 1:].T[:, None, :] - 2.0 * both
-        return np.asarray(np.moveaxis(np.maximum(apart, 0.0) * (self.task.spread**2 / self.weight)[:, None, None], 0, -1))
+        return np.asarray(
+            np.moveaxis(np.maximum(apart, 0.0) * (self.task.spread**2 / self.weight)[:, None, None], 0, -1)
+        )
 
     def better(self, offset: Floats) -> Floats:
         """The offsets of the runs that enter over less of their way than without."""
@@ -307,7 +334,8 @@ def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) 
         worst = int(angle.argmax())
         place = _place(path.point[worst])
         text = say(
-            "The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays out of the part.",
+            "The tool axis was tilted in {count} rows, most by {angle} at {place}, so that the tool stays "
+            "out of the part.",
             count=np.count_nonzero(angle),
             angle=Angle(angle[worst], ".3g"),
             place=Point(place),
@@ -318,7 +346,8 @@ def _findings(path: OffsetPath, offset: Floats, left: Entries, max_tilt: float) 
         place = _place(left.place[int(left.depth.argmax())])
         text = say(
             "Over {length} of the passes no tilt of up to {most} keeps shank and holder out of the part, the "
-            "deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these places out.",
+            "deepest entry at {place}. Allow more tilt ({max_tilt}), use a longer tool, or leave these "
+            "places out.",
             length=Length(length, ".4g"),
             most=Angle(most, ".4g"),
             place=Point(place),

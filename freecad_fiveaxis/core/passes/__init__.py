@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Passes: the strategies that say where to cut, which facets may be cut, and what that cuts out of the mesh."""
+"""Passes: the strategies that say where to cut, which facets may be cut, and what that cuts out of the
+mesh."""
 
 from .arc_curvature import arc_centre, arc_curvature, pass_curvature
 from .around_axis import facets_around
@@ -11,7 +12,14 @@ from .spacing import prepare_planes
 from .standing import report_standing, standing_facets
 from .steep_and_shallow import Division, lay_by_slope, lay_whole
 from .strategies import PASS_STRATEGIES, find_pass_strategy
-from .within_limits import axes_within_limits, facets_under_axes, facets_within_limits, least_up, turns_within_limits, with_room
+from .within_limits import (
+    axes_within_limits,
+    facets_under_axes,
+    facets_within_limits,
+    least_up,
+    turns_within_limits,
+    with_room,
+)
 
 __all__ = [
     "CREASE",

@@ -23,12 +23,13 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 from .within_limits import axes_within_limits, least_up, report_beyond, report_too_steep
 
 ACROSS = math.sin(math.radians(1.0))
-"""Cosine between a facet's normal and the way outward up to which the facet lies across: the tool would only pass along it."""
+"""Cosine between a facet's normal and the way outward up to which the facet lies across: the tool would only
+pass along it."""
 
 
 def facets_outward(mesh: Mesh, through: Floats, about: Floats) -> tuple[Bools, Floats]:
-    """Find which facets (f,) face away from the axis ``through`` a point (3,), mm, along unit ``about`` (3,), and the unit way
-    outward (f, 3) at their middles."""
+    """Find which facets (f,) face away from the axis ``through`` a point (3,), mm, along unit ``about`` (3,),
+    and the unit way outward (f, 3) at their middles."""
     outward, _ = away_from(mesh.vertex[mesh.face].mean(axis=1), through, about)
     return row_dot(mesh.normal, outward) > ACROSS, outward
 
@@ -36,8 +37,9 @@ def facets_outward(mesh: Mesh, through: Floats, about: Floats) -> tuple[Bools, F
 def facets_around(
     mesh: Mesh, kinematics: Chain, through: Floats, about: Floats, most: float, wanted: Bools | None = None
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """Find the facets (f,) of the ``wanted`` (f,), None: all, that a tool square to the axis reaches on the machine, leaning from
-    +Z by ``most`` rad at most, and say what is left out. Raises ReachError where no facet is left."""
+    """Find the facets (f,) of the ``wanted`` (f,), None: all, that a tool square to the axis reaches on the
+    machine, leaning from +Z by ``most`` rad at most, and say what is left out. Raises ReachError where no
+    facet is left."""
     wanted = np.ones(len(mesh.face), np.bool_) if wanted is None else wanted
     faces, outward = facets_outward(mesh, through, about)
     across = wanted & ~faces
@@ -56,14 +58,16 @@ def facets_around(
 
 
 def report_across(mesh: Mesh, across: Bools) -> Finding | None:
-    """Say how much area the facets (f,) have that lie across the axis; its place is the middle of the largest."""
+    """Say how much area the facets (f,) have that lie across the axis; its place is the middle of the
+    largest."""
     rows = np.flatnonzero(across)
     if not len(rows):
         return None
     lost = float(mesh.area[rows].sum())
     x, y, z = (float(v) for v in mesh.vertex[mesh.face[rows[np.argmax(mesh.area[rows])]]].mean(axis=0))
     text = say(
-        "{count} facets of {area} ({share} % of the part) lie across the axis of the passes or face it, and are left out: a tool "
+        "{count} facets of {area} ({share} % of the part) lie across the axis of the passes or face it, and "
+        "are left out: a tool "
         "square to that axis does not reach them. Cut them with other passes.",
         count=len(rows), area=Area(lost, ".6g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"),
     )  # fmt: skip
@@ -74,7 +78,9 @@ def _nothing_left(mesh: Mesh, wanted: Bools, across: Bools, beyond: Bools) -> st
     whole = float(mesh.area[wanted].sum()) or 1.0
     shares = [Number(100.0 * float(mesh.area[mask].sum()) / whole, ".3g") for mask in (across, beyond)]
     return say(
-        "no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} % need a tool axis "
-        "beyond the machine's rotary limits; give the axis about which the part is turned, or take another machine",
+        "no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} "
+        "% need a tool axis "
+        "beyond the machine's rotary limits; give the axis about which the part is turned, or take another "
+        "machine",
         across=shares[0], beyond=shares[1],
     )  # fmt: skip

@@ -2,10 +2,12 @@
 """Which closed passes lie round one another, one after the other: what a spiral may run through.
 
 loop      a closed level line of the field, no border on it.
-band      facets between two levels that hang together. It leads from one loop to the next where these two are all that bounds
-          it, with no hole, no branch and no handle: its Euler characteristic is that of a ring, 0.
-chain     bands one on the other, each leading from the loop below it to the one above it. It ends where passes part or meet,
-          where one is open, and where two neighbouring levels lie apart otherwise than the next two.
+band      facets between two levels that hang together. It leads from one loop to the next where these two are
+          all that bounds it, with no hole, no branch and no handle: its Euler characteristic is that of a
+          ring, 0.
+chain     bands one on the other, each leading from the loop below it to the one above it. It ends where
+          passes part or meet, where one is open, and where two neighbouring levels lie apart otherwise than
+          the next two.
 """
 
 from __future__ import annotations
@@ -26,8 +28,8 @@ FEWEST = 2
 
 
 class Loops(NamedTuple):
-    """The level lines: of each co-edge on them (c,) the facets ``under`` and ``over`` it and the line that it belongs to, ``of``;
-    of each line (l,) whether it is ``closed``."""
+    """The level lines: of each co-edge on them (c,) the facets ``under`` and ``over`` it and the line that it
+    belongs to, ``of``; of each line (l,) whether it is ``closed``."""
 
     under: Ints
     over: Ints
@@ -36,8 +38,8 @@ class Loops(NamedTuple):
 
 
 def find_chains(mesh: Mesh, slab: Ints, levels: Floats) -> tuple[Bools, Ints]:
-    """Find the facets (f,) of a mesh, divided at ``levels`` (k,), that lie in chains, and the facets (n, 2) to either side of all
-    co-edges on loops of chains, the lower ones first; ``slab`` (f,) of each facet."""
+    """Find the facets (f,) of a mesh, divided at ``levels`` (k,), that lie in chains, and the facets (n, 2)
+    to either side of all co-edges on loops of chains, the lower ones first; ``slab`` (f,) of each facet."""
     loops = find_loops(mesh, slab)
     band = _grouped(mesh, slab)
     low, high = _only_lines(band, loops, loops.over), _only_lines(band, loops, loops.under)
@@ -57,7 +59,9 @@ def find_loops(mesh: Mesh, slab: Ints) -> Loops:
     coedge = np.flatnonzero(two & (slab[mesh.coedge_face[:, 0]] != slab[mesh.coedge_face[:, 1]]))
     side, ends = mesh.coedge_face[coedge], mesh.coedge_vertex[coedge]
     first = slab[side[:, 0]] < slab[side[:, 1]]
-    of = np.unique(_components(ends[:, 0], ends[:, 1], len(mesh.vertex))[ends[:, 0]], return_inverse=True)[1].astype(np.int64)
+    of = np.unique(_components(ends[:, 0], ends[:, 1], len(mesh.vertex))[ends[:, 0]], return_inverse=True)[
+        1
+    ].astype(np.int64)
     single = np.bincount(ends.reshape(-1), minlength=len(mesh.vertex))[ends] != 2
     closed = np.bincount(of, single.any(axis=1), int(of.max(initial=-1)) + 1) == 0
     return Loops(np.where(first, side[:, 0], side[:, 1]), np.where(first, side[:, 1], side[:, 0]), of, closed)
@@ -76,9 +80,13 @@ def _grouped(mesh: Mesh, slab: Ints) -> Ints:
 
 
 def _only_lines(band: Ints, loops: Loops, beside: Ints) -> Ints:
-    """Of each band (b,) the closed line that its facets lie ``beside`` (c,) on one side of; -1 where it is not the only one."""
+    """Of each band (b,) the closed line that its facets lie ``beside`` (c,) on one side of; -1 where it is
+    not the only one."""
     pair = np.unique(np.stack([band[beside], loops.of], axis=1), axis=0)
-    line, count = np.full(int(band.max(initial=-1)) + 1, -1), np.bincount(pair[:, 0], minlength=int(band.max(initial=-1)) + 1)
+    line, count = (
+        np.full(int(band.max(initial=-1)) + 1, -1),
+        np.bincount(pair[:, 0], minlength=int(band.max(initial=-1)) + 1),
+    )
     line[pair[:, 0]] = pair[:, 1]
     line[(count != 1) | ~np.append(loops.closed, False)[line]] = -1
     return line
@@ -90,7 +98,9 @@ def _euler(mesh: Mesh, band: Ints) -> Ints:
     side = np.where(mesh.coedge_face < 0, -1, band[mesh.coedge_face])
     other = (side[:, 1] >= 0) & (side[:, 1] != side[:, 0])
     edges = np.bincount(np.concatenate([side[:, 0], side[other, 1]]), minlength=count)
-    corner = np.unique(np.repeat(band, 3) * len(mesh.vertex) + mesh.face.reshape(-1)) // max(len(mesh.vertex), 1)
+    corner = np.unique(np.repeat(band, 3) * len(mesh.vertex) + mesh.face.reshape(-1)) // max(
+        len(mesh.vertex), 1
+    )
     return np.bincount(corner, minlength=count) - edges + np.bincount(band, minlength=count)
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The boundary within which passes are kept: closed curves, seen along an axis.
 
-boundary   an outer curve and islands in it, or several of both: what is inside follows from the even-odd rule.
+boundary   an outer curve and islands in it, or several of both: what is inside follows from the even-odd
+           rule.
 contact    the boundary holds the contact points; ``centre``: the centre of the cutter.
 """
 
@@ -37,8 +38,8 @@ FLATTEST = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Boundary:
-    """``name`` of the file; ``basis`` (2, 3): the directions u and v of the plane across the axis; ``curves`` in it; ``low`` and
-    ``high`` (3,) mm: the box of the points."""
+    """``name`` of the file; ``basis`` (2, 3): the directions u and v of the plane across the axis; ``curves``
+    in it; ``low`` and ``high`` (3,) mm: the box of the points."""
 
     name: str
     basis: Floats
@@ -52,8 +53,9 @@ class Boundary:
 
 
 def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
-    """Read closed curves, :mod:`.curve_text`: a point X,Y,Z in mm a line, a blank line between two curves, perhaps names of the
-    columns first. ``axis``: I,J,K, any length above 0. Raises SettingsError, FileError for what is no boundary."""
+    """Read closed curves, :mod:`.curve_text`: a point X,Y,Z in mm a line, a blank line between two curves,
+    perhaps names of the columns first. ``axis``: I,J,K, any length above 0. Raises SettingsError, FileError
+    for what is no boundary."""
     curves = [_closed(curve, name, number) for number, curve in enumerate(_read_curves(path, name), 1)]
     basis = _across(axis)
     basis = basis[np.argsort([-_to_and_fro(curves, one) for one in basis])]
@@ -61,7 +63,8 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
     for number, curve in enumerate(seen, 1):
         if _width(curve) <= FLATTEST * float(np.ptp(curves[number - 1], axis=0).max()):
             text = say(
-                "curve {number} of boundary {name} has no area when it is seen along {axis}; give another {option}",
+                "curve {number} of boundary {name} has no area when it is seen along {axis}; give another "
+                "{option}",
                 number=number, name=name, axis=_listed(axis), option=Option("boundary_axis"),
             )  # fmt: skip
             raise SettingsError(text, axis)
@@ -69,7 +72,8 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
     if (place := found.self_crossing()) is not None:
         x, y, z = (place @ basis).tolist()
         text = say(
-            "boundary {name} crosses itself at {place}, seen along {axis}; give curves that do not", name=name,
+            "boundary {name} crosses itself at {place}, seen along {axis}; give curves that do not",
+            name=name,
             place=Point((x, y, z), ".6g"), axis=_listed(axis),
         )  # fmt: skip
         raise SettingsError(text, name)
@@ -77,7 +81,8 @@ def read_boundary(path: str, name: str, axis: Vector) -> Boundary:
 
 
 def _across(axis: Vector) -> Floats:
-    """Two unit directions (2, 3) across the axis; those of the frame, to the last bit, where it is one of the frame's."""
+    """Two unit directions (2, 3) across the axis; those of the frame, to the last bit, where it is one of the
+    frame's."""
     along = np.array(axis, dtype=np.float64) / math.hypot(*axis)
     least = np.zeros(3)
     least[np.abs(along).argmin()] = 1.0
@@ -96,7 +101,9 @@ def _read_curves(path: str, name: str) -> list[Floats]:
     if not runs or sum(map(len, runs)) > MOST_POINTS:
         raise SettingsError(_unreadable(name), path)
     try:
-        curves = [np.array([[float(cell) for cell in row[:3]] for row in run], dtype=np.float64) for run in runs]
+        curves = [
+            np.array([[float(cell) for cell in row[:3]] for row in run], dtype=np.float64) for run in runs
+        ]
     except ValueError:
         raise SettingsError(_unreadable(name), path) from None
     if any(one.shape[1] != 3 or not (np.abs(one) <= 1e6).all() for one in curves):
@@ -106,25 +113,29 @@ def _read_curves(path: str, name: str) -> list[Floats]:
 
 def _unreadable(name: str) -> Sentence:
     return say(
-        "boundary {name} holds no closed curves: give X,Y,Z in mm on a line each, a blank line between two curves, at most "
+        "boundary {name} holds no closed curves: give X,Y,Z in mm on a line each, a blank line between two "
+        "curves, at most "
         "{most} points, none beyond {farthest}",
         name=name, most=MOST_POINTS, farthest=Length(1e6),
     )  # fmt: skip
 
 
 def _closed(curve: Floats, name: str, number: int) -> Floats:
-    """The curve (n, 3), its last point the first to the last bit. Raises SettingsError for one that is open or no polygon."""
+    """The curve (n, 3), its last point the first to the last bit. Raises SettingsError for one that is open
+    or no polygon."""
     gap = float(np.linalg.norm(curve[-1] - curve[0]))
     if len(curve) > 2 and gap > OPEN:
         text = say(
-            "curve {number} of boundary {name} is not closed: its ends are {gap} apart; repeat the first point at the end",
+            "curve {number} of boundary {name} is not closed: its ends are {gap} apart; repeat the first "
+            "point at the end",
             number=number, name=name, gap=Length(gap, ".4g"),
         )  # fmt: skip
         raise SettingsError(text, gap)
     corners = len(curve) - 1 if gap <= OPEN else len(curve)
     if corners < 3:
         text = say(
-            "curve {number} of boundary {name} has {count} points; give three or more, and the first again at the end",
+            "curve {number} of boundary {name} has {count} points; give three or more, and the first again "
+            "at the end",
             number=number, name=name, count=corners,
         )  # fmt: skip
         raise SettingsError(text, corners)
@@ -132,7 +143,8 @@ def _closed(curve: Floats, name: str, number: int) -> Floats:
 
 
 def _to_and_fro(curves: list[Floats], along: Floats) -> float:
-    """How many times the curves go over their whole extent along a direction: few slabs are worth it across that."""
+    """How many times the curves go over their whole extent along a direction: few slabs are worth it across
+    that."""
     place = [curve @ along for curve in curves]
     way = sum(float(np.abs(np.diff(one)).sum()) for one in place)
     return way / max(float(np.ptp(np.concatenate(place))), 1e-300)
@@ -143,9 +155,12 @@ def _width(curve: Floats) -> float:
     return float(np.linalg.svd(curve - curve.mean(axis=0), compute_uv=False)[1])
 
 
-def facets_within(boundary: Boundary, mesh: Mesh, faces: Bools | None, reach: float = 0.0) -> tuple[Bools, tuple[Finding, ...]]:
-    """Find those of the ``faces`` (f,; None: all facets) that lie within the boundary, if only in part, and say how much area the
-    others have. ``reach`` mm: of a cutter whose centre is held, how far its contact may lie from it.
+def facets_within(
+    boundary: Boundary, mesh: Mesh, faces: Bools | None, reach: float = 0.0
+) -> tuple[Bools, tuple[Finding, ...]]:
+    """Find those of the ``faces`` (f,; None: all facets) that lie within the boundary, if only in part, and
+    say how much area the others have. ``reach`` mm: of a cutter whose centre is held, how far its contact may
+    lie from it.
 
     Raises SettingsError where there is none.
     """
@@ -162,9 +177,11 @@ def facets_within(boundary: Boundary, mesh: Mesh, faces: Bools | None, reach: fl
 def nothing_inside(boundary: Boundary) -> Sentence:
     """Say that no part of the surface lies inside."""
     return say(
-        "no part of the surface that is to be machined lies inside boundary {name}, which reaches from {low} to {high}; "
+        "no part of the surface that is to be machined lies inside boundary {name}, which reaches from {low} "
+        "to {high}; "
         "its points are in mm, in the frame of the part",
-        name=boundary.name, low=Point(tuple(boundary.low.tolist()), ".6g"), high=Point(tuple(boundary.high.tolist()), ".6g"),
+        name=boundary.name, low=Point(tuple(boundary.low.tolist()), ".6g"),
+        high=Point(tuple(boundary.high.tolist()), ".6g"),
     )  # fmt: skip
 
 
@@ -173,9 +190,11 @@ def _report_outside(boundary: Boundary, mesh: Mesh, out: Bools, wanted: Bools) -
         return ()
     area, whole = float(mesh.area[out].sum()), float(mesh.area[wanted].sum())
     text = say(
-        "{count} facets of {area} ({share} % of what was to be machined) lie outside boundary {name} and are not machined; "
+        "{count} facets of {area} ({share} % of what was to be machined) lie outside boundary {name} and are "
+        "not machined; "
         "{gouge} keeps the tool out of them.",
-        count=int(out.sum()), area=Area(area, ".6g"), share=Number(100.0 * area / whole, ".3g"), name=boundary.name,
+        count=int(out.sum()), area=Area(area, ".6g"), share=Number(100.0 * area / whole, ".3g"),
+        name=boundary.name,
         gouge=Option("gouge"),
     )  # fmt: skip
     return (report_finding(Code.OUTSIDE_BOUNDARY, text, area),)

@@ -2,10 +2,11 @@
 """A copy of facets divided along the levels of a field, so that each facet lies in one slab.
 
 slab      what lies between two neighbouring levels: slab j from level j - 1 to level j.
-corner    values stand at the corners of facets, (f, 3), not at vertices: a field that gains a whole number once round has the
-          same levels from either side of a seam, as long as these are whole numbers too.
-strip     of a facet with corners A, B, C, ascending, what lies in one slab: its corners are the lower and the upper place on AC,
-          those on ABC, and B where it lies between them. It makes up to three facets about its lower place on AC.
+corner    values stand at the corners of facets, (f, 3), not at vertices: a field that gains a whole number
+          once round has the same levels from either side of a seam, as long as these are whole numbers too.
+strip     of a facet with corners A, B, C, ascending, what lies in one slab: its corners are the lower and the
+          upper place on AC, those on ABC, and B where it lies between them. It makes up to three facets about
+          its lower place on AC.
 """
 
 from __future__ import annotations
@@ -23,8 +24,9 @@ from .refine import INNER, Copy, assembled
 
 
 class Divided(NamedTuple):
-    """``vertex`` (v, 3 or more) mm and what is carried along; ``face`` (f, 3), ``label`` (f, 3) of their sides, ``owner`` (f,)
-    the facets that were divided; ``slab`` (f,); ``value`` (f, 3) at the corners, exact on levels."""
+    """``vertex`` (v, 3 or more) mm and what is carried along; ``face`` (f, 3), ``label`` (f, 3) of their
+    sides, ``owner`` (f,) the facets that were divided; ``slab`` (f,); ``value`` (f, 3) at the corners, exact
+    on levels."""
 
     vertex: Floats
     face: Ints
@@ -40,8 +42,9 @@ def assemble(copy: Copy, part: Mesh, divided: Divided) -> Copy:
 
 
 def divide(copy: Copy, value: Floats, levels: Floats, carried: Floats | None = None) -> Divided:
-    """Divide the facets of a copy where ``value`` (f, 3), at their corners and linear between them, has the ascending ``levels``
-    (k,); no corner may lie on one. ``carried`` (v, w): what else is known of the vertices, linear along sides."""
+    """Divide the facets of a copy where ``value`` (f, 3), at their corners and linear between them, has the
+    ascending ``levels`` (k,); no corner may lie on one. ``carried`` (v, w): what else is known of the
+    vertices, linear along sides."""
     mesh = copy.mesh
     table = np.asarray(mesh.vertex) if carried is None else np.column_stack([mesh.vertex, carried])
     level = np.searchsorted(levels, value, side="right")
@@ -50,7 +53,10 @@ def divide(copy: Copy, value: Floats, levels: Floats, carried: Floats | None = N
     pieces = _pieces(strips, levels)
     strip = np.concatenate([np.flatnonzero(which) for which, _, _ in pieces])
     face, at = (_rows(pieces, [[place[k] for place in places] for _, places, _ in pieces]) for k in (0, 1))
-    label, odd = _rows(pieces, [sides for _, _, sides in pieces]), np.flatnonzero(_odd(order)[strips.facet[strip]])
+    label, odd = (
+        _rows(pieces, [sides for _, _, sides in pieces]),
+        np.flatnonzero(_odd(order)[strips.facet[strip]]),
+    )
     face[odd], at[odd], label[odd] = face[odd][:, [0, 2, 1]], at[odd][:, [0, 2, 1]], label[odd][:, ::-1]
     return Divided(np.concatenate([table, new]), face, label, strips.facet[strip], strips.slab[strip], at)
 
@@ -62,7 +68,8 @@ def _rows(pieces: list[_Piece], columns: Sequence[Sequence[NDArray[Any]]]) -> An
 
 
 def _crossings(mesh: Mesh, table: Floats, value: Floats, level: Ints, levels: Floats) -> tuple[Floats, Ints]:
-    """The new rows of the table, those of a co-edge one after the other, upwards; and the first of each co-edge (e,)."""
+    """The new rows of the table, those of a co-edge one after the other, upwards; and the first of each
+    co-edge (e,)."""
     count = len(mesh.coedge_face)
     facet = mesh.coedge_face[:, 0]
     start = (mesh.face_coedge[facet] == np.arange(count)[:, None]).argmax(axis=1)
@@ -80,9 +87,9 @@ def _crossings(mesh: Mesh, table: Floats, value: Floats, level: Ints, levels: Fl
 
 
 class _Strips(NamedTuple):
-    """The ``facet`` and the ``slab`` (n,) of each strip; its ``corner`` vertices A, B, C, values ``at`` them, ``label`` of the
-    sides AB, BC, AC and the vertex that would be ``first`` on each of these if a level 0 crossed it, (3, n) each; the slabs of
-    the corners, ``span`` (3, n)."""
+    """The ``facet`` and the ``slab`` (n,) of each strip; its ``corner`` vertices A, B, C, values ``at`` them,
+    ``label`` of the sides AB, BC, AC and the vertex that would be ``first`` on each of these if a level 0
+    crossed it, (3, n) each; the slabs of the corners, ``span`` (3, n)."""
 
     facet: Ints
     slab: Ints
@@ -101,7 +108,8 @@ _Piece = tuple[Bools, tuple[_Place, _Place, _Place], tuple[Ints, Ints, Ints]]
 
 
 def _strips(copy: Copy, value: Floats, level: Ints, base: Ints) -> tuple[_Strips, Ints]:
-    """The strips, and the corners (f, 3) of the facets in ascending order; ``base`` (e,) the first new vertex of each co-edge."""
+    """The strips, and the corners (f, 3) of the facets in ascending order; ``base`` (e,) the first new vertex
+    of each co-edge."""
     order = np.argsort(value, axis=1, kind="stable")
     span = np.take_along_axis(level, order, axis=1)
     count = span[:, 2] - span[:, 0] + 1
@@ -122,7 +130,8 @@ def _place(strips: _Strips, levels: Floats, plane: Ints, side: Ints, end: Bools,
 
 
 def _pieces(strips: _Strips, levels: Floats) -> list[_Piece]:
-    """What facets strips are made of: the first lies on the lower level, the second has B, the third lies on the upper level."""
+    """What facets strips are made of: the first lies on the lower level, the second has B, the third lies on
+    the upper level."""
     (ab, bc, ac), slab, (a, b, c) = strips.label, strips.slab, strips.span
     bottom, middle, top = slab == a, slab == b, slab == c
     long, inner = np.full(len(slab), 2), np.full(len(slab), INNER)
@@ -139,7 +148,8 @@ def _pieces(strips: _Strips, levels: Floats) -> list[_Piece]:
 
 
 def _sorted_sides(mesh: Mesh, order: Ints) -> Ints:
-    """The co-edges (f, 3) between the first and the second, the second and the third, the first and the third corner."""
+    """The co-edges (f, 3) between the first and the second, the second and the third, the first and the third
+    corner."""
     a, b, c = order.T
     column = [np.where(two == (one + 1) % 3, one, two) for one, two in ((a, b), (b, c), (a, c))]
     return np.asarray(np.take_along_axis(mesh.face_coedge, np.stack(column, axis=1), axis=1))

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the levels of any field on a surface lie, so that neighbouring passes are nowhere more than a step apart.
+"""Where the levels of any field on a surface lie, so that neighbouring passes are nowhere more than a step
+apart.
 
 step    of the metric of the scallop (:mod:`.geodesic`): what two passes may be apart.
-widest  place between two levels: it says how many steps the field's piece there is worth (T. Kim, *Constant cusp height tool
-        paths as geodesic parallels on an abstract Riemannian manifold*, Computer-Aided Design 39 (2007), 477-489, for the
-        metric).
+widest  place between two levels: it says how many steps the field's piece there is worth (T. Kim, *Constant
+        cusp height tool paths as geodesic parallels on an abstract Riemannian manifold*, Computer-Aided
+        Design 39 (2007), 477-489, for the metric).
 """
 
 from __future__ import annotations
@@ -23,16 +24,17 @@ USUAL = 0.9
 """Of the area of a piece of the range, what asks for least: the rest is unusual."""
 
 MOST = 1.5
-"""Times what the usual asks for: a place that wants more gets passes of its own, as a gap does, or a single flat corner would
-crowd all passes together."""
+"""Times what the usual asks for: a place that wants more gets passes of its own, as a gap does, or a single
+flat corner would crowd all passes together."""
 
 FLAT = 1e-9
 """Of the range: facets over which the field rises by less carry no level."""
 
 
 def count_in_steps(surface: Surface, value: Floats) -> Floats:
-    """Count a field (v,) in steps (v,): within each component from 0 to a whole number, rising with the field; where one level
-    more is one step at the widest place between both, but for places that are wider than others by far."""
+    """Count a field (v,) in steps (v,): within each component from 0 to a whole number, rising with the
+    field; where one level more is one step at the widest place between both, but for places that are wider
+    than others by far."""
     component, face = surface.copy.component, surface.copy.mesh.face
     share = _shares(component, value)
     corner, number = share[face], component[face[:, 0]]
@@ -40,7 +42,8 @@ def count_in_steps(surface: Surface, value: Floats) -> Floats:
     slope = steepness(surface.metric, gradient(surface.frame, face, share))
     rises = rises[slope[rises] > 0.0]
     first, last = (
-        np.minimum(PIECES * end[rises], PIECES - 1).astype(np.int64) for end in (corner.min(axis=1), corner.max(axis=1))
+        np.minimum(PIECES * end[rises], PIECES - 1).astype(np.int64)
+        for end in (corner.min(axis=1), corner.max(axis=1))
     )
     row, piece = _spread(first, last)
     place = number[rises][row] * PIECES + piece
@@ -60,7 +63,9 @@ def _shares(component: Ints, value: Floats) -> Floats:
     np.minimum.at(low, component, value)
     np.maximum.at(high, component, value)
     span = (high - low)[component]
-    return np.clip(np.where(span > 0.0, (value - low[component]) / np.where(span > 0.0, span, 1.0), 0.0), 0.0, 1.0)
+    return np.clip(
+        np.where(span > 0.0, (value - low[component]) / np.where(span > 0.0, span, 1.0), 0.0), 0.0, 1.0
+    )
 
 
 def _spread(first: Ints, last: Ints) -> tuple[Ints, Ints]:
@@ -71,7 +76,8 @@ def _spread(first: Ints, last: Ints) -> tuple[Ints, Ints]:
 
 
 def _wanted(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
-    """The steps (count,) that the range is worth at each place, by those (m,) of the facets there, and their ``weight`` (m,)."""
+    """The steps (count,) that the range is worth at each place, by those (m,) of the facets there, and their
+    ``weight`` (m,)."""
     order = np.lexsort((steps, place))
     place, steps, weight = place[order], steps[order], weight[order]
     last = np.append(np.flatnonzero(np.diff(place)), len(place) - 1)[: len(place)]
@@ -84,8 +90,8 @@ def _wanted(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
 
 
 def _counted(component: Ints, share: Floats, worth: Floats) -> Floats:
-    """The steps (v,) from the low end of each component, where the pieces of its range are ``worth`` (c, PIECES) so many; in
-    all a whole number."""
+    """The steps (v,) from the low end of each component, where the pieces of its range are ``worth`` (c,
+    PIECES) so many; in all a whole number."""
     total = worth.sum(axis=1, keepdims=True)
     worth = worth * np.where(total > 0.0, np.ceil(total) / np.where(total > 0.0, total, 1.0), 0.0)
     before = np.cumsum(worth, axis=1) - worth

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a pass strategy is asked, and what it answers: a scalar field on the mesh and the levels of it that are cut.
+"""What a pass strategy is asked, and what it answers: a scalar field on the mesh and the levels of it that
+are cut.
 
-strategy  says where to cut: passes are the level sets of its field. Planes are those of a linear one. What comes after it
-          (slicing, co-edges, tool axes, links, checks) never knows which strategy it was.
-surface   a finer copy of the region that carries the field, where the facets of the part are too large for it.
+strategy  says where to cut: passes are the level sets of its field. Planes are those of a linear one. What
+          comes after it (slicing, co-edges, tool axes, links, checks) never knows which strategy it was.
+surface   a finer copy of the region that carries the field, where the facets of the part are too large for
+          it.
 """
 
 from __future__ import annotations
@@ -36,11 +38,11 @@ ALL_ROUND = (0.0, 0.25 * math.pi, 0.5 * math.pi, 0.75 * math.pi)
 
 @dataclass(frozen=True)
 class PassOptions:
-    """``direction`` rad of the travel of upright planes; ``stepover`` or ``scallop``, and ``least`` interval, mm; ``normal`` of
-    planes, any length, None: upright; ``source`` where passes begin and ``target`` where they end: the word ``border``, a
-    point, or the path of a curve; ``centre``, the word ``middle`` or a point, and ``axis``, any length, of passes that
-    radiate or turn with the part, these ``by`` the words ``around`` or ``along``; ``within`` frames lie passes of constant
-    ``scallop`` or ``planes``."""
+    """``direction`` rad of the travel of upright planes; ``stepover`` or ``scallop``, and ``least`` interval,
+    mm; ``normal`` of planes, any length, None: upright; ``source`` where passes begin and ``target`` where
+    they end: the word ``border``, a point, or the path of a curve; ``centre``, the word ``middle`` or a
+    point, and ``axis``, any length, of passes that radiate or turn with the part, these ``by`` the words
+    ``around`` or ``along``; ``within`` frames lie passes of constant ``scallop`` or ``planes``."""
 
     direction: float = 0.0
     stepover: float | None = None
@@ -57,9 +59,9 @@ class PassOptions:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """``mesh``; ``keep`` (f,) the facets to cut; ``radius`` mm of the ball whose passes may stand as far apart as the cutter's,
-    at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm of a flat. ``frames``: what sees which of
-    them, for passes that are cut with locked rotary axes."""
+    """``mesh``; ``keep`` (f,) the facets to cut; ``radius`` mm of the ball whose passes may stand as far
+    apart as the cutter's, at most ``widest`` intervals of a flat (None: the strategy's own); ``interval`` mm
+    of a flat. ``frames``: what sees which of them, for passes that are cut with locked rotary axes."""
 
     mesh: Mesh
     keep: Bools
@@ -72,9 +74,10 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class PassField:
-    """``value`` (v,) at the vertices of the mesh, or of ``surface`` where there is one; ``levels`` (k,) of it, ascending, that
-    are cut; ``upright`` rad: the travel of upright planes, whose points are then exact. ``findings``: what is poor about it;
-    ``frame`` (k,): of each level the frame in which it is cut, where rotary axes are locked."""
+    """``value`` (v,) at the vertices of the mesh, or of ``surface`` where there is one; ``levels`` (k,) of
+    it, ascending, that are cut; ``upright`` rad: the travel of upright planes, whose points are then exact.
+    ``findings``: what is poor about it; ``frame`` (k,): of each level the frame in which it is cut, where
+    rotary axes are locked."""
 
     value: Floats
     levels: Floats
@@ -97,25 +100,29 @@ class PassStrategy(Protocol):
 
     @property
     def over_surface(self) -> bool:
-        """Whether its passes lie as close on walls and undersides as on level faces, so that free tool axes are worth finding."""
+        """Whether its passes lie as close on walls and undersides as on level faces, so that free tool axes
+        are worth finding."""
 
     def travels(self, options: PassOptions) -> tuple[float, ...]:
         """rad: the directions of travel, seen from above, that stand for all of its passes."""
 
     def check(self, region: Region, options: PassOptions) -> None:
-        """Refuse, without the field's long work, options that cannot be used on the region. Raises SettingsError, FileError."""
+        """Refuse, without the field's long work, options that cannot be used on the region. Raises
+        SettingsError, FileError."""
 
     def field(self, region: Region, options: PassOptions) -> PassField:
         """The field and its levels. Raises what ``check`` raises."""
 
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+    def untouched(
+        self, region: Region, options: PassOptions, field: PassField, touched: Ints
+    ) -> tuple[Finding, ...]:
         """The field's findings, and what no pass touches; ``touched`` (n,): facets that passes touch."""
 
 
 def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> ContactPath:
-    """The passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to and fro, in one that spares
-    air, where there is one (:func:`.piece_order.order_pieces`). ``spiral``: closed passes round one another become one long open
-    one (:mod:`.spirals`). Raises SettingsError."""
+    """The passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to and fro,
+    in one that spares air, where there is one (:func:`.piece_order.order_pieces`). ``spiral``: closed passes
+    round one another become one long open one (:mod:`.spirals`). Raises SettingsError."""
     if spiral and found.surface is not None and len(found.levels) > 1 and (np.diff(found.levels) > 0.0).all():
         found = replace(found, value=off_levels(found.value, found.levels))
     contact = _sliced(region, found, {"order": order, "progress": region.progress})
@@ -138,8 +145,11 @@ def _sliced(region: Region, found: PassField, plain: dict[str, Any]) -> ContactP
     return slice_field(region.mesh, found.value, found.levels, plain=~region.keep, **plain)
 
 
-def _spirals(region: Region, found: PassField, contact: ContactPath) -> tuple[ContactPath, ContactPath] | None:
-    """The passes without the loops of which spirals are made, and the spirals, on the part; None where there is none."""
+def _spirals(
+    region: Region, found: PassField, contact: ContactPath
+) -> tuple[ContactPath, ContactPath] | None:
+    """The passes without the loops of which spirals are made, and the spirals, on the part; None where there
+    is none."""
     if not has_loops(contact):
         return None
     rows = np.flatnonzero(region.keep)

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategy of frames: constant scallop, or planes, in each of a few 3+2 positions, one after the other.
+"""The pass strategy of frames: constant scallop, or planes, in each of a few 3+2 positions, one after the
+other.
 
-frame      a position of the rotary axes, that is a tool axis fixed while passes are cut (orientation/find_frames.py finds them).
-territory  what of the surface is cut in a frame: of the places about which the frame was chosen those that it sees flattest.
+frame      a position of the rotary axes, that is a tool axis fixed while passes are cut
+           (orientation/find_frames.py finds them).
+territory  what of the surface is cut in a frame: of the places about which the frame was chosen those that it
+           sees flattest.
 planes     contain the frame's axis, as upright ones do on a machine of three axes.
 overlap    where two territories meet on a smooth surface each is cut beyond their seam by a step.
 """
@@ -22,7 +25,15 @@ from .field import PassField, PassOptions, Region
 from .frames import Frames
 from .refine import Copy, joined, taken
 from .scallop import hand_curvature_on
-from .scallop_passes import ConstantScallop, Ground, copy_region, lay_passes, lay_steps, measure_copy, survey_region
+from .scallop_passes import (
+    ConstantScallop,
+    Ground,
+    copy_region,
+    lay_passes,
+    lay_steps,
+    measure_copy,
+    survey_region,
+)
 from .spacing import WIDEST, prepare_planes
 
 OVERLAP = 1.0
@@ -42,11 +53,12 @@ SEEN = 0.05
 
 
 class FramePasses(ConstantScallop):
-    """Level sets of the distance from the border of each territory, or of that across planes, frame after frame."""
+    """Level sets of the distance from the border of each territory, or of that across planes, frame after
+    frame."""
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps from the border of the territories, or mm across planes in them, one after the other. Where there are no frames
-        the whole region is one, of constant scallop."""
+        """Steps from the border of the territories, or mm across planes in them, one after the other. Where
+        there are no frames the whole region is one, of constant scallop."""
         if region.frames is None:
             return super().field(region, options)
         region.progress("placing passes", 0.0)
@@ -74,11 +86,13 @@ def _cut_whole(region: Region, ground: Ground, part: Copy) -> PassField:
 
 
 def _lay_planes(region: Region, options: PassOptions, part: Copy, axis: Floats) -> PassField:
-    """Planes along the axis (3,) of a frame, and along the direction as far as that lies across it; mm from the first facet."""
+    """Planes along the axis (3,) of a frame, and along the direction as far as that lies across it; mm from
+    the first facet."""
     hand_curvature_on(region.mesh, part.mesh, part.parent)
     across = _across(axis, options.direction)
     place = prepare_planes(
-        part.mesh, options.direction, region.radius, stepover=options.stepover, scallop=options.scallop, least=options.least,
+        part.mesh, options.direction, region.radius, stepover=options.stepover, scallop=options.scallop,
+        least=options.least,
         progress=region.progress, widest=region.widest or WIDEST, normal=across,
     )  # fmt: skip
     levels, found = place()
@@ -88,8 +102,8 @@ def _lay_planes(region: Region, options: PassOptions, part: Copy, axis: Floats) 
 
 
 def _across(axis: Floats, angle: float) -> Floats:
-    """The unit normal (3,) of planes that contain the axis and the travel at ``angle`` rad from X; where that runs along the
-    axis, the level one across."""
+    """The unit normal (3,) of planes that contain the axis and the travel at ``angle`` rad from X; where that
+    runs along the axis, the level one across."""
     travel = np.array([math.cos(angle), math.sin(angle), 0.0])
     across = np.cross(axis, travel)
     length = float(np.linalg.norm(across))
@@ -109,7 +123,8 @@ def _territories(whole: Copy, frames: Frames, step: float) -> list[tuple[int, In
 
 
 def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
-    """Facets (f,) of the copy that are not in a territory but nearer than OVERLAP to one that looks the same way."""
+    """Facets (f,) of the copy that are not in a territory but nearer than OVERLAP to one that looks the same
+    way."""
     out, mesh = np.zeros(len(own), np.bool_), whole.mesh
     rows, inside = np.flatnonzero(~own & seen), np.flatnonzero(own)
     if not len(rows):
@@ -123,7 +138,8 @@ def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
 
 
 def _one_after_the_other(fields: list[_InFrame]) -> PassField:
-    """The fields of frames as one: none of a frame hangs together with another's, and its levels lie behind those before it."""
+    """The fields of frames as one: none of a frame hangs together with another's, and its levels lie behind
+    those before it."""
     surface, begin = fields[0].field.surface, 0.0
     value, levels, frame, findings = list[Floats](), list[Floats](), list[Ints](), list[Finding]()
     for k, (number, one) in enumerate(fields):
@@ -134,4 +150,10 @@ def _one_after_the_other(fields: list[_InFrame]) -> PassField:
         frame.append(np.full(len(one.levels), number))
         findings += one.findings
         begin += float(np.ceil(one.value.max())) + 1.0
-    return PassField(np.concatenate(value), np.concatenate(levels), tuple(findings), surface=surface, frame=np.concatenate(frame))
+    return PassField(
+        np.concatenate(value),
+        np.concatenate(levels),
+        tuple(findings),
+        surface=surface,
+        frame=np.concatenate(frame),
+    )

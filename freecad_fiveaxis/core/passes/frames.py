@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Frames: the few tool axes with which a part is cut while the rotary axes are locked, and which place is cut in which."""
+"""Frames: the few tool axes with which a part is cut while the rotary axes are locked, and which place is cut
+in which."""
 
 from __future__ import annotations
 
@@ -16,8 +17,9 @@ NEAREST = 3
 
 @dataclass(frozen=True, eq=False)
 class Frames:
-    """``axis`` (k, 3) unit, in the order in which they are cut; of n places on the surface ``point`` (n, 3) mm, unit ``normal``
-    (n, 3) and the ``frame`` (n,) they are cut in, -1: none sees them; ``spacing`` mm between places."""
+    """``axis`` (k, 3) unit, in the order in which they are cut; of n places on the surface ``point`` (n, 3)
+    mm, unit ``normal`` (n, 3) and the ``frame`` (n,) they are cut in, -1: none sees them; ``spacing`` mm
+    between places."""
 
     axis: Floats
     point: Floats
@@ -26,8 +28,8 @@ class Frames:
     spacing: float
 
     def at(self, point: Floats, normal: Floats) -> Ints:
-        """The frame (m,) of points (m, 3) mm with unit normals (m, 3): of the nearest place that has one among NEAREST, else
-        -1."""
+        """The frame (m,) of points (m, 3) mm with unit normals (m, 3): of the nearest place that has one
+        among NEAREST, else -1."""
         tree = scipy.spatial.cKDTree(np.concatenate([self.point, self.spacing * self.normal], axis=1))
         place = np.concatenate([point, self.spacing * normal], axis=1)
         near = tree.query(place, k=np.arange(1, min(NEAREST, len(self.frame)) + 1))[1]

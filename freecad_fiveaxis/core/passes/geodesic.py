@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Distance over a surface, in the metric of the scallop: one unit is one admissible step.
 
-scallop   between two passes of a ball of radius r that are d apart: with the curvature tensor T of the surface (1/mm, convex
-          positive) the tube of the ball about a pass at x leaves ``x . (1 + r T) x / 2r`` over the point at 0, to second order.
-          The nearest point of a pass at ``d / 2`` along unit c gives the height ``d^2 / (8 r c . (1 + r T)^-1 c)``.
-metric    ``G = (1 + r T) / s^2``, s the step on a flat: level sets one unit of G apart leave that scallop whichever way they run
-          (Kim, Computer-Aided Design 39 (2007), 477-489; Zou et al., Computer-Aided Design 53 (2014), 117-125).
-heat      the distance by the heat method (Crane, Weischedel, Wardetzky, ACM Trans. Graph. 32 (2013), 152): heat flows from the
-          source for a short time; its gradient says which way the distance grows; a Poisson equation finds the function that
-          grows that way with slope 1.
+scallop   between two passes of a ball of radius r that are d apart: with the curvature tensor T of the
+          surface (1/mm, convex positive) the tube of the ball about a pass at x leaves ``x . (1 + r T) x /
+          2r`` over the point at 0, to second order. The nearest point of a pass at ``d / 2`` along unit c
+          gives the height ``d^2 / (8 r c . (1 + r T)^-1 c)``.
+metric    ``G = (1 + r T) / s^2``, s the step on a flat: level sets one unit of G apart leave that scallop
+          whichever way they run (Kim, Computer-Aided Design 39 (2007), 477-489; Zou et al., Computer-Aided
+          Design 53 (2014), 117-125).
+heat      the distance by the heat method (Crane, Weischedel, Wardetzky, ACM Trans. Graph. 32 (2013), 152):
+          heat flows from the source for a short time; its gradient says which way the distance grows; a
+          Poisson equation finds the function that grows that way with slope 1.
 
-All arrays are plain: ``vertex`` (v, 3) mm, ``face`` (f, 3); a metric is (3, f): G11, G12, G22 in the facet's :func:`frames`.
+All arrays are plain: ``vertex`` (v, 3) mm, ``face`` (f, 3); a metric is (3, f): G11, G12, G22 in the facet's
+:func:`frames`.
 """
 
 from __future__ import annotations
@@ -25,20 +28,23 @@ from freecad_fiveaxis.core.base.records import Floats, Ints
 from freecad_fiveaxis.core.base.vectors import row_dot
 
 FLATTEST = 1.0 / 16.0
-"""Least ``1 + r curvature``: in a hollow of nearly the ball's radius a step would have no end; it is at most four of a flat."""
+"""Least ``1 + r curvature``: in a hollow of nearly the ball's radius a step would have no end; it is at most
+four of a flat."""
 
 FADED = 300.0
-"""Units of heat's decay from the source to the farthest place at most: e^-300 is still a number with all its digits."""
+"""Units of heat's decay from the source to the farthest place at most: e^-300 is still a number with all its
+digits."""
 
 ROUNDS = 2
-"""Times that the slope is set right once more: where fronts of heat meet aslant the first direction is smeared."""
+"""Times that the slope is set right once more: where fronts of heat meet aslant the first direction is
+smeared."""
 
 TINY = 1e-300
 
 
 class Frames(NamedTuple):
-    """``one`` and ``two`` (f, 3): unit and perpendicular, in the facets; ``slope`` (3, 2, f): the gradients of the corners' hat
-    functions in them, 1/mm; ``area`` (f,) mm2."""
+    """``one`` and ``two`` (f, 3): unit and perpendicular, in the facets; ``slope`` (3, 2, f): the gradients
+    of the corners' hat functions in them, 1/mm; ``area`` (f,) mm2."""
 
     one: Floats
     two: Floats
@@ -54,24 +60,37 @@ def frames(vertex: Floats, face: Ints) -> Frames:
     one = (b - a) / np.linalg.norm(b - a, axis=1)[:, None]
     two = np.cross(normal / twice[:, None], one)
     slope = np.empty((3, 2, len(face)))
-    for corner, side in enumerate((c - b, a - c, b - a)):  # the hat of a corner falls towards the side opposite
+    for corner, side in enumerate(
+        (c - b, a - c, b - a)
+    ):  # the hat of a corner falls towards the side opposite
         slope[corner] = -row_dot(side, two) / twice, row_dot(side, one) / twice
     return Frames(one, two, slope, 0.5 * twice)
 
 
-def scallop_metric(frame: Frames, tensor: Floats, radius: float, flat: float, least: float = FLATTEST) -> Floats:
-    """The metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a flat; ``tensor`` (6, f) 1/mm
-    as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r curvature``."""
+def scallop_metric(
+    frame: Frames, tensor: Floats, radius: float, flat: float, least: float = FLATTEST
+) -> Floats:
+    """The metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a flat;
+    ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r curvature``."""
     xx, yy, zz, xy, yz, zx = tensor
 
     def bend(one: Floats, two: Floats) -> Floats:
         x, y, z = one.T
         u, v, w = two.T
         return np.asarray(
-            xx * x * u + yy * y * v + zz * z * w + xy * (x * v + y * u) + yz * (y * w + z * v) + zx * (z * u + x * w)
+            xx * x * u
+            + yy * y * v
+            + zz * z * w
+            + xy * (x * v + y * u)
+            + yz * (y * w + z * v)
+            + zx * (z * u + x * w)
         )
 
-    a, b, d = 1.0 + radius * bend(frame.one, frame.one), radius * bend(frame.one, frame.two), radius * bend(frame.two, frame.two)
+    a, b, d = (
+        1.0 + radius * bend(frame.one, frame.one),
+        radius * bend(frame.one, frame.two),
+        radius * bend(frame.two, frame.two),
+    )
     return _at_least(np.array([a, b, 1.0 + d]), least) / (flat * flat)
 
 
@@ -114,15 +133,19 @@ def steepness(metric: Floats, slope: Floats) -> Floats:
 
 
 def step_across(metric: Floats, slope: Floats) -> Floats:
-    """The admissible step (f,) mm across level sets with a gradient (2, f), along that gradient over the surface."""
+    """The admissible step (f,) mm across level sets with a gradient (2, f), along that gradient over the
+    surface."""
     length = np.hypot(*slope)
     x, y = np.where(length > 0.0, slope / np.maximum(length, TINY), np.array([[1.0], [0.0]]))
     (a, b, d) = metric
     return np.asarray(np.sqrt((d * x * x - 2.0 * b * x * y + a * y * y) / (a * d - b * b)))
 
 
-def distance(vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: Ints, known: Floats) -> Floats:
-    """The distance (v,), in units of the metric, from ``source`` (m,) vertices where it is ``known`` (m,), at least 0.
+def distance(
+    vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: Ints, known: Floats
+) -> Floats:
+    """The distance (v,), in units of the metric, from ``source`` (m,) vertices where it is ``known`` (m,), at
+    least 0.
 
     Every component of the surface needs a source.
     """
@@ -153,9 +176,18 @@ def distance(vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: 
 
 
 def _warmth(
-    face: Ints, frame: Frames, metric: Floats, weight: Floats, source: Ints, known: Floats, step: float, inner: Ints, count: int
+    face: Ints,
+    frame: Frames,
+    metric: Floats,
+    weight: Floats,
+    source: Ints,
+    known: Floats,
+    step: float,
+    inner: Ints,
+    count: int,
 ) -> Floats:
-    """How warm (v,) each vertex is a ``step`` of time after heat was let in at the source, less where its distance is larger."""
+    """How warm (v,) each vertex is a ``step`` of time after heat was let in at the source, less where its
+    distance is larger."""
     mass = np.bincount(face.T.reshape(-1), np.tile(weight / 3.0, 3), count)
     heat = scipy.sparse.csc_matrix(_stiffness(face, frame, metric, count, clipped=True) * (step * step))
     heat.setdiag(heat.diagonal() + mass)
@@ -166,11 +198,15 @@ def _warmth(
 
 
 def spread_between(face: Ints, frame: Frames, metric: Floats, low: Ints, high: Ints) -> Floats:
-    """Solve the Laplace equation of the metric: a field (v,) that is 0 at the vertices ``low`` (m,) and 1 at ``high`` (k,),
-    between them without summit or basin, and level across every other border. 0 where a component has vertices of one of them
-    only."""
+    """Solve the Laplace equation of the metric: a field (v,) that is 0 at the vertices ``low`` (m,) and 1 at
+    ``high`` (k,), between them without summit or basin, and level across every other border. 0 where a
+    component has vertices of one of them only."""
     count = int(face.max(initial=-1)) + 1
-    stiff, value, free = _stiffness(face, frame, metric, count, clipped=True), np.zeros(count), np.ones(count, np.bool_)
+    stiff, value, free = (
+        _stiffness(face, frame, metric, count, clipped=True),
+        np.zeros(count),
+        np.ones(count, np.bool_),
+    )
     value[high], free[low], free[high] = 1.0, False, False
     component = scipy.sparse.csgraph.connected_components(stiff, directed=False)[1]
     free &= np.isin(component, np.intersect1d(component[low], component[high]))
@@ -192,20 +228,26 @@ def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count:
     rows, columns = rows[order], columns[order]
     first = np.flatnonzero(np.append(True, (np.diff(rows) != 0) | (np.diff(columns) != 0)))
     shortest = np.minimum.reduceat(weight[order], first)  # of two facets on one side the shorter counts
-    graph = scipy.sparse.coo_matrix((np.maximum(shortest, 1e-12), (rows[first], columns[first])), (count + 1, count + 1)).tocsr()
+    graph = scipy.sparse.coo_matrix(
+        (np.maximum(shortest, 1e-12), (rows[first], columns[first])), (count + 1, count + 1)
+    ).tocsr()
     return np.asarray(scipy.sparse.csgraph.dijkstra(graph, indices=count)[:count])
 
 
 def _counted(key: Ints, count: int) -> Ints:
-    """The order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come: rows of a sparse matrix are
-    filled so, in far less time than sorting takes."""
+    """The order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come: rows of
+    a sparse matrix are filled so, in far less time than sorting takes."""
     place = np.arange(len(key))
-    return np.asarray(scipy.sparse.coo_matrix((np.ones(len(key), np.int8), (key, place)), (count, len(key))).tocsr().indices)
+    return np.asarray(
+        scipy.sparse.coo_matrix((np.ones(len(key), np.int8), (key, place)), (count, len(key))).tocsr().indices
+    )
 
 
-def _stiffness(face: Ints, frame: Frames, metric: Floats, count: int, clipped: bool) -> scipy.sparse.csc_matrix:
-    """The Laplacian of the metric, positive (cotangent weights for a flat one). ``clipped``: without what flows uphill over
-    obtuse corners, so that no heat ever is negative."""
+def _stiffness(
+    face: Ints, frame: Frames, metric: Floats, count: int, clipped: bool
+) -> scipy.sparse.csc_matrix:
+    """The Laplacian of the metric, positive (cotangent weights for a flat one). ``clipped``: without what
+    flows uphill over obtuse corners, so that no heat ever is negative."""
     (a, b, d), root = metric, np.sqrt(metric[0] * metric[2] - metric[1] ** 2)
     rows, columns, values = [], [], []
     for k in range(3):
@@ -221,7 +263,8 @@ def _stiffness(face: Ints, frame: Frames, metric: Floats, count: int, clipped: b
 
 
 def _outflow(face: Ints, frame: Frames, metric: Floats, weight: Floats, way: Floats, count: int) -> Floats:
-    """What (v,) the field of slope 1 along ``way`` (2, f), a gradient, takes out of each vertex: the Poisson equation's side."""
+    """What (v,) the field of slope 1 along ``way`` (2, f), a gradient, takes out of each vertex: the Poisson
+    equation's side."""
     (a, b, d), (x, y) = metric, way / np.maximum(steepness(metric, way), TINY)
     determinant = a * d - b * b
     up = weight * (d * x - b * y) / determinant, weight * (a * y - b * x) / determinant
@@ -230,9 +273,11 @@ def _outflow(face: Ints, frame: Frames, metric: Floats, weight: Floats, way: Flo
 
 
 SYMMETRIC: Any = {
-    "permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.0, "relax": 1, "panel_size": 4, "options": {"SymmetricMode": True},
+    "permc_spec": "MMD_AT_PLUS_A", "diag_pivot_thresh": 0.0, "relax": 1, "panel_size": 4,
+    "options": {"SymmetricMode": True},
 }  # fmt: skip
-"""For SuperLU. With ``relax`` of its own, 10 to 20, subtrees of few columns are taken for dense ones: 7 times slower here."""
+"""For SuperLU. With ``relax`` of its own, 10 to 20, subtrees of few columns are taken for dense ones: 7 times
+slower here."""
 
 
 class Factored:

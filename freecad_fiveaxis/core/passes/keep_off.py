@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Faces to avoid of which the tool keeps an allowance: which places of the surface the cutter cannot touch for that.
+"""Faces to avoid of which the tool keeps an allowance: which places of the surface the cutter cannot touch
+for that.
 
-corner ball   the ball of the cutter's corner radius that touches the surface at a contact: of a ball end the whole end, of other
-              cutters a part of it whatever the axis. Where it comes nearer than the allowance, no axis helps.
+corner ball   the ball of the cutter's corner radius that touches the surface at a contact: of a ball end the
+              whole end, of other cutters a part of it whatever the axis. Where it comes nearer than the
+              allowance, no axis helps.
 """
 
 from __future__ import annotations
@@ -22,19 +24,21 @@ TOUCHING = 1e-6
 """mm; a ball that is so much too near keeps the allowance."""
 
 ON_STRIP = Template(
-    "{area} ({share} % of the part) beside the faces to avoid are not cut, as at {place}: the cutter would come nearer to these "
+    "{area} ({share} % of the part) beside the faces to avoid are not cut, as at {place}: the cutter would "
+    "come nearer to these "
     "than {allowance}. Cut them with a smaller cutter, or with a smaller allowance."
 )
 ON_FACETS = Template(
-    "{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to avoid that they are left "
+    "{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to avoid "
+    "that they are left "
     "out: the cutter would come nearer to these than {allowance}."
 )
 
 
 @dataclass(frozen=True, eq=False)
 class KeepOff:
-    """``faces``: the facets to avoid alone, a mesh of its own; ``some`` (f,): which of the part these are; ``allowance`` mm,
-    above 0; ``corner`` mm: the cutter's corner radius."""
+    """``faces``: the facets to avoid alone, a mesh of its own; ``some`` (f,): which of the part these are;
+    ``allowance`` mm, above 0; ``corner`` mm: the cutter's corner radius."""
 
     faces: Mesh
     some: Bools
@@ -58,8 +62,8 @@ class KeepOff:
         return self.corner + self.allowance
 
     def room(self, centre: Floats) -> Floats:
-        """How much farther (n,) mm than they must the corner balls about ``centre`` (n, 3) mm are from the faces; below 0: they
-        are too near."""
+        """How much farther (n,) mm than they must the corner balls about ``centre`` (n, 3) mm are from the
+        faces; below 0: they are too near."""
         pieces, facets = self._pieces, self._facets  # type: ignore[attr-defined]
         room: Floats = pieces.clear_by(centre) - self.least
         near = np.flatnonzero(room < self.least)
@@ -84,8 +88,8 @@ class KeepOff:
 
 
 def facets_allowed(keep_off: KeepOff, mesh: Mesh, facets: Bools) -> tuple[Bools, tuple[Finding, ...]]:
-    """Find those of ``facets`` (f,) that the corner ball can touch, if only in part, and say what the others are. A facet is
-    left out only where that is certain: the room changes no faster than the place does."""
+    """Find those of ``facets`` (f,) that the corner ball can touch, if only in part, and say what the others
+    are. A facet is left out only where that is certain: the room changes no faster than the place does."""
     rows = np.flatnonzero(facets)
     corner = mesh.vertex[mesh.face[rows]]
     middle = corner.mean(axis=1)
@@ -104,18 +108,26 @@ def facets_allowed(keep_off: KeepOff, mesh: Mesh, facets: Bools) -> tuple[Bools,
     return facets & ~out, found
 
 
-def report_strip(keep_off: KeepOff, mesh: Mesh, point: Floats, facet: Ints, area: Floats) -> tuple[Finding, ...]:
-    """Say how much area the corner ball cannot touch, of places (k, 3) mm of facets (k,) that stand for ``area`` (k,) mm2."""
+def report_strip(
+    keep_off: KeepOff, mesh: Mesh, point: Floats, facet: Ints, area: Floats
+) -> tuple[Finding, ...]:
+    """Say how much area the corner ball cannot touch, of places (k, 3) mm of facets (k,) that stand for
+    ``area`` (k,) mm2."""
     out = np.where(keep_off.allows(mesh, point, facet), 0.0, area)
-    return _report(Code.NEAR_AVOIDED_FACES, ON_STRIP, keep_off, mesh, float(out.sum()), point[int(out.argmax())])
+    return _report(
+        Code.NEAR_AVOIDED_FACES, ON_STRIP, keep_off, mesh, float(out.sum()), point[int(out.argmax())]
+    )
 
 
-def _report(code: Code, words: Template, keep_off: KeepOff, mesh: Mesh, area: float, place: Floats) -> tuple[Finding, ...]:
+def _report(
+    code: Code, words: Template, keep_off: KeepOff, mesh: Mesh, area: float, place: Floats
+) -> tuple[Finding, ...]:
     if area == 0.0:
         return ()
     x, y, z = place.tolist()
     text = words.say(
-        area=Area(area, ".4g"), share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), place=Point((x, y, z), ".6g"),
+        area=Area(area, ".4g"), share=Number(100.0 * area / float(mesh.area.sum()), ".3g"),
+        place=Point((x, y, z), ".6g"),
         allowance=Length(keep_off.allowance),
     )  # fmt: skip
     return (report_finding(code, text, area, 0.0, place=(x, y, z)),)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategy that leads from one guide to another: passes change their form from that of the one to that of the other.
+"""The pass strategy that leads from one guide to another: passes change their form from that of the one to
+that of the other.
 
-guide     a curve on the surface, a point, or part of the region's border. Curves along sides of facets are followed as they
-          are, others within a side of the facets.
-harmonic  field: 0 on the one guide, 1 on the other, and between them as heat would spread; so it has no summit and no basin
-          (maximum principle), and its levels meet other borders, those of islands too, at right angles.
+guide     a curve on the surface, a point, or part of the region's border. Curves along sides of facets are
+          followed as they are, others within a side of the facets.
+harmonic  field: 0 on the one guide, 1 on the other, and between them as heat would spread; so it has no
+          summit and no basin (maximum principle), and its levels meet other borders, those of islands too, at
+          right angles.
 """
 
 from __future__ import annotations
@@ -31,10 +33,12 @@ SIDE = math.cos(0.25 * math.pi)
 
 
 class Morph(OverSurface):
-    """Level sets of the harmonic field between two guides, as close as the widest place between two of them asks for."""
+    """Level sets of the harmonic field between two guides, as close as the widest place between two of them
+    asks for."""
 
     def check(self, region: Region, options: PassOptions) -> None:
-        """Raise SettingsError for guides and a scallop that cannot be used and for more passes than any job can want."""
+        """Raise SettingsError for guides and a scallop that cannot be used and for more passes than any job
+        can want."""
         survey_region(region, options)
         find_source(options.target, region, Option("to"))
         _refuse_without_border(region, options)
@@ -59,7 +63,8 @@ def _refuse_without_border(region: Region, options: PassOptions) -> None:
     inside = region.keep[side] & (side >= 0)
     if BORDER in (options.source, options.target) and inside[inside.any(axis=1)].all():
         text = say(
-            "the surface that is to be cut has no border to lead passes from or to; give two guides by {from_} and {to}, "
+            "the surface that is to be cut has no border to lead passes from or to; give two guides by "
+            "{from_} and {to}, "
             "a point X,Y,Z or a file CURVE.csv each",
             from_=Option("from_"), to=Option("to"),
         )  # fmt: skip
@@ -71,14 +76,18 @@ def _refuse_one_guide(surface: Surface, low: Ints, high: Ints) -> None:
     component = surface.copy.component
     if not len(np.intersect1d(component[low], component[high])):
         text = say(
-            "no piece of the surface that is to be cut has both guides on it; give {from_} and {to} on one piece",
+            "no piece of the surface that is to be cut has both guides on it; give {from_} and {to} on one "
+            "piece",
             from_=Option("from_"), to=Option("to"),
         )  # fmt: skip
         raise SettingsError(text, "morph")
 
 
-def _find_guides(surface: Surface, source: Floats | None, target: Floats | None, travel: float) -> tuple[Ints, Ints]:
-    """The vertices (m,) of the copy on the one guide and on the other; ``source`` and ``target`` (n, 3) mm, None: the border."""
+def _find_guides(
+    surface: Surface, source: Floats | None, target: Floats | None, travel: float
+) -> tuple[Ints, Ints]:
+    """The vertices (m,) of the copy on the one guide and on the other; ``source`` and ``target`` (n, 3) mm,
+    None: the border."""
     mesh = surface.copy.mesh
     if source is None and target is None:
         return _sides_of_border(surface, travel)
@@ -98,7 +107,8 @@ def _along_curve(mesh: Mesh, curve: Floats) -> Ints:
 
 
 def _beside(mesh: Mesh, guide: Ints | None) -> Ints:
-    """The vertices (m,) of a guide and all that share a side with one: what of the border touches it belongs to it."""
+    """The vertices (m,) of a guide and all that share a side with one: what of the border touches it belongs
+    to it."""
     assert guide is not None
     there = np.zeros(len(mesh.vertex), np.bool_)
     there[guide] = True
@@ -106,12 +116,14 @@ def _beside(mesh: Mesh, guide: Ints | None) -> Ints:
 
 
 def _sides_of_border(surface: Surface, travel: float) -> tuple[Ints, Ints]:
-    """Of each component with several borders the longest and the next; of one with one border what lies to the right and to the
-    left of the travel, rad."""
+    """Of each component with several borders the longest and the next; of one with one border what lies to
+    the right and to the left of the travel, rad."""
     mesh, component = surface.copy.mesh, surface.copy.component
     edge = np.flatnonzero(mesh.coedge_face[:, 1] < 0)
     ends = mesh.coedge_vertex[edge]
-    graph = scipy.sparse.coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(component), len(component)))
+    graph = scipy.sparse.coo_matrix(
+        (np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(len(component), len(component))
+    )
     loop = scipy.sparse.csgraph.connected_components(graph, directed=False)[1][ends[:, 0]]
     way = mesh.vertex[ends[:, 1]] - mesh.vertex[ends[:, 0]]
     number = np.unique(loop, return_inverse=True)[1]
@@ -120,7 +132,9 @@ def _sides_of_border(surface: Surface, travel: float) -> tuple[Ints, Ints]:
     rank = _ranks(owner, np.bincount(number, np.linalg.norm(way, axis=1)).astype(np.float64))
     alone = np.bincount(owner, minlength=int(component.max(initial=0)) + 1)[owner] == 1
     right, left = _right_and_left(way, travel)
-    low, high = (np.where(alone[number], side, rank[number] == place) for side, place in ((right, 0), (left, 1)))
+    low, high = (
+        np.where(alone[number], side, rank[number] == place) for side, place in ((right, 0), (left, 1))
+    )
     one, other = np.unique(ends[low]), np.unique(ends[high])
     return np.setdiff1d(one, other), np.setdiff1d(other, one)
 
@@ -135,8 +149,9 @@ def _ranks(owner: Ints, length: Floats) -> Ints:
 
 
 def _right_and_left(way: Floats, travel: float) -> tuple[Bools, Bools]:
-    """Which of the border's sides (e,), ``way`` (e, 3) mm with the surface to its left, run along the travel and so lie to the
-    right of it, and which run against it. Where the surface stands across the travel, its sides along Z are taken."""
+    """Which of the border's sides (e,), ``way`` (e, 3) mm with the surface to its left, run along the travel
+    and so lie to the right of it, and which run against it. Where the surface stands across the travel, its
+    sides along Z are taken."""
     cosine, sine = direction(travel)
     for along in np.array([[cosine, sine, 0.0], [0.0, 0.0, 1.0]]):
         share = way @ along

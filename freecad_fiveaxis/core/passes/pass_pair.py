@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Two neighbouring passes and the scallop between them, measured on the facets.
 
-strip     the facets in the order in which the planes reach them, so that a trial plane looks only at those near it.
+strip     the facets in the order in which the planes reach them, so that a trial plane looks only at those
+          near it.
 opposite  the nearest point of the other pass, where the way there runs across the passes.
 samples   points of a pass, at least one in each facet segment and no further apart than a given step.
-centres   where the ball's centre runs over a pass: beside each facet at the radius, and on an arc about each co-edge.
+centres   where the ball's centre runs over a pass: beside each facet at the radius, and on an arc about each
+          co-edge.
 
-The scallop is that over the circle through two opposite contacts, with the curvature of the smooth surface behind the
-facets. The ball is steered by facet normals, so it stands a little aside of where the smooth surface would put it. How far
-is measured from the centres themselves; the worst case of one edge between the two contacts bounds it.
+The scallop is that over the circle through two opposite contacts, with the curvature of the smooth surface
+behind the facets. The ball is steered by facet normals, so it stands a little aside of where the smooth
+surface would put it. How far is measured from the centres themselves; the worst case of one edge between the
+two contacts bounds it.
 """
 
 from __future__ import annotations
@@ -26,13 +29,16 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from .scallop import TINY, facet_curvature, flat_interval, kink_factor, scallop_height, turned_along
 
 ACROSS = 0.5
-"""Largest cosine between a pass and the way to the other one: beyond it the other pass ends there and lies not opposite."""
+"""Largest cosine between a pass and the way to the other one: beyond it the other pass ends there and lies
+not opposite."""
 
 DENSE = 0.25
-"""Step of the centres, in steps of the samples: half of it, along the pass, adds 1 % to the distance across."""
+"""Step of the centres, in steps of the samples: half of it, along the pass, adds 1 % to the distance
+across."""
 
 NEARLY = 0.9
-"""Share of the largest bound above which samples are measured first: the largest scallop is mostly among them."""
+"""Share of the largest bound above which samples are measured first: the largest scallop is mostly among
+them."""
 
 LEVEL = 1e-3
 """Least slope and least spread of the centres that a prediction divides by."""
@@ -41,12 +47,22 @@ LEVEL = 1e-3
 class FacetPass:
     """What one plane cuts, in no order, for measuring.
 
-    ``start`` and ``way`` (m, 3) mm of each facet segment; ``normal`` (m, 3) unit and ``tensor`` (6, m) 1/mm of its facet;
-    ``coedge`` (2, m) that it starts and ends on; ``point`` (n, 3) mm and ``segment`` (n,) of each sample.
+    ``start`` and ``way`` (m, 3) mm of each facet segment; ``normal`` (m, 3) unit and ``tensor`` (6, m) 1/mm
+    of its facet; ``coedge`` (2, m) that it starts and ends on; ``point`` (n, 3) mm and ``segment`` (n,) of
+    each sample.
     """
 
-    def __init__(self, start: Floats, end: Floats, normal: Floats, tensor: Floats, coedge: Ints, step: float) -> None:
-        self.start, self.way, self.normal, self.tensor, self.coedge, self._step = start, end - start, normal, tensor, coedge, step
+    def __init__(
+        self, start: Floats, end: Floats, normal: Floats, tensor: Floats, coedge: Ints, step: float
+    ) -> None:
+        self.start, self.way, self.normal, self.tensor, self.coedge, self._step = (
+            start,
+            end - start,
+            normal,
+            tensor,
+            coedge,
+            step,
+        )
         self.point, self.segment = self._samples(step)
 
     def __len__(self) -> int:
@@ -61,7 +77,9 @@ class FacetPass:
         """Of the ball's centres over the pass; ``radius`` mm, always the same."""
         if self._centre_tree is None:
             point, segment = self._samples(DENSE * self._step)
-            self._centre_tree = scipy.spatial.cKDTree(np.concatenate([point + radius * self.normal[segment], self._arcs(radius)]))
+            self._centre_tree = scipy.spatial.cKDTree(
+                np.concatenate([point + radius * self.normal[segment], self._arcs(radius)])
+            )
         return self._centre_tree
 
     _centre_tree: scipy.spatial.cKDTree | None = None
@@ -96,7 +114,8 @@ def _split(length: Floats, step: float) -> tuple[Ints, Floats]:
 
 
 class Strip:
-    """The facets that are cut, in the order in which planes reach them, so that a plane looks only at those near it.
+    """The facets that are cut, in the order in which planes reach them, so that a plane looks only at those
+    near it.
 
     ``ranges``: the spans of offsets, mm, that facets cover without a gap; ``area`` mm2 of all of them.
     """
@@ -119,14 +138,17 @@ class Strip:
             return []
         low, top = self._low[rows], np.maximum.accumulate(self._high[rows])
         gap = np.flatnonzero(low[1:] > top[:-1])
-        return [*zip(low[np.append(0, gap + 1)].tolist(), top[np.append(gap, len(top) - 1)].tolist(), strict=True)]
+        return [
+            *zip(low[np.append(0, gap + 1)].tolist(), top[np.append(gap, len(top) - 1)].tolist(), strict=True)
+        ]
 
     @cached_property
     def _tensor(self) -> Floats:
         return facet_curvature(self._mesh)
 
     def cut(self, offset: float, step: float) -> FacetPass:
-        """The pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart; the last one is remembered."""
+        """The pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart; the last one is
+        remembered."""
         if self._last is None or self._last[0] != (offset, step):
             self._last = (offset, step), self._cut(offset, step)
         return self._last[1]
@@ -139,14 +161,17 @@ class Strip:
         at = self._active[(self._low[self._active] <= offset) & (self._high[self._active] > offset)]
         height, row = self._corner[at] - offset, self._rows[at]
         above = height > 0.0
-        lone = np.argmax(above == (above.sum(axis=1) == 1)[:, None], axis=1)  # the corner alone on its side of the plane
+        lone = np.argmax(
+            above == (above.sum(axis=1) == 1)[:, None], axis=1
+        )  # the corner alone on its side of the plane
         start, end = (self._crossing(row, height, lone, (lone + k) % 3) for k in (1, 2))
         sides = self._mesh.face_coedge[row]
         coedge = np.array([sides[np.arange(len(at)), k % 3] for k in (lone, lone + 2)])
         return FacetPass(start, end, self._mesh.normal[row], self._tensor[:, row], coedge, step)
 
     def _crossing(self, face: Ints, height: Floats, one: Ints, other: Ints) -> Floats:
-        """Where the edges (n,) from corner ``one`` to corner ``other`` cross the plane that ``height`` (n, 3) is counted from."""
+        """Where the edges (n,) from corner ``one`` to corner ``other`` cross the plane that ``height`` (n, 3)
+        is counted from."""
         row = np.arange(len(face))
         corner = self._mesh.face[face]
         a, b = height[row, one], height[row, other]
@@ -178,7 +203,8 @@ def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: f
 
 
 def scallop_between(one: FacetPass, other: FacetPass, radius: float) -> tuple[float, Floats]:
-    """The largest scallop between two neighbouring passes, mm, and the contact (3,) next to it; 0 where none lie opposite."""
+    """The largest scallop between two neighbouring passes, mm, and the contact (3,) next to it; 0 where none
+    lie opposite."""
     worst, place = 0.0, np.zeros(3)
     for a, b in ((one, other), (other, one)):
         if len(a) and len(b):
@@ -189,7 +215,8 @@ def scallop_between(one: FacetPass, other: FacetPass, radius: float) -> tuple[fl
 
 
 def _largest(pairs: _Opposite) -> tuple[int, float]:
-    """Row and value of the largest scallop. The centres are asked only where the bound leaves room for a larger one."""
+    """Row and value of the largest scallop. The centres are asked only where the bound leaves room for a
+    larger one."""
     row, largest, low, high = 0, 0.0, NEARLY * float(pairs.bound.max()), math.inf
     while high > largest:
         rows = np.flatnonzero((pairs.bound > low) & (pairs.bound <= high))
@@ -203,7 +230,8 @@ def _largest(pairs: _Opposite) -> tuple[int, float]:
 class _Opposite:
     """The samples of one pass with the opposite points of another one.
 
-    ``bound`` (n,) mm: the worst case of the scallop, an edge between the contacts; 0 where nothing lies opposite.
+    ``bound`` (n,) mm: the worst case of the scallop, an edge between the contacts; 0 where nothing lies
+    opposite.
     """
 
     def __init__(self, one: FacetPass, other: FacetPass, radius: float) -> None:
@@ -218,15 +246,17 @@ class _Opposite:
         travel = np.cross(self._across, self._upward)
         down, up = np.abs(row_dot(second, self._across)), np.abs(row_dot(first, self._across))
         far = np.maximum(down, up) / np.maximum(down + up, TINY)  # where the planes of both facets meet
-        factor = kink_factor(self._chord, radius, row_dot(kink, self._across), np.abs(row_dot(kink, travel)), far)
+        factor = kink_factor(
+            self._chord, radius, row_dot(kink, self._across), np.abs(row_dot(kink, travel)), far
+        )
         height = scallop_height(self._chord, radius, self._curvature) * factor
         self.bound = np.where(opposite, height, 0.0)
 
     def measured(self, rows: Ints) -> Floats:
         """Scallop (n,) mm at these samples, from the nearest centres on both sides.
 
-        Over a circle ``d^2 = r^2 + (1 + r curvature) c^2``: d from the surface to the centre, c to the contact below it.
-        From a point midway both c together are the chord that would leave the same scallop.
+        Over a circle ``d^2 = r^2 + (1 + r curvature) c^2``: d from the surface to the centre, c to the
+        contact below it. From a point midway both c together are the chord that would leave the same scallop.
         """
         chord, curvature, upward = self._chord[rows], self._curvature[rows], self._upward[rows]
         middle = self._one.point[rows] + (0.5 * chord)[:, None] * self._across[rows]
@@ -240,7 +270,8 @@ class _Opposite:
 
 
 def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats, Bools]:
-    """Unit way (n, 3) across, its length (n,) mm, and whether it is one: from points to the segments of another pass.
+    """Unit way (n, 3) across, its length (n,) mm, and whether it is one: from points to the segments of
+    another pass.
 
     Where the other pass ends the way leans along it; only the part across counts.
     """

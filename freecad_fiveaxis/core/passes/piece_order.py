@@ -3,8 +3,8 @@
 
 piece   a polyline; it may be cut from either end.
 air     the straight distance from where one piece ends to where the next begins, summed over all of them.
-tour    pieces in their order, and which of them are cut backwards: from each piece to the nearest end that is left, then
-        stretches of the tour turned round as long as that saves air (2-opt).
+tour    pieces in their order, and which of them are cut backwards: from each piece to the nearest end that is
+        left, then stretches of the tour turned round as long as that saves air (2-opt).
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM
 from .contact_path import ContactPath
 
 WORTH = 0.8
-"""Of the air in the order of the passes: a tour that does not spare more than the rest is not worth leaving that order for."""
+"""Of the air in the order of the passes: a tour that does not spare more than the rest is not worth leaving
+that order for."""
 
 NEAR = 16
 """Ends that are looked at first from each end; only where all of them are used up all that are left are."""
@@ -37,14 +38,16 @@ LITTLE = 0.01
 
 
 class Tour(NamedTuple):
-    """``piece`` (p,) the polylines in order; ``back`` (p,) True where one is cut from its end to its start."""
+    """``piece`` (p,) the polylines in order; ``back`` (p,) True where one is cut from its end to its
+    start."""
 
     piece: Ints
     back: Bools
 
 
 def order_pieces(contact: ContactPath) -> ContactPath:
-    """Give the polylines in an order, and each the way round, that spares air; the very path where that is not worth it."""
+    """Give the polylines in an order, and each the way round, that spares air; the very path where that is
+    not worth it."""
     if not len(contact.point):
         return contact
     first = np.flatnonzero(np.diff(contact.polyline, prepend=-1))
@@ -54,8 +57,8 @@ def order_pieces(contact: ContactPath) -> ContactPath:
 
 
 def find_better_tour(ends: Floats) -> Tour | None:
-    """Find a tour of pieces with these ``ends`` (p, 2, d), start and end of each, that spares enough of the air to leave their
-    order for it; None where there is none."""
+    """Find a tour of pieces with these ``ends`` (p, 2, d), start and end of each, that spares enough of the
+    air to leave their order for it; None where there is none."""
     tour = find_tour(ends)
     now = Tour(np.arange(len(ends)), np.zeros(len(ends), bool))
     return None if air(ends, tour) > WORTH * air(ends, now) else tour
@@ -68,7 +71,8 @@ def air(ends: Floats, tour: Tour) -> float:
 
 
 def find_tour(ends: Floats) -> Tour:
-    """Begin with the first piece as it is, go to the nearest end that is left, again and again; then turn stretches round."""
+    """Begin with the first piece as it is, go to the nearest end that is left, again and again; then turn
+    stretches round."""
     return _turned(ends, _nearest(ends))
 
 
@@ -81,7 +85,12 @@ def _doors(ends: Floats, tour: Tour) -> tuple[Floats, Floats]:
 def _nearest(ends: Floats) -> Tour:
     """The nearest neighbours' tour."""
     count, places = len(ends), ends.reshape(2 * len(ends), -1)
-    near = scipy.spatial.cKDTree(places).query(places, k=min(NEAR, len(places)))[1].reshape(len(places), -1).tolist()
+    near = (
+        scipy.spatial.cKDTree(places)
+        .query(places, k=min(NEAR, len(places)))[1]
+        .reshape(len(places), -1)
+        .tolist()
+    )
     open_, order = np.ones(count, bool), [0]
     open_[0], at = False, 1  # place 2i is the start of piece i, 2i + 1 its end
     for _ in range(count - 1):
@@ -104,7 +113,10 @@ def _turned(ends: Floats, tour: Tour) -> Tour:
             if saving > COINCIDENT_MM:
                 stretch = slice(i + 1, i + 1 + size)
                 tour.piece[stretch], tour.back[stretch] = tour.piece[stretch][::-1], ~tour.back[stretch][::-1]
-                doors[0][stretch], doors[1][stretch] = doors[1][stretch][::-1].copy(), doors[0][stretch][::-1].copy()
+                doors[0][stretch], doors[1][stretch] = (
+                    doors[1][stretch][::-1].copy(),
+                    doors[0][stretch][::-1].copy(),
+                )
                 saved += saving
         if saved <= LITTLE * air(ends, tour):
             break
@@ -112,12 +124,16 @@ def _turned(ends: Floats, tour: Tour) -> Tour:
 
 
 def _best_turn(leaves: Floats, enters: Floats, i: int) -> tuple[int, float]:
-    """How many pieces behind piece i are best turned round together, and what that saves, mm: then the end of i leads to the end
-    of the last of them, and the start of the first to the start of the piece behind."""
+    """How many pieces behind piece i are best turned round together, and what that saves, mm: then the end of
+    i leads to the end of the last of them, and the start of the first to the start of the piece behind."""
     left, behind = leaves[i + 1 : i + 1 + STRETCH], enters[i + 2 : i + 2 + STRETCH]
     end = np.zeros(len(left) - len(behind))  # behind the last piece nothing is entered
-    now = np.append(np.linalg.norm(behind - left[: len(behind)], axis=1), end) + np.linalg.norm(enters[i + 1] - leaves[i])
-    new = np.append(np.linalg.norm(behind - enters[i + 1], axis=1), end) + np.linalg.norm(left - leaves[i], axis=1)
+    now = np.append(np.linalg.norm(behind - left[: len(behind)], axis=1), end) + np.linalg.norm(
+        enters[i + 1] - leaves[i]
+    )
+    new = np.append(np.linalg.norm(behind - enters[i + 1], axis=1), end) + np.linalg.norm(
+        left - leaves[i], axis=1
+    )
     best = int((now - new).argmax())
     return best + 1, float(now[best] - new[best])
 
@@ -130,8 +146,8 @@ def _arranged(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> Cont
 
 
 def tour_rows(first: Ints, last: Ints, tour: Tour) -> tuple[Ints, Ints, Bools]:
-    """Give the rows (n,) of the pieces, each from its ``first`` to its ``last`` (p,), as the tour takes them; to which place in
-    the tour each belongs (n,), and whether it is taken backwards (n,)."""
+    """Give the rows (n,) of the pieces, each from its ``first`` to its ``last`` (p,), as the tour takes them;
+    to which place in the tour each belongs (n,), and whether it is taken backwards (n,)."""
     size = (last - first + 1)[tour.piece]
     piece, within = run_ids(size), np.arange(size.sum()) - np.repeat(np.cumsum(size) - size, size)
     start, step = np.where(tour.back, last[tour.piece], first[tour.piece]), np.where(tour.back, -1, 1)

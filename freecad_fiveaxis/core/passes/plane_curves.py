@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed polygons in a plane: which points lie inside, where straight pieces cross them, which triangles they touch.
+"""Closed polygons in a plane: which points lie inside, where straight pieces cross them, which triangles they
+touch.
 
 edge     a straight piece of a polygon, from ``start`` to ``end``.
-slab     a strip of the plane, level along u: edges are looked for only in the slabs that a point or a piece lies in.
-inside   by the even-odd rule: a ray from the point crosses an odd number of edges, so islands need no sense of their own. A point
-         nearer to an edge than ``near`` lies on it, and counts as inside.
+slab     a strip of the plane, level along u: edges are looked for only in the slabs that a point or a piece
+         lies in.
+inside   by the even-odd rule: a ray from the point crosses an odd number of edges, so islands need no sense
+         of their own. A point nearer to an edge than ``near`` lies on it, and counts as inside.
 """
 
 from __future__ import annotations
@@ -30,8 +32,9 @@ PARALLEL = 1e-13
 
 @dataclass(frozen=True, eq=False)
 class PlaneCurves:
-    """``start`` and ``end`` (e, 2) mm of the edges; ``near`` mm; ``low`` and ``step`` mm: where the slabs begin and how high they
-    are; ``first`` (s + 1,) and ``edge``: the edges of each slab, one after another."""
+    """``start`` and ``end`` (e, 2) mm of the edges; ``near`` mm; ``low`` and ``step`` mm: where the slabs
+    begin and how high they are; ``first`` (s + 1,) and ``edge``: the edges of each slab, one after
+    another."""
 
     start: Floats
     end: Floats
@@ -43,8 +46,11 @@ class PlaneCurves:
 
     @classmethod
     def of(cls, polygons: list[Floats]) -> PlaneCurves:
-        """Sort the edges of closed ``polygons``, (n, 2) mm each with the first point again at the end, into slabs."""
-        start, end = (np.concatenate([one[part] for one in polygons]) for part in (slice(None, -1), slice(1, None)))
+        """Sort the edges of closed ``polygons``, (n, 2) mm each with the first point again at the end, into
+        slabs."""
+        start, end = (
+            np.concatenate([one[part] for one in polygons]) for part in (slice(None, -1), slice(1, None))
+        )
         some = (start != end).any(axis=1)
         start, end = start[some], end[some]
         corner = np.concatenate([start, end])
@@ -55,12 +61,16 @@ class PlaneCurves:
         slabs = int(np.clip(4.0 * height * len(start) / max(rise, height), 1, MOST_SLABS))
         step = height / slabs
         ends = np.stack([start[:, 1], end[:, 1]])
-        lowest, highest = (_slab(value, low, step, slabs) for value in (ends.min(axis=0) - near, ends.max(axis=0) + near))
+        lowest, highest = (
+            _slab(value, low, step, slabs) for value in (ends.min(axis=0) - near, ends.max(axis=0) + near)
+        )
         count = highest - lowest + 1
         edge = run_ids(count)
         slab = np.arange(len(edge)) + (lowest - np.cumsum(count) + count)[edge]
         order = np.argsort(slab, kind="stable")
-        return cls(start, end, near, low, step, np.searchsorted(slab[order], np.arange(slabs + 1)), edge[order])
+        return cls(
+            start, end, near, low, step, np.searchsorted(slab[order], np.arange(slabs + 1)), edge[order]
+        )
 
     def inside(self, point: Floats) -> Bools:
         """Find which points (n, 2) mm lie inside."""
@@ -69,15 +79,18 @@ class PlaneCurves:
             p, a, way = point[at], self.start[edge], self.end[edge] - self.start[edge]
             off = p - a
             spans = (a[:, 1] > p[:, 1]) != (self.end[edge, 1] > p[:, 1])
-            left = np.where(way[:, 1] > 0.0, 1.0, -1.0) * (way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0]) > 0.0
+            left = (
+                np.where(way[:, 1] > 0.0, 1.0, -1.0) * (way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0]) > 0.0
+            )
             parity += np.bincount(at[spans & left], minlength=len(point))
             share = np.clip((off * way).sum(axis=1) / (way * way).sum(axis=1), 0.0, 1.0)
             on[at[np.hypot(*(off - share[:, None] * way).T) <= self.near]] = True
         return np.asarray((parity % 2 == 1) | on)
 
     def crossings(self, start: Floats, end: Floats) -> tuple[Ints, Floats]:
-        """Find where pieces from ``start`` to ``end`` (n, 2) mm cross the edges: the piece (k,) and the share (k,) of its way, in
-        order, each once. Shares of 0 and 1 are left out: there something begins or ends anyway."""
+        """Find where pieces from ``start`` to ``end`` (n, 2) mm cross the edges: the piece (k,) and the share
+        (k,) of its way, in order, each once. Shares of 0 and 1 are left out: there something begins or ends
+        anyway."""
         found_at, found_share = [np.empty(0, np.int64)], [np.empty(0)]
         length = np.hypot(*(end - start).T)
         for at, edge in self._pairs(start[:, 1], end[:, 1]):
@@ -106,12 +119,15 @@ class PlaneCurves:
                 crosses &= (part * long > self.near) & ((1.0 - part) * long > self.near)
             if crosses.any():
                 one = int(crosses.argmax())
-                return np.asarray(self.start[at[one]] + share[one] * (self.end[at[one]] - self.start[at[one]]))
+                return np.asarray(
+                    self.start[at[one]] + share[one] * (self.end[at[one]] - self.start[at[one]])
+                )
         return None
 
     def touched(self, corner: Floats, within: float = 0.0) -> Bools:
-        """Find which triangles (f, 3, 2) mm lie inside with some of their area, or nearer than ``within`` mm to what does; of
-        those that lie aslant to an edge a few more. One that only touches an edge lies where its middle does."""
+        """Find which triangles (f, 3, 2) mm lie inside with some of their area, or nearer than ``within`` mm
+        to what does; of those that lie aslant to an edge a few more. One that only touches an edge lies where
+        its middle does."""
         found = self.inside(corner.mean(axis=1))
         low, high = corner.min(axis=1), corner.max(axis=1)
         for at, edge in self._pairs(low[:, 1] - within, high[:, 1] + within):
@@ -120,8 +136,9 @@ class PlaneCurves:
         return found
 
     def _pairs(self, one: Floats, other: Floats) -> Iterator[tuple[Ints, Ints]]:
-        """Pairs of a thing (k,) that reaches from v = ``one`` to ``other`` (n,) mm and an edge (k,) of the slabs that it lies in,
-        some at a time; an edge may come more than once where the thing lies in several slabs."""
+        """Pairs of a thing (k,) that reaches from v = ``one`` to ``other`` (n,) mm and an edge (k,) of the
+        slabs that it lies in, some at a time; an edge may come more than once where the thing lies in several
+        slabs."""
         slabs = len(self.first) - 1
         low, high = np.minimum(one, other), np.maximum(one, other)
         begin = self.first[_slab(low, self.low, self.step, slabs)]
@@ -142,17 +159,22 @@ def _slab(value: Floats, low: float, step: float, slabs: int) -> Ints:
     return np.asarray(np.clip((value - low) / step, 0, slabs - 1).astype(np.int64))
 
 
-def _overlapping(start: Floats, end: Floats, from_: Floats, to: Floats, at: Ints, edge: Ints, by: float) -> tuple[Ints, Ints]:
+def _overlapping(
+    start: Floats, end: Floats, from_: Floats, to: Floats, at: Ints, edge: Ints, by: float
+) -> tuple[Ints, Ints]:
     """Those of the pairs (k,) whose boxes overlap, or are no farther apart than ``by`` mm."""
     some = np.ones(len(at), np.bool_)
     for column in (0, 1):
-        a, b, c, d = (ends[rows, column] for ends, rows in ((start, at), (end, at), (from_, edge), (to, edge)))
+        a, b, c, d = (
+            ends[rows, column] for ends, rows in ((start, at), (end, at), (from_, edge), (to, edge))
+        )
         some &= (np.maximum(a, b) >= np.minimum(c, d) - by) & (np.minimum(a, b) <= np.maximum(c, d) + by)
     return at[some], edge[some]
 
 
 def _shares(start: Floats, end: Floats, from_: Floats, to: Floats) -> tuple[Floats, Floats]:
-    """Where the lines through two pieces (k, 2) meet, as shares (k,) of either; NaN where they are parallel."""
+    """Where the lines through two pieces (k, 2) meet, as shares (k,) of either; NaN where they are
+    parallel."""
     way, along, off = end - start, to - from_, from_ - start
     sine = way[:, 0] * along[:, 1] - way[:, 1] * along[:, 0]
     least = PARALLEL * np.hypot(*way.T) * np.hypot(*along.T)
@@ -162,8 +184,8 @@ def _shares(start: Floats, end: Floats, from_: Floats, to: Floats) -> tuple[Floa
 
 
 def _gap(corner: Floats, start: Floats, end: Floats) -> Floats:
-    """How far (k,) mm triangles (k, 3, 2) and edges lie apart at least: the widest gap along the normals of their sides, below 0
-    where they overlap."""
+    """How far (k,) mm triangles (k, 3, 2) and edges lie apart at least: the widest gap along the normals of
+    their sides, below 0 where they overlap."""
     ways = (end - start, *(corner[:, (side + 1) % 3] - corner[:, side] for side in range(3)))
     gap = np.full(len(corner), -np.inf)
     for way in ways:

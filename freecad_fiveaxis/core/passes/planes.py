@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategies of parallel planes: a linear field, spaced by stepover or scallop (Lin & Ye, II.B and C).
+"""The pass strategies of parallel planes: a linear field, spaced by stepover or scallop (Lin & Ye, II.B and
+C).
 
-upright   planes along a travel direction, or of any ``normal`` that the options give; level planes are those of the normal Z.
+upright   planes along a travel direction, or of any ``normal`` that the options give; level planes are those
+          of the normal Z.
 """
 
 from __future__ import annotations
@@ -50,7 +52,8 @@ class Planes:
         return (math.atan2(-x, y),) if math.hypot(x, y) > SHORTEST else ALL_ROUND
 
     def check(self, region: Region, options: PassOptions) -> None:
-        """Raise SettingsError for a normal without direction, a scallop or stepover out of range, and too many planes."""
+        """Raise SettingsError for a normal without direction, a scallop or stepover out of range, and too
+        many planes."""
         self._prepare(region, options)
 
     def field(self, region: Region, options: PassOptions) -> PassField:
@@ -60,7 +63,9 @@ class Planes:
         if across is not None:
             return PassField(mesh.vertex @ across, levels, found)
         cosine, sine = direction(options.direction)
-        return PassField(cosine * mesh.vertex[:, 1] - sine * mesh.vertex[:, 0], levels, found, options.direction)
+        return PassField(
+            cosine * mesh.vertex[:, 1] - sine * mesh.vertex[:, 0], levels, found, options.direction
+        )
 
     def _across(self, options: PassOptions) -> Floats | None:
         normal = self.own or options.normal
@@ -73,7 +78,9 @@ class Planes:
             normal=self._across(options),
         )  # fmt: skip
 
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+    def untouched(
+        self, region: Region, options: PassOptions, field: PassField, touched: Ints
+    ) -> tuple[Finding, ...]:
         """Of upright planes the sides that they leave out, with a remedy; of others the area."""
         if field.upright is None:
             return field.findings + area_left(region, touched)
@@ -86,7 +93,8 @@ class Planes:
 
 
 def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
-    """A warning where facets to be cut that no pass touches or comes near are more than a little; ``touched`` (n,) by one."""
+    """A warning where facets to be cut that no pass touches or comes near are more than a little; ``touched``
+    (n,) by one."""
     rows = _without_pass(region, touched)
     lost, whole = float(region.mesh.area[rows].sum()), float(region.mesh.area[region.keep].sum())
     if lost <= SHARE * whole:
@@ -94,7 +102,8 @@ def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
     largest = rows[region.mesh.area[rows].argmax()]
     x, y, z = region.mesh.vertex[region.mesh.face[largest]].mean(axis=0).tolist()
     text = say(
-        "Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or between two of them. "
+        "Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or "
+        "between two of them. "
         "Choose other passes, or a smaller stepover or scallop, for those.",
         count=len(rows),
         area=Area(lost, ".4g"),
@@ -103,14 +112,17 @@ def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
 
 
 def _without_pass(region: Region, touched: Ints) -> Ints:
-    """Facets (k,) to be cut that no pass touches: large ones, and small ones unless they lie beside some that are touched."""
+    """Facets (k,) to be cut that no pass touches: large ones, and small ones unless they lie beside some that
+    are touched."""
     mesh, out, beside = region.mesh, region.keep.copy(), np.zeros(len(region.mesh.vertex), np.bool_)
     out[touched] = False
     rows, there = np.flatnonzero(out), np.unique(touched)
     if not len(rows) or not len(there):
         return rows
     beside[mesh.face[there]] = True
-    off = scipy.spatial.cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(mesh.vertex[mesh.face[rows]].mean(axis=1))[0]
+    off = scipy.spatial.cKDTree(mesh.vertex[mesh.face[there]].mean(axis=1)).query(
+        mesh.vertex[mesh.face[rows]].mean(axis=1)
+    )[0]
     small = mesh.area[rows] < region.interval**2
     close = beside[mesh.face[rows]].any(axis=1) | (off < BESIDE * region.interval)
     return np.asarray(rows[~(small & close)])
@@ -121,6 +133,7 @@ def _unit(normal: Vector) -> Floats:
     if length < SHORTEST:
         given = ",".join(f"{number:g}" for number in normal)
         raise SettingsError(
-            say("plane normal {given} has no direction; give I,J,K across the planes, as 0,0,1", given=given), normal
+            say("plane normal {given} has no direction; give I,J,K across the planes, as 0,0,1", given=given),
+            normal,
         )
     return np.array(normal, dtype=np.float64) / length

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategy of half planes about an axis: passes radiate from it; along a part that is round about the axis they run
-lengthwise.
+"""The pass strategy of half planes about an axis: passes radiate from it; along a part that is round about
+the axis they run lengthwise.
 
-seam   a plane through the axis, along which the surface is divided: on either side of it the angle about the axis rises without
-       a jump.
+seam   a plane through the axis, along which the surface is divided: on either side of it the angle about the
+       axis rises without a jump.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ class Radial(OverSurface):
     """Level sets of the angle about an axis, as close as the place farthest from it asks for."""
 
     def check(self, region: Region, options: PassOptions) -> None:
-        """Raise SettingsError for an axis and a scallop that cannot be used and for more passes than any job can want."""
+        """Raise SettingsError for an axis and a scallop that cannot be used and for more passes than any job
+        can want."""
         unit_axis(options.axis)
         centre_of(region, options.centre)
         survey_region(region, replace(options, source=BORDER))
@@ -61,7 +62,8 @@ def unit_axis(given: Vector) -> Floats:
     """Make the axis a unit vector (3,). Raises SettingsError."""
     if math.hypot(*given) < SHORTEST:
         text = say(
-            "{option} {given} has no direction; give I,J,K along the axis, as 0,0,1", option=Option("pass_axis"),
+            "{option} {given} has no direction; give I,J,K along the axis, as 0,0,1",
+            option=Option("pass_axis"),
             given=",".join(f"{number:g}" for number in given),
         )  # fmt: skip
         raise SettingsError(text, given)
@@ -72,7 +74,8 @@ def check_centre(given: str | Vector) -> None:
     """Raise SettingsError for a word that is no centre."""
     if isinstance(given, str) and given != MIDDLE:
         text = say(
-            "{option} {given} is neither {middle} nor X,Y,Z; give one of them", option=Option("pass_centre"), given=repr(given),
+            "{option} {given} is neither {middle} nor X,Y,Z; give one of them", option=Option("pass_centre"),
+            given=repr(given),
             middle=MIDDLE,
         )  # fmt: skip
         raise SettingsError(text, given)
@@ -89,7 +92,8 @@ def centre_of(region: Region, given: str | Vector) -> Floats:
 
 
 def seam_normal(along: Floats, travel: float) -> Floats:
-    """Find the unit normal (3,) of the seam: of the plane through the axis in which the travel, rad, lies, else Z."""
+    """Find the unit normal (3,) of the seam: of the plane through the axis in which the travel, rad, lies,
+    else Z."""
     cosine, sine = direction(travel)
     level = np.array([cosine, sine, 0.0])
     across = np.cross(along, level if abs(float(level @ along)) < STEEP else np.array([0.0, 0.0, 1.0]))
@@ -97,8 +101,8 @@ def seam_normal(along: Floats, travel: float) -> Floats:
 
 
 def divide_at_seam(copy: Copy, part: Mesh, centre: Floats, across: Floats) -> tuple[Copy, Floats]:
-    """Divide the copy: its facets on either side of the plane hang together with none of the other, and on which side each of its
-    vertices (v,) is: 1 or -1."""
+    """Divide the copy: its facets on either side of the plane hang together with none of the other, and on
+    which side each of its vertices (v,) is: 1 or -1."""
     copy = divided_by(copy, part, (copy.mesh.vertex - centre) @ across)
     over = (copy.mesh.vertex[copy.mesh.face].mean(axis=1) - centre) @ across >= 0.0
     one, other = (taken(copy, part, np.flatnonzero(half)) for half in (over, ~over))
@@ -106,6 +110,9 @@ def divide_at_seam(copy: Copy, part: Mesh, centre: Floats, across: Floats) -> tu
 
 
 def angle_about(copy: Copy, side: Floats, centre: Floats, along: Floats, across: Floats) -> Floats:
-    """Measure the angle (v,), rad, of a divided copy's vertices about the axis: on either side of the seam from 0 to pi."""
+    """Measure the angle (v,), rad, of a divided copy's vertices about the axis: on either side of the seam
+    from 0 to pi."""
     offset = copy.mesh.vertex - centre
-    return np.asarray(np.arctan2(np.maximum(side * (offset @ across), 0.0), side * (offset @ np.cross(across, along))))
+    return np.asarray(
+        np.arctan2(np.maximum(side * (offset @ across), 0.0), side * (offset @ np.cross(across, along)))
+    )

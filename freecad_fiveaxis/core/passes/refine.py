@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A finer copy of some facets, for a field that the facets of the part are too large for. The part itself stays as it is.
+"""A finer copy of some facets, for a field that the facets of the part are too large for. The part itself
+stays as it is.
 
-longest   of a facet's sides is the one that is halved first; a facet with any halved side has its longest one halved too. So
-          small angles are halved once at most, and obtuse ones go (Rivara, Int. J. Numer. Meth. Eng. 20 (1984), 745-756).
-parent    the facet of the part in which a facet of the copy lies; its plane, and so its normal, are the parent's.
+longest   of a facet's sides is the one that is halved first; a facet with any halved side has its longest one
+          halved too. So small angles are halved once at most, and obtuse ones go (Rivara, Int. J. Numer.
+          Meth. Eng. 20 (1984), 745-756).
+parent    the facet of the part in which a facet of the copy lies; its plane, and so its normal, are the
+          parent's.
 """
 
 from __future__ import annotations
@@ -30,10 +33,10 @@ INNER = -1
 
 @dataclass(frozen=True, eq=False)
 class Copy:
-    """``mesh``: facets of a copy, in which no vertex belongs to two components; ``parent`` (f,) the facets of the part in which
-    they lie; ``coedge`` (e,) the co-edges of the part on which theirs lie, -1 for none; ``component`` (v,) of each vertex,
-    counted from 0; ``bend`` mm: passes may be that much straighter inside a facet of the part than on the copy; polylines
-    shorter than ``short`` mm are left out."""
+    """``mesh``: facets of a copy, in which no vertex belongs to two components; ``parent`` (f,) the facets of
+    the part in which they lie; ``coedge`` (e,) the co-edges of the part on which theirs lie, -1 for none;
+    ``component`` (v,) of each vertex, counted from 0; ``bend`` mm: passes may be that much straighter inside
+    a facet of the part than on the copy; polylines shorter than ``short`` mm are left out."""
 
     mesh: Mesh
     parent: Ints
@@ -43,7 +46,8 @@ class Copy:
     short: float = 0.0
 
     def on_part(self, contact: ContactPath, part: Mesh) -> ContactPath:
-        """The contact path with facets and co-edges of the part; one segment where it is straight within ``bend`` in a facet."""
+        """The contact path with facets and co-edges of the part; one segment where it is straight within
+        ``bend`` in a facet."""
         contact = _longer(contact, self.short)
         face = self.parent[contact.face]
         first = _straight_runs(contact, face[::2], self.bend)
@@ -69,7 +73,8 @@ def _longer(contact: ContactPath, short: float) -> ContactPath:
 
 
 def _straight_runs(contact: ContactPath, parent: Ints, bend: float) -> Ints:
-    """Segments (r,) at which runs begin that stay in one parent and within ``bend`` mm of their chords; ``parent`` (s,)."""
+    """Segments (r,) at which runs begin that stay in one parent and within ``bend`` mm of their chords;
+    ``parent`` (s,)."""
     entry, exit_, line = contact.point[::2], contact.point[1::2], contact.polyline[::2]
     begins = np.ones(len(parent), np.bool_)
     begins[1:] = (parent[1:] != parent[:-1]) | (line[1:] != line[:-1])
@@ -91,10 +96,15 @@ def _straight_runs(contact: ContactPath, parent: Ints, bend: float) -> Ints:
 
 
 def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
-    """The facets ``rows`` (k,) of the part, divided until no side is longer than ``longest`` in the metric of its facet: a tensor
-    (6, k) of xx, yy, zz, xy, yz, zx. Sides that lead from border to border through the inside are halved once more, so that no
-    strip lies on the border with all of its vertices."""
-    vertex, face, side, parent = np.asarray(part.vertex), part.face[rows], part.face_coedge[rows], np.arange(len(rows))
+    """The facets ``rows`` (k,) of the part, divided until no side is longer than ``longest`` in the metric of
+    its facet: a tensor (6, k) of xx, yy, zz, xy, yz, zx. Sides that lead from border to border through the
+    inside are halved once more, so that no strip lies on the border with all of its vertices."""
+    vertex, face, side, parent = (
+        np.asarray(part.vertex),
+        part.face[rows],
+        part.face_coedge[rows],
+        np.arange(len(rows)),
+    )
     for _ in range(ROUNDS):
         halved = halve_long_sides(vertex, face, side, metric[:, parent], longest)
         if halved is None:
@@ -113,12 +123,19 @@ def copy_facets(part: Mesh, rows: Ints) -> Copy:
 
 def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
     """Some facets (k,) of a copy as a copy of their own."""
-    halved = assembled(part, copy.mesh.vertex, copy.mesh.face[rows], copy.coedge[copy.mesh.face_coedge[rows]], copy.parent[rows])
+    halved = assembled(
+        part,
+        copy.mesh.vertex,
+        copy.mesh.face[rows],
+        copy.coedge[copy.mesh.face_coedge[rows]],
+        copy.parent[rows],
+    )
     return replace(halved, bend=copy.bend, short=copy.short)
 
 
 def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
-    """Divide the facets of a copy where ``height`` (v,), linear over each, is 0, so that no facet has both signs."""
+    """Divide the facets of a copy where ``height`` (v,), linear over each, is 0, so that no facet has both
+    signs."""
     mesh, height = copy.mesh, np.where(np.abs(height) < ON, 0.0, height)
     label, side = copy.coedge[mesh.face_coedge], number_sides(mesh.face)
     ends = np.empty((int(side.max(initial=-1)) + 1, 2), np.int64)
@@ -127,7 +144,9 @@ def divided_by(copy: Copy, part: Mesh, height: Floats) -> Copy:
     marked = one * two < 0.0
     share = one[marked] / (one[marked] - two[marked])
     top = marked[side].argmax(axis=1)
-    vertex, face, label, owner = split_sides(np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share)
+    vertex, face, label, owner = split_sides(
+        np.asarray(mesh.vertex), mesh.face, label, side, marked, top, share
+    )
     return replace(assembled(part, vertex, face, label, copy.parent[owner]), bend=copy.bend, short=copy.short)
 
 
@@ -137,18 +156,25 @@ def joined(one: Copy, two: Copy) -> Copy:
     vertices, facets, edges = len(a.vertex), len(a.face), len(a.coedge_face)
     other = np.where(b.coedge_face < 0, -1, b.coedge_face + facets)
     mesh = Mesh(
-        np.concatenate([a.vertex, b.vertex]), np.concatenate([a.face, b.face + vertices]), np.concatenate([a.normal, b.normal]),
+        np.concatenate([a.vertex, b.vertex]), np.concatenate([a.face, b.face + vertices]),
+        np.concatenate([a.normal, b.normal]),
         np.concatenate([a.area, b.area]), np.concatenate([a.coedge_vertex, b.coedge_vertex + vertices]),
         np.concatenate([a.coedge_face, other]), np.concatenate([a.face_coedge, b.face_coedge + edges]),
     )  # fmt: skip
     component = np.concatenate([one.component, two.component + int(one.component.max(initial=-1)) + 1])
     return Copy(
-        mesh, np.concatenate([one.parent, two.parent]), np.concatenate([one.coedge, two.coedge]), component, one.bend, one.short
+        mesh,
+        np.concatenate([one.parent, two.parent]),
+        np.concatenate([one.coedge, two.coedge]),
+        component,
+        one.bend,
+        one.short,
     )
 
 
 def number_sides(face: Ints) -> Ints:
-    """Number the sides (f, 3) that half-edges are of: one number for all half-edges between the same two vertices."""
+    """Number the sides (f, 3) that half-edges are of: one number for all half-edges between the same two
+    vertices."""
     low, high = np.minimum(face, np.roll(face, -1, axis=1)), np.maximum(face, np.roll(face, -1, axis=1))
     key = low * (int(face.max(initial=0)) + 1) + high
     return np.asarray(np.unique(key, return_inverse=True)[1].reshape(face.shape), np.int64)
@@ -157,8 +183,8 @@ def number_sides(face: Ints) -> Ints:
 def halve_long_sides(
     vertex: Floats, face: Ints, label: Ints, metric: Floats, longest: float
 ) -> tuple[Floats, Ints, Ints, Ints] | None:
-    """Halve sides longer than ``longest`` in the metric (6, f), one round. Give vertices, facets, labels of their sides and
-    owners; None where no side is too long."""
+    """Halve sides longer than ``longest`` in the metric (6, f), one round. Give vertices, facets, labels of
+    their sides and owners; None where no side is too long."""
     x, y, z = (vertex[np.roll(face, -1, axis=1)] - vertex[face]).transpose(2, 1, 0)
     xx, yy, zz, xy, yz, zx = metric
     length = np.sqrt(xx * x * x + yy * y * y + zz * z * z + 2.0 * (xy * x * y + yz * y * z + zx * z * x)).T
@@ -175,7 +201,8 @@ def halve_long_sides(
 
 
 def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints, Ints, Ints]:
-    """The same after the sides inside are halved whose both ends lie on the border; of a facet alone its longest side first."""
+    """The same after the sides inside are halved whose both ends lie on the border; of a facet alone its
+    longest side first."""
     owner = np.arange(len(face))
     side, border = _border_sides(face, label)
     alone = border[side].all(axis=1)
@@ -195,7 +222,8 @@ def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints
 
 
 def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
-    """The sides (f, 3) of :func:`number_sides`, and which (s,) of them are not of two facets that their label joins."""
+    """The sides (f, 3) of :func:`number_sides`, and which (s,) of them are not of two facets that their label
+    joins."""
     side = number_sides(face)
     count = np.bincount(side.reshape(-1))
     low, high = np.full(len(count), np.iinfo(np.int64).max), np.full(len(count), np.iinfo(np.int64).min)
@@ -207,8 +235,9 @@ def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
 def split_sides(
     vertex: Floats, face: Ints, label: Ints, side: Ints, marked: Bools, top: Ints, share: Floats | None = None
 ) -> tuple[Floats, Ints, Ints, Ints]:
-    """Give vertices, facets, labels and owners after the ``marked`` (s,) sides are halved, or divided at a ``share`` (m,) of each
-    from the first vertex of the last facet that has it; ``top`` (f,): of a facet with such sides one of them."""
+    """Give vertices, facets, labels and owners after the ``marked`` (s,) sides are halved, or divided at a
+    ``share`` (m,) of each from the first vertex of the last facet that has it; ``top`` (f,): of a facet with
+    such sides one of them."""
     count, turn = int(marked.sum()), (top[:, None] + np.arange(3)) % 3
     ends = np.empty((len(marked), 2), np.int64)
     ends[side] = np.stack([face, np.roll(face, -1, axis=1)], axis=2)
@@ -221,15 +250,18 @@ def split_sides(
 
 
 def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
-    """Facets, labels and owners of what facets become whose sides have a ``middle`` (f, 3), or -1; side 0 is the longest."""
+    """Facets, labels and owners of what facets become whose sides have a ``middle`` (f, 3), or -1; side 0 is
+    the longest."""
     (a, b, c), (m, n, o), (p, q, r) = face.T, middle.T, label.T
     inner = np.full(len(face), INNER)
     whole, first, second = m < 0, (m >= 0) & (n >= 0), (m >= 0) & (o >= 0)
     no_first, no_second = (m >= 0) & (n < 0), (m >= 0) & (o < 0)
     pieces = [
         (whole, (a, b, c), (p, q, r)),
-        (no_second, (a, m, c), (p, inner, r)), (second, (a, m, o), (p, inner, r)), (second, (m, c, o), (inner, r, inner)),
-        (no_first, (m, b, c), (p, q, inner)), (first, (m, b, n), (p, q, inner)), (first, (m, n, c), (inner, q, inner)),
+        (no_second, (a, m, c), (p, inner, r)), (second, (a, m, o), (p, inner, r)),
+        (second, (m, c, o), (inner, r, inner)),
+        (no_first, (m, b, c), (p, q, inner)), (first, (m, b, n), (p, q, inner)),
+        (first, (m, n, c), (inner, q, inner)),
     ]  # fmt: skip
     corners = np.concatenate([np.stack(corner, axis=1)[which] for which, corner, _ in pieces])
     sides = np.concatenate([np.stack(side, axis=1)[which] for which, _, side in pieces])
@@ -237,12 +269,17 @@ def _divided(face: Ints, label: Ints, middle: Ints) -> tuple[Ints, Ints, Ints]:
 
 
 def assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints) -> Copy:
-    """Assemble the copy of facets, sides labelled with co-edges of the part. A side that the part does not join is joined
-    nowhere: of two half-edges of one side and one label, in opposite senses, a co-edge is made."""
+    """Assemble the copy of facets, sides labelled with co-edges of the part. A side that the part does not
+    join is joined nowhere: of two half-edges of one side and one label, in opposite senses, a co-edge is
+    made."""
     count, half = len(face), number_sides(face).reshape(-1)
     start, end = face.reshape(-1), np.roll(face, -1, axis=1).reshape(-1)
     order = np.lexsort((start > end, label.reshape(-1), half))
-    same = (np.diff(half[order]) == 0) & (np.diff(label.reshape(-1)[order]) == 0) & (start[order[1:]] == end[order[:-1]])
+    same = (
+        (np.diff(half[order]) == 0)
+        & (np.diff(label.reshape(-1)[order]) == 0)
+        & (start[order[1:]] == end[order[:-1]])
+    )
     same[1:] &= ~same[:-1]
     begins = np.append(True, ~same)[: len(order)]
     coedge = np.empty(len(half), np.int64)
@@ -255,7 +292,9 @@ def assembled(part: Mesh, vertex: Floats, face: Ints, label: Ints, parent: Ints)
     ends = face.reshape(-1)[one], np.roll(face, -1, axis=1).reshape(-1)[one]
     a, b, c = (vertex[corner] for corner in face.T)
     area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    mesh = Mesh(vertex, face, part.normal[parent], area, np.stack(ends, axis=1), coedge_face, coedge.reshape(count, 3))
+    mesh = Mesh(
+        vertex, face, part.normal[parent], area, np.stack(ends, axis=1), coedge_face, coedge.reshape(count, 3)
+    )
     return Copy(mesh, parent, label.reshape(-1)[one], component)
 
 

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategy of a part that turns under the tool about a fourth axis: rings around that axis, or lines along it.
+"""The pass strategy of a part that turns under the tool about a fourth axis: rings around that axis, or lines
+along it.
 
-around    level planes across the axis: closed rings, the one beside the other, which become a helix where spirals are asked for.
+around    level planes across the axis: closed rings, the one beside the other, which become a helix where
+          spirals are asked for.
 along     half planes through the axis, the one after the other around it.
-Either way the levels are as close as the widest place asks for (:mod:`.even_steps`). What lies across the axis or faces it has no
-pass: a tool square to the axis does not reach it.
+Either way the levels are as close as the widest place asks for (:mod:`.even_steps`). What lies across the
+axis or faces it has no pass: a tool square to the axis does not reach it.
 """
 
 from __future__ import annotations
@@ -33,8 +35,8 @@ class Rotary(OverSurface):
     """Level sets of the way along an axis, or of the angle about it."""
 
     def check(self, region: Region, options: PassOptions) -> None:
-        """Raise SettingsError for an axis and a scallop that cannot be used, for a region of which nothing faces away from the
-        axis, and for more passes than any job can want."""
+        """Raise SettingsError for an axis and a scallop that cannot be used, for a region of which nothing
+        faces away from the axis, and for more passes than any job can want."""
         survey_region(_outward(region, options), replace(options, source=BORDER))
 
     def field(self, region: Region, options: PassOptions) -> PassField:
@@ -54,7 +56,9 @@ class Rotary(OverSurface):
         region.progress("placing passes", 0.7)
         return lay_passes(faces, surface, count_in_steps(surface, value))
 
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+    def untouched(
+        self, region: Region, options: PassOptions, field: PassField, touched: Ints
+    ) -> tuple[Finding, ...]:
         """What lies across the axis, and what no pass touches of the rest."""
         faces = _outward(region, options)
         across = report_across(region.mesh, region.keep & ~faces.keep)
@@ -67,7 +71,8 @@ def _outward(region: Region, options: PassOptions) -> Region:
     keep: Bools = region.keep & facets_outward(region.mesh, centre, about)[0]
     if not keep.any():
         text = say(
-            "nothing that is to be cut faces away from the axis of the passes; give the axis about which the part is turned"
+            "nothing that is to be cut faces away from the axis of the passes; give the axis about which the "
+            "part is turned"
         )
         raise SettingsError(text, tuple(np.round(centre, 6).tolist()))
     return replace(region, keep=keep)

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pass strategy of constant scallop: passes one admissible step apart, measured over the surface (docs/passes.md).
+"""The pass strategy of constant scallop: passes one admissible step apart, measured over the surface
+(docs/passes.md).
 
-source    where the distance begins: the border of the region (of a part without one its lowest place), a point or a curve.
+source    where the distance begins: the border of the region (of a part without one its lowest place), a
+          point or a curve.
 piece     facets that hang together. Each has a source of its own, and its passes follow one another.
-gap       what lies farther from every pass than half a step: where two fronts meet, or behind an edge over which the ball rolls.
-          It is measured, whatever the reason, and passes half-way between the others are laid through it.
+gap       what lies farther from every pass than half a step: where two fronts meet, or behind an edge over
+          which the ball rolls. It is measured, whatever the reason, and passes half-way between the others
+          are laid through it.
 """
 
 from __future__ import annotations
@@ -33,29 +36,34 @@ from .scallop import facet_curvature, flat_interval, refuse_high_scallop
 from .sources import find_source, source_values
 
 AIM = 0.92
-"""Share of the scallop that the passes are laid for: facets and the field's own error leave as much as the rest."""
+"""Share of the scallop that the passes are laid for: facets and the field's own error leave as much as the
+rest."""
 
 LONGEST = 1.5
 """Sides of the facets that carry the field are no longer than so many steps."""
 
 MOST_FACETS = 300_000
-"""About so many facets carry a field: some seconds of work. A larger part has a coarser one, as far as its own facets allow."""
+"""About so many facets carry a field: some seconds of work. A larger part has a coarser one, as far as its
+own facets allow."""
 
 MOST_SQUARES = 20_000_000
-"""Squares of a step on the region, at most: passes as long as so many steps are a program of some gigabytes."""
+"""Squares of a step on the region, at most: passes as long as so many steps are a program of some
+gigabytes."""
 
 EVEN = 0.07
-"""Area of a facet over the square of the longest side allowed, where sides are halved: 0.06 to 0.08 on real parts."""
+"""Area of a facet over the square of the longest side allowed, where sides are halved: 0.06 to 0.08 on real
+parts."""
 
 FIRST = 0.5
 """Steps from the source to the first pass: the ball reaches half a step to either side."""
 
 BETWEEN = 0.05
-"""Steps by which a pass through a gap stands beyond the middle between two others, so that none runs along the source."""
+"""Steps by which a pass through a gap stands beyond the middle between two others, so that none runs along
+the source."""
 
 GAP = 1.45
-"""Half steps from the nearest pass from which a place counts as left out: twice the scallop stays there. Less would lay a short
-pass, with a retract of its own, into every corner of every pass."""
+"""Half steps from the nearest pass from which a place counts as left out: twice the scallop stays there. Less
+would lay a short pass, with a retract of its own, into every corner of every pass."""
 
 AMPLE = 1.001
 """Times the distance from which any place counts as left out: passes beyond it are not looked for."""
@@ -70,10 +78,12 @@ DENSE = 0.2
 """Steps between the samples of a pass from which the gaps are measured."""
 
 THIN = 0.01
-"""Steps, and share of a unit between the normals, within which samples count as one: where slivers meet there are thousands."""
+"""Steps, and share of a unit between the normals, within which samples count as one: where slivers meet there
+are thousands."""
 
 FACING = 0.5
-"""Steps on a flat that a difference of 1 between two unit normals counts for: no pass covers what lies round an edge."""
+"""Steps on a flat that a difference of 1 between two unit normals counts for: no pass covers what lies round
+an edge."""
 
 SHORT = 1.0
 """Steps: what is shorter is no pass."""
@@ -82,14 +92,16 @@ BEND = 0.03
 """Steps by which a pass may be straighter inside a facet than the field's level is."""
 
 PLACES = np.array(
-    [[0.8, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.1, 0.8], [0.45, 0.45, 0.1], [0.1, 0.45, 0.45], [0.45, 0.1, 0.45]]
+    [[0.8, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.1, 0.8], [0.45, 0.45, 0.1], [0.1, 0.45, 0.45],
+        [0.45, 0.1, 0.45]]
 )  # fmt: skip
 """Where on a facet gaps are looked for, in shares of its corners."""
 
 
 @dataclass(frozen=True)
 class OverSurface:
-    """What strategies have in common whose passes lie over walls as over floors: they run in every direction."""
+    """What strategies have in common whose passes lie over walls as over floors: they run in every
+    direction."""
 
     text: str
     over_surface: bool = True
@@ -98,7 +110,9 @@ class OverSurface:
         """Every direction."""
         return ALL_ROUND
 
-    def untouched(self, region: Region, options: PassOptions, field: PassField, touched: Ints) -> tuple[Finding, ...]:
+    def untouched(
+        self, region: Region, options: PassOptions, field: PassField, touched: Ints
+    ) -> tuple[Finding, ...]:
         """What no pass touches."""
         return field.findings + area_left(region, touched)
 
@@ -107,7 +121,8 @@ class ConstantScallop(OverSurface):
     """Level sets of the distance from a source, in steps that leave the scallop."""
 
     def check(self, region: Region, options: PassOptions) -> None:
-        """Raise SettingsError for a source or a scallop that cannot be used and for more passes than any job can want."""
+        """Raise SettingsError for a source or a scallop that cannot be used and for more passes than any job
+        can want."""
         survey_region(region, options)
 
     def field(self, region: Region, options: PassOptions) -> PassField:
@@ -122,21 +137,26 @@ class ConstantScallop(OverSurface):
 
 
 def lay_steps(surface: Surface, curve: Floats | None) -> Floats:
-    """Measure the distance, in steps, of the vertices (v,) of the surface's copy from ``curve``, None: from its border."""
+    """Measure the distance, in steps, of the vertices (v,) of the surface's copy from ``curve``, None: from
+    its border."""
     source, known = source_values(surface.copy, surface.frame, surface.metric, curve)
-    return distance(surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known)
+    return distance(
+        surface.copy.mesh.vertex, surface.copy.mesh.face, surface.frame, surface.metric, source, known
+    )
 
 
 def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
-    """Lay passes one unit of ``steps`` (v,) apart, a field at the vertices of the surface's copy, the pieces one after the
-    other; and half-way between them where a place is left out."""
+    """Lay passes one unit of ``steps`` (v,) apart, a field at the vertices of the surface's copy, the pieces
+    one after the other; and half-way between them where a place is left out."""
     main = _field_from(surface.copy, steps, FIRST, 0.0)
     region.progress("placing passes", 0.8)
     gaps = _gaps(surface, steps, main, lambda share: region.progress("placing passes", 0.8 + 0.2 * share))
     if not gaps.any():
         return main
     between = taken(surface.copy, region.mesh, np.flatnonzero(gaps))
-    more = _field_from(between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0)
+    more = _field_from(
+        between, _carried(surface.copy, steps, gaps, between), BETWEEN, float(np.ceil(main.value.max())) + 1.0
+    )
     both = joined(surface.copy, between)
     region.progress("placing passes", 1.0)
     value, levels = np.concatenate([main.value, more.value]), np.concatenate([main.levels, more.levels])
@@ -144,8 +164,9 @@ def lay_passes(region: Region, surface: Surface, steps: Floats) -> PassField:
 
 
 class Ground(NamedTuple):
-    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature ``tensor`` (6, n), frames,
-    metric and the ``least`` of that; the step on a ``flat``, mm, and how many ``squares`` of a step it has."""
+    """The region as it is: where passes begin (``curve``), its ``rows`` of the mesh, their curvature
+    ``tensor`` (6, n), frames, metric and the ``least`` of that; the step on a ``flat``, mm, and how many
+    ``squares`` of a step it has."""
 
     curve: Floats | None
     rows: Ints
@@ -167,7 +188,8 @@ class Surface(NamedTuple):
 
 
 def survey_region(region: Region, options: PassOptions) -> Ground:
-    """Measure the region as it is, a moment's work against what is then laid on it. Raises SettingsError, FileError."""
+    """Measure the region as it is, a moment's work against what is then laid on it. Raises SettingsError,
+    FileError."""
     flat, curve = _flat_step(region, options), find_source(options.source, region)
     mesh, rows = region.mesh, np.flatnonzero(region.keep)
     tensor = np.zeros((6, len(rows)))
@@ -179,7 +201,8 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
     squares = float((frame.area * np.sqrt(metric[0] * metric[2] - metric[1] ** 2)).sum())
     if squares > MOST_SQUARES:
         text = say(
-            "passes so close would be {length} long, more than any job can want; give a larger stepover or scallop, or check the "
+            "passes so close would be {length} long, more than any job can want; give a larger stepover or "
+            "scallop, or check the "
             "units of the part",
             length=Length(squares * flat, ".3g"),
         )
@@ -204,7 +227,9 @@ def measure_copy(region: Region, ground: Ground, copy: Copy) -> Surface:
     frame, place = frames(copy.mesh.vertex, copy.mesh.face), np.full(len(region.mesh.face), -1)
     place[ground.rows] = np.arange(len(ground.rows))
     tensor = ground.tensor[:, place[copy.parent]]
-    return Surface(copy, frame, scallop_metric(frame, tensor, region.radius, ground.flat, ground.least), ground.flat)
+    return Surface(
+        copy, frame, scallop_metric(frame, tensor, region.radius, ground.flat, ground.least), ground.flat
+    )
 
 
 def _flat_step(region: Region, options: PassOptions) -> float:
@@ -223,8 +248,8 @@ def _touching(face: Ints, chosen: Bools) -> Bools:
 
 
 def _field_from(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
-    """The field with the pieces one after the other from ``begin`` on, and the levels ``first`` beyond each whole number; of a
-    piece in which there is none of those the middle."""
+    """The field with the pieces one after the other from ``begin`` on, and the levels ``first`` beyond each
+    whole number; of a piece in which there is none of those the middle."""
     pieces = int(copy.component.max(initial=-1)) + 1
     nearest, farthest = np.full(pieces, math.inf), np.zeros(pieces)
     np.minimum.at(nearest, copy.component, steps)
@@ -237,16 +262,22 @@ def _field_from(copy: Copy, steps: Floats, first: float, begin: float) -> PassFi
     cuts = (levels > (start + nearest)[piece]) & (levels < (start + farthest)[piece])
     none = np.bincount(piece[cuts], minlength=pieces) == 0
     middle = (start + 0.5 * (nearest + farthest))[none]
-    return PassField(start[copy.component] + steps, np.sort(np.concatenate([levels[cuts], middle])), surface=copy)
+    return PassField(
+        start[copy.component] + steps, np.sort(np.concatenate([levels[cuts], middle])), surface=copy
+    )
 
 
-def _gaps(surface: Surface, steps: Floats, main: PassField, tell: Callable[[float], None] = lambda share: None) -> Bools:
+def _gaps(
+    surface: Surface, steps: Floats, main: PassField, tell: Callable[[float], None] = lambda share: None
+) -> Bools:
     """Facets (f,) of the copy that hold a place left out, and those that have a vertex in common with one."""
     mesh = surface.copy.mesh
     contact = slice_field(mesh, main.value, main.levels)
     across = step_across(surface.metric, gradient(surface.frame, mesh.face, steps))
     tell(0.1)
-    near, normal = _sampled(contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat)
+    near, normal = _sampled(
+        contact.point[::2], contact.point[1::2], contact.normal[::2], DENSE * surface.flat
+    )
     tell(0.2)
     near, normal = _thinned(near, normal, THIN * surface.flat)
     if not len(near):
@@ -254,13 +285,17 @@ def _gaps(surface: Surface, steps: Floats, main: PassField, tell: Callable[[floa
     tell(0.4)
     facing = FACING * surface.flat
     samples = np.concatenate([near, facing * normal], axis=1)
-    left = _left_out(mesh, samples, facing * mesh.normal, GAP * 0.5 * across, lambda share: tell(0.5 + 0.5 * share))
+    left = _left_out(
+        mesh, samples, facing * mesh.normal, GAP * 0.5 * across, lambda share: tell(0.5 + 0.5 * share)
+    )
     return _touching(mesh.face, left)
 
 
-def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell: Callable[[float], None] | None = None) -> Bools:
-    """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is where it is, and where
-    its facet is ``looking`` (f, 3)."""
+def _left_out(
+    mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell: Callable[[float], None] | None = None
+) -> Bools:
+    """Facets (f,) with a place that is more than ``enough`` (f,) from all ``samples`` (n, 6); a place is
+    where it is, and where its facet is ``looking`` (f, 3)."""
     tree, most = scipy.spatial.cKDTree(samples), AMPLE * float(enough.max())
 
     def ask(some: slice) -> Bools:
@@ -269,18 +304,30 @@ def _left_out(mesh: Mesh, samples: Floats, looking: Floats, enough: Floats, tell
     return np.concatenate(in_threads(ask, batches(len(mesh.face), BATCH), tell))
 
 
-def _left_of(tree: scipy.spatial.cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float) -> Bools:
-    """The same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked beyond ``most``."""
+def _left_of(
+    tree: scipy.spatial.cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float
+) -> Bools:
+    """The same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked beyond
+    ``most``."""
     samples = tree.data
-    far, nearest = tree.query(np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most)
+    far, nearest = tree.query(
+        np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most
+    )
     found = np.flatnonzero(far <= most)
     place = (PLACES @ corner).reshape(-1, len(PLACES), 3)
     left: Bools = np.ones(place.shape[:2], np.bool_)
-    to_one = samples[nearest[found]]  # what is nearest to a facet's middle is near enough to most of its places
-    off = ((place[found] - to_one[:, None, :3]) ** 2).sum(axis=2) + ((looking[found] - to_one[:, 3:]) ** 2).sum(axis=1)[:, None]
+    to_one = samples[
+        nearest[found]
+    ]  # what is nearest to a facet's middle is near enough to most of its places
+    off = ((place[found] - to_one[:, None, :3]) ** 2).sum(axis=2) + (
+        (looking[found] - to_one[:, 3:]) ** 2
+    ).sum(axis=1)[:, None]
     left[found] = np.sqrt(off) > SURELY * enough[found, None]
     row, at = np.nonzero(left)
-    left[row, at] = tree.query(np.concatenate([place[row, at], looking[row]], axis=1), distance_upper_bound=most)[0] > enough[row]
+    left[row, at] = (
+        tree.query(np.concatenate([place[row, at], looking[row]], axis=1), distance_upper_bound=most)[0]
+        > enough[row]
+    )
     return np.asarray(left.any(axis=1))
 
 
@@ -288,18 +335,25 @@ def _sampled(entry: Floats, exit_: Floats, normal: Floats, step: float) -> tuple
     """Points (n, 3) of segments, at most ``step`` mm apart, and the normals there."""
     pieces = np.ceil(np.linalg.norm(exit_ - entry, axis=1) / step).astype(np.int64) + 1
     row = np.repeat(np.arange(len(pieces)), pieces)
-    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[row]
+    share = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces)) / np.maximum(pieces - 1, 1)[
+        row
+    ]
     return entry[row] + share[:, None] * (exit_ - entry)[row], normal[row]
 
 
 def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats]:
-    """One of the points (n, 3), with its normal, in each cell of ``step`` mm and of ``THIN`` of the normal."""
+    """One of the points (n, 3), with its normal, in each cell of ``step`` mm and of ``THIN`` of the
+    normal."""
     if not len(point):
         return point, normal
     cell = np.floor(np.concatenate([point / step, normal / THIN], axis=1)).astype(np.int64)
     cell -= cell.min(axis=0)
     size = cell.max(axis=0) + 1
-    keys = [cell[:, 0], cell[:, 1] * size[2] + cell[:, 2], (cell[:, 3] * size[4] + cell[:, 4]) * size[5] + cell[:, 5]]
+    keys = [
+        cell[:, 0],
+        cell[:, 1] * size[2] + cell[:, 2],
+        (cell[:, 3] * size[4] + cell[:, 4]) * size[5] + cell[:, 5],
+    ]
     if math.prod(size[:3].tolist()) < 2**62:  # one key less to sort by, and the same order
         keys[:2] = [keys[1] * size[0] + keys[0]]
     order = np.lexsort(keys)

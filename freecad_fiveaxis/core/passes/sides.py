@@ -2,9 +2,10 @@
 """Sides of the part that no pass touches, because the planes stand along them; what would cut them.
 
 across      horizontal direction from plane to plane, as in :mod:`.spacing`.
-along       a facet whose normal leans little from ``across``: the planes stand along it, so that few of them cut it, or none.
-side        facets along the planes that no pass touches and that hang together. It is told where it is wider than passes may lie
-            apart, and no strip.
+along       a facet whose normal leans little from ``across``: the planes stand along it, so that few of them
+            cut it, or none.
+side        facets along the planes that no pass touches and that hang together. It is told where it is wider
+            than passes may lie apart, and no strip.
 strip       what lies between two passes over one and the same surface, however steep that is.
 width       of a side: its area by its length, along the travel or upwards, whichever is larger.
 """
@@ -20,13 +21,24 @@ import scipy
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Area, Length, Point, Sentence, Template, beginning, joined, say
+from freecad_fiveaxis.core.base.sentences import (
+    Angle,
+    Area,
+    Length,
+    Point,
+    Sentence,
+    Template,
+    beginning,
+    joined,
+    say,
+)
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 
 from .scallop import CREASE
 
 ALONG = math.cos(math.radians(30.0))
-"""Least cosine between normal and ``across`` of a facet along the planes: passes over it lie two intervals apart, or more."""
+"""Least cosine between normal and ``across`` of a facet along the planes: passes over it lie two intervals
+apart, or more."""
 
 UP = np.array((0.0, 0.0, 1.0))
 
@@ -37,7 +49,8 @@ PLUMB = math.cos(math.radians(10.0))
 """Least cosine, likewise, of facets that a direction is not proposed for."""
 
 BETTER = 0.5
-"""A direction is proposed that leaves at most this share of the area along its planes that the present one has."""
+"""A direction is proposed that leaves at most this share of the area along its planes that the present one
+has."""
 
 STRIP = 0.3
 """Of the planes' distance: a strip reaches over more of it."""
@@ -65,8 +78,8 @@ BESIDE = 3.0
 
 
 class Side(NamedTuple):
-    """``area`` mm2; ``normal`` (3,) unit; ``place`` (3,) mm on it; ``low`` and ``high`` mm: where it lies along ``across``;
-    ``leans``: most of it does, so that planes near enough to each other cut it."""
+    """``area`` mm2; ``normal`` (3,) unit; ``place`` (3,) mm on it; ``low`` and ``high`` mm: where it lies
+    along ``across``; ``leans``: most of it does, so that planes near enough to each other cut it."""
 
     area: float
     normal: Floats
@@ -76,11 +89,13 @@ class Side(NamedTuple):
     leans: bool
 
 
-def untouched_sides(mesh: Mesh, keep: Bools, touched: Ints, planes: Floats, angle: float, interval: float) -> tuple[Side, ...]:
+def untouched_sides(
+    mesh: Mesh, keep: Bools, touched: Ints, planes: Floats, angle: float, interval: float
+) -> tuple[Side, ...]:
     """The sides that passes along ``angle`` rad leave out, the largest first.
 
-    ``keep`` (f,): the facets that are to be cut; ``touched`` (n,): those that passes touch; ``planes`` (k,) mm, ascending;
-    ``interval`` mm of a flat.
+    ``keep`` (f,): the facets that are to be cut; ``touched`` (n,): those that passes touch; ``planes`` (k,)
+    mm, ascending; ``interval`` mm of a flat.
     """
     travel, across = _directions(angle)
     out = keep & (np.abs(mesh.normal @ across) > ALONG)
@@ -104,7 +119,8 @@ def _directions(angle: float) -> tuple[Floats, Floats]:
 
 
 def _extent(value: Floats, number: Ints) -> Floats:
-    """Largest less least value of each side; ``value`` (k, 3) at the corners of the facets, ``number`` (k,) their sides."""
+    """Largest less least value of each side; ``value`` (k, 3) at the corners of the facets, ``number`` (k,)
+    their sides."""
     low, high = np.full(number.max() + 1, np.inf), np.full(number.max() + 1, -np.inf)
     np.minimum.at(low, number, value.min(axis=1))
     np.maximum.at(high, number, value.max(axis=1))
@@ -113,7 +129,8 @@ def _extent(value: Floats, number: Ints) -> Floats:
 
 
 def _hanging_together(mesh: Mesh, out: Bools, rows: Ints) -> Ints:
-    """The number (k,) of the side that each of the facets ``rows`` (k,), where ``out`` (f,) is True, belongs to."""
+    """The number (k,) of the side that each of the facets ``rows`` (k,), where ``out`` (f,) is True, belongs
+    to."""
     pair = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0]
     pair = pair[out[pair].all(axis=1)]
     at = np.full(len(out), -1)
@@ -137,9 +154,14 @@ def _side(mesh: Mesh, rows: Ints, across: Floats) -> Side:
 
 
 def _is_strip(mesh: Mesh, keep: Bools, rows: Ints, side: Side, planes: Floats, across: Floats) -> bool:
-    """Whether these facets fill much of the way between two planes, and to both sides the surface goes on without an edge."""
+    """Whether these facets fill much of the way between two planes, and to both sides the surface goes on
+    without an edge."""
     at = int(np.searchsorted(planes, 0.5 * (side.low + side.high)))
-    if not side.leans or not 0 < at < len(planes) or side.high - side.low < STRIP * (planes[at] - planes[at - 1]):
+    if (
+        not side.leans
+        or not 0 < at < len(planes)
+        or side.high - side.low < STRIP * (planes[at] - planes[at - 1])
+    ):
         return False
     inside = np.zeros(len(keep), np.bool_)
     inside[rows] = True
@@ -147,18 +169,27 @@ def _is_strip(mesh: Mesh, keep: Bools, rows: Ints, side: Side, planes: Floats, a
     pair = pair[inside[pair[:, 0]] != inside[pair[:, 1]]]
     one, other = mesh.normal[pair[:, 0]], mesh.normal[pair[:, 1]]
     pair = pair[(one * other).sum(axis=1) > math.cos(CREASE)]
-    offset = (mesh.vertex @ across)[mesh.face[pair[~inside[pair]]]].mean(axis=1) - 0.5 * (side.low + side.high)
+    offset = (mesh.vertex @ across)[mesh.face[pair[~inside[pair]]]].mean(axis=1) - 0.5 * (
+        side.low + side.high
+    )
     return bool((offset < 0.0).any() and (offset > 0.0).any())
 
 
-# ------------------------------------------------------------------------------------------------ what is said of them
+# --------------------------------------------------------------------------------------- what is said of them
 
 
 def side_findings(
-    sides: tuple[Side, ...], mesh: Mesh, keep: Bools, angle: float, spacing: tuple[Finding, ...], least: float, finer: str
+    sides: tuple[Side, ...],
+    mesh: Mesh,
+    keep: Bools,
+    angle: float,
+    spacing: tuple[Finding, ...],
+    least: float,
+    finer: str,
 ) -> tuple[Finding, ...]:
-    """``spacing``, what was poor about the planes, with a warning for each side and its remedy. A least interval, ``least`` mm,
-    that binds beside a side binds because of it, and is told there. ``finer``: the setting that brings more planes."""
+    """``spacing``, what was poor about the planes, with a warning for each side and its remedy. A least
+    interval, ``least`` mm, that binds beside a side binds because of it, and is told there. ``finer``: the
+    setting that brings more planes."""
     beside = [one for one in spacing if _is_beside(one, sides, angle, BESIDE * least)]
     others = tuple(one for one in spacing if one not in beside)
     return (*others, *(_finding(side, mesh, keep, angle, beside, finer) for side in sides))
@@ -177,18 +208,22 @@ def _finding(side: Side, mesh: Mesh, keep: Bools, angle: float, beside: list[Fin
     lost = say("{side} is not machined: {area}.", side=beginning(name), area=Area(side.area, ".4g"))
     text = joined((lost, _remedy(side, mesh, keep, angle, finer)))
     if beside and beside[0].value is not None:
-        text += say(" Beside it up to {height} is left between the passes.", height=Length(beside[0].value, ".4g"))
+        text += say(
+            " Beside it up to {height} is left between the passes.", height=Length(beside[0].value, ".4g")
+        )
     return report_finding(Code.SIDE_NOT_MACHINED, text, side.area, 0.0, place=(x, y, z))
 
 
 def side_name(mesh: Mesh, normal: Floats, place: Floats) -> Sentence:
-    """What a side is called by its normal (3,) and a place (3,) mm on it: the side, or a wall, at a coordinate, or the way it
-    faces."""
+    """What a side is called by its normal (3,) and a place (3,) mm on it: the side, or a wall, at a
+    coordinate, or the way it faces."""
     axis = int(np.abs(normal[:2]).argmax())
     if abs(normal[axis]) < STRAIGHT:
         facing = math.degrees(math.atan2(normal[1], normal[0])) % 360.0
         x, y, z = place.tolist()
-        return say("the side that faces {way} at {place}", way=Angle(facing, ".0f"), place=Point((x, y, z), ".4g"))
+        return say(
+            "the side that faces {way} at {place}", way=Angle(facing, ".0f"), place=Point((x, y, z), ".4g")
+        )
     at = round(float(place[axis]), DECIMALS) + 0.0
     outermost = float(mesh.vertex[:, axis].max() if normal[axis] > 0.0 else mesh.vertex[:, axis].min())
     outer = abs(outermost - at) <= OUTER * float(np.ptp(mesh.vertex[:, axis]))
@@ -202,8 +237,8 @@ SLANTING = Template("passes in direction {angle}")
 
 
 def _remedy(side: Side, mesh: Mesh, keep: Bools, angle: float, finer: str) -> Sentence:
-    """The direction of passes that cuts the side and has the least area along its planes, the first of TURNS among equals, where
-    that is a gain or nothing else helps; nearer planes, where those cut it."""
+    """The direction of passes that cuts the side and has the least area along its planes, the first of TURNS
+    among equals, where that is a gain or nothing else helps; nearer planes, where those cut it."""
     turned = [(math.degrees(angle) + turn) % 180.0 for turn in TURNS]
     able = [one for one in turned if abs(side.normal @ _directions(math.radians(one))[1]) < ALONG]
     lost = [_area_along(mesh, keep, math.radians(one)) for one in able]

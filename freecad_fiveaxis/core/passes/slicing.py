@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the level sets of a field cut a mesh, and how the cuts follow one another. Parallel planes are those of a linear field.
+"""How the level sets of a field cut a mesh, and how the cuts follow one another. Parallel planes are those of
+a linear field.
 
-field      a value at each vertex, linear over each facet. What is said here of planes is true of the level sets of any field.
-level      of a vertex: the number of planes at or below it. Plane k cuts the edges from level k or less to more than k, so a
-           vertex on a plane belongs to the upper side and no case needs a tolerance (simulation of simplicity:
-           Edelsbrunner & Muecke, ACM Transactions on Graphics 9 (1990), 66-104).
-crossing   one plane through one co-edge. Both facets of the co-edge use the same crossing, so their points are the same bits.
-node       one plane through one facet. Seen along the travel it is entered where the facet's boundary goes down through the
-           plane and left where it goes up; the crossing by which it is left leads to the next node.
+field      a value at each vertex, linear over each facet. What is said here of planes is true of the level
+           sets of any field.
+level      of a vertex: the number of planes at or below it. Plane k cuts the edges from level k or less to
+           more than k, so a vertex on a plane belongs to the upper side and no case needs a tolerance
+           (simulation of simplicity: Edelsbrunner & Muecke, ACM Transactions on Graphics 9 (1990), 66-104).
+crossing   one plane through one co-edge. Both facets of the co-edge use the same crossing, so their points
+           are the same bits.
+node       one plane through one facet. Seen along the travel it is entered where the facet's boundary goes
+           down through the plane and left where it goes up; the crossing by which it is left leads to the
+           next node.
 chain      a run of nodes, each next to the one before it; open, or closed.
 
-The nodes of a facet are numbered one after another in order of plane, so the next node is ``base[next facet] + plane``:
-nothing is searched for or sorted.
+The nodes of a facet are numbered one after another in order of plane, so the next node is ``base[next facet]
++ plane``: nothing is searched for or sorted.
 """
 
 from __future__ import annotations
@@ -39,7 +43,8 @@ BYTES = 200
 
 @dataclass(frozen=True, eq=False)
 class Starts:
-    """Crossings at which a chain may begin: ``crossing``, the ``node`` that is entered, ``along`` in mm, (s,) each."""
+    """Crossings at which a chain may begin: ``crossing``, the ``node`` that is entered, ``along`` in mm, (s,)
+    each."""
 
     crossing: Ints
     node: Ints
@@ -68,10 +73,11 @@ class Starts:
 class Crossings:
     """All crossings of a mesh, one row each, and how they link its nodes.
 
-    ``coedge`` (x,); ``left`` (x,) the facet that is left here; ``place`` (c, x) mm: the columns that tell where the point is,
-    the first one along the travel; ``next_node`` (n + 1,), n where there is none; ``exit`` (n + 1,) the crossing by which a
-    node is left; ``base`` (f + 1,) as first_nodes gives it; ``opening`` the starts of open chains; ``turning`` places where
-    the path turns from downward facets to upward ones: starts for closed chains. Row n belongs to no node.
+    ``coedge`` (x,); ``left`` (x,) the facet that is left here; ``place`` (c, x) mm: the columns that tell
+    where the point is, the first one along the travel; ``next_node`` (n + 1,), n where there is none;
+    ``exit`` (n + 1,) the crossing by which a node is left; ``base`` (f + 1,) as first_nodes gives it;
+    ``opening`` the starts of open chains; ``turning`` places where the path turns from downward facets to
+    upward ones: starts for closed chains. Row n belongs to no node.
     """
 
     coedge: Ints
@@ -92,7 +98,8 @@ class Crossings:
 
 @dataclass(frozen=True, eq=False)
 class _Piece:
-    """Some crossings, a row each: ``coedge``, its vertices ``top`` and ``bottom``, facets ``left`` and ``entered``, ``plane``."""
+    """Some crossings, a row each: ``coedge``, its vertices ``top`` and ``bottom``, facets ``left`` and
+    ``entered``, ``plane``."""
 
     coedge: Ints
     top: Ints
@@ -114,11 +121,13 @@ def levels(distance: Floats, offsets: Floats) -> Ints:
 
 
 def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]:
-    """First node of each facet less its first plane, NO_FACET for facets left out and for row -1; number of nodes."""
+    """First node of each facet less its first plane, NO_FACET for facets left out and for row -1; number of
+    nodes."""
     base = np.empty(len(mesh.face) + 1, dtype=np.int64)
 
     def count(part: slice) -> int:
-        """The number of nodes in the part; its first nodes, yet without those of the parts before it, go into ``base``."""
+        """The number of nodes in the part; its first nodes, yet without those of the parts before it, go into
+        ``base``."""
         a, b, c = (level.take(v) for v in mesh.face[part].T)
         low = np.minimum(np.minimum(a, b), c)
         number = np.maximum(np.maximum(a, b), c) - low
@@ -153,7 +162,8 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
         cut = np.flatnonzero(crossed)
         one, two = one.take(cut), two.take(cut)
         cut += part.start
-        # entries of ``ends``: the end on the upper side; and of ``sides``: the facet that runs along the co-edge downward
+        # entries of ``ends``: the end on the upper side; and of ``sides``: the facet that runs along the
+        # co-edge downward
         upper = (two > one) * number + cut
         lower = 2 * cut + number - upper
         low = np.minimum(one, two)
@@ -164,17 +174,28 @@ def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
         for piece in chunks(len(row)):
             at = row[piece]
             up, down = upper.take(at), lower.take(at)
-            cuts.append(_Piece(cut.take(at), ends.take(up), ends.take(down), sides.take(down), sides.take(up), plane[piece]))
+            cuts.append(
+                _Piece(
+                    cut.take(at),
+                    ends.take(up),
+                    ends.take(down),
+                    sides.take(down),
+                    sides.take(up),
+                    plane[piece],
+                )
+            )
         return cuts
 
     return [piece for pieces in in_threads(of, chunks(number)) for piece in pieces]
 
 
-def find_crossings(mesh: Mesh, offsets: Floats, columns: tuple[Floats, ...], distance: Floats, keep: Bools | None) -> Crossings:
+def find_crossings(
+    mesh: Mesh, offsets: Floats, columns: tuple[Floats, ...], distance: Floats, keep: Bools | None
+) -> Crossings:
     """Crossings of the planes at ascending ``offsets`` (k,) with the facets that ``keep`` (f,) has.
 
-    ``distance`` (v,): the field at the vertices, for planes the coordinate across the travel, mm; ``columns`` of (v,) each: what
-    is to be known of the crossings' places, the first one along the travel, mm.
+    ``distance`` (v,): the field at the vertices, for planes the coordinate across the travel, mm; ``columns``
+    of (v,) each: what is to be known of the crossings' places, the first one along the travel, mm.
     """
     level = levels(distance, offsets)
     base, nodes = first_nodes(mesh, level, keep)
@@ -205,7 +226,9 @@ def find_crossings(mesh: Mesh, offsets: Floats, columns: tuple[Floats, ...], dis
     starts = in_threads(lambda at: fill(pieces[at], slice(bounds[at], bounds[at + 1])), range(len(pieces)))
     opening, turning = ([none, *(pair[end] for pair in starts)] for end in (0, 1))
     coedge, left = label[0, :total], label[1, :total]
-    return Crossings(coedge, left, place[:, :total], next_node, exit_, base, Starts.joined(opening), Starts.joined(turning))
+    return Crossings(
+        coedge, left, place[:, :total], next_node, exit_, base, Starts.joined(opening), Starts.joined(turning)
+    )
 
 
 def _check_size(segments: int) -> None:
@@ -222,8 +245,11 @@ def _check_size(segments: int) -> None:
     check_memory(BYTES * segments, say("{segments} segments of passes", segments=segments), finer)
 
 
-def _interpolate(piece: _Piece, offsets: Floats, distance: Floats, values: tuple[Floats, ...], out: Floats) -> None:
-    """``values`` at the crossings into the rows of ``out``, linear along each co-edge, exact where a vertex lies on the plane."""
+def _interpolate(
+    piece: _Piece, offsets: Floats, distance: Floats, values: tuple[Floats, ...], out: Floats
+) -> None:
+    """``values`` at the crossings into the rows of ``out``, linear along each co-edge, exact where a vertex
+    lies on the plane."""
     share = distance.take(piece.top)
     length = share - distance.take(piece.bottom)
     share -= offsets.take(piece.plane)
@@ -236,10 +262,12 @@ def _interpolate(piece: _Piece, offsets: Floats, distance: Floats, values: tuple
 
 
 def chain(cross: Crossings) -> tuple[Ints, Ints, Ints]:
-    """All nodes as chains of crossings: the crossings of one chain after another, the rows where chains begin, their planes.
+    """All nodes as chains of crossings: the crossings of one chain after another, the rows where chains
+    begin, their planes.
 
-    A chain of m nodes has m + 1 crossings; that of a closed one is the same at both ends. Chains go by plane, then by
-    where they start along the travel; a closed chain starts at the first place along the travel where it turns upward.
+    A chain of m nodes has m + 1 crossings; that of a closed one is the same at both ends. Chains go by plane,
+    then by where they start along the travel; a closed chain starts at the first place along the travel where
+    it turns upward.
     """
     turning = cross.turning.take(np.argsort(cross.turning.along, kind="stable"))
     starts = Starts.joined([cross.opening, turning])
@@ -268,7 +296,8 @@ def _planes(cross: Crossings, node: Ints) -> Ints:
 
 
 def _anywhere(cross: Crossings, order: Ints) -> Starts:
-    """The nodes that ``order`` lacks as starts, in order along the travel. All of them belong to closed chains."""
+    """The nodes that ``order`` lacks as starts, in order along the travel. All of them belong to closed
+    chains."""
     missed = np.ones(len(cross.next_node), dtype=np.bool_)
     missed[np.minimum(order, len(missed) - 1)] = missed[-1] = False
     crossing = cross.exit[missed]
@@ -279,8 +308,8 @@ def _anywhere(cross: Crossings, order: Ints) -> Starts:
 def _depth_first(next_node: Ints, head: Ints) -> Ints:
     """Nodes in order of their chains; before each chain stands a row of n or more.
 
-    The graph gives each head a root that leads to the head and then to the next root. A chain that ends leads to the
-    first root, which has been visited already; so has a node that an earlier head reached.
+    The graph gives each head a root that leads to the head and then to the next root. A chain that ends leads
+    to the first root, which has been visited already; so has a node that an earlier head reached.
     """
     n, roots = len(next_node) - 1, len(head)
     if not roots:

@@ -28,8 +28,8 @@ MOST_POINTS = 100_000
 
 
 def find_source(source: str | Vector, region: Region, option: Option = FROM) -> Floats | None:
-    """Read the source that an ``option`` names, as :func:`read_curve` does. Raises SettingsError, FileError, also where a place
-    of it is farther from the region than the ball is thick."""
+    """Read the source that an ``option`` names, as :func:`read_curve` does. Raises SettingsError, FileError,
+    also where a place of it is farther from the region than the ball is thick."""
     curve = read_curve(source, option)
     if curve is not None:
         _refuse_off_surface(region, sample_curve(curve, 0.25 * region.radius))
@@ -37,14 +37,16 @@ def find_source(source: str | Vector, region: Region, option: Option = FROM) -> 
 
 
 def read_curve(source: str | Vector, option: Option = FROM) -> Floats | None:
-    """The points (n, 3) mm of the source, one for a point; None for the border. Raises SettingsError, FileError."""
+    """The points (n, 3) mm of the source, one for a point; None for the border. Raises SettingsError,
+    FileError."""
     if not isinstance(source, str):
         return np.array([source], dtype=np.float64)
     if source == BORDER:
         return None
     if not (source.lower().endswith(".csv") or is_inline(source)):
         raise SettingsError(
-            say("{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them", option=option,
+            say("{option} {source} is neither border nor X,Y,Z nor a file CURVE.csv; give one of them",
+                option=option,
                 source=repr(source)), source,
         )  # fmt: skip
     rows = [row for run in read_runs(source, "guide curve") for row in run]
@@ -52,7 +54,13 @@ def read_curve(source: str | Vector, option: Option = FROM) -> Floats | None:
         point = np.array([[float(cell) for cell in row[:3]] for row in rows[:MOST_POINTS]], dtype=np.float64)
     except ValueError:
         point = np.empty(0)
-    if point.ndim != 2 or point.shape[1] != 3 or len(point) < 2 or len(rows) > MOST_POINTS or not np.isfinite(point).all():
+    if (
+        point.ndim != 2
+        or point.shape[1] != 3
+        or len(point) < 2
+        or len(rows) > MOST_POINTS
+        or not np.isfinite(point).all()
+    ):
         raise SettingsError(
             say("guide curve {source} needs two points or more, X,Y,Z in mm on a line each, at most {most}",
                 source=name_source(source), most=MOST_POINTS), source,
@@ -61,14 +69,17 @@ def read_curve(source: str | Vector, option: Option = FROM) -> Floats | None:
 
 
 def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | None) -> tuple[Ints, Floats]:
-    """Vertices (m,) of the copy at the source, and their distance (m,) from it, in steps; of every piece at least one.
+    """Vertices (m,) of the copy at the source, and their distance (m,) from it, in steps; of every piece at
+    least one.
 
     ``curve`` (n, 3) mm as of :func:`read_curve`.
     """
     if curve is None:
         return _at_border(copy)
     length = side_lengths(copy.mesh.vertex, copy.mesh.face, frame, metric)
-    size = np.linalg.norm(np.roll(copy.mesh.vertex[copy.mesh.face], -1, axis=1) - copy.mesh.vertex[copy.mesh.face], axis=2).T
+    size = np.linalg.norm(
+        np.roll(copy.mesh.vertex[copy.mesh.face], -1, axis=1) - copy.mesh.vertex[copy.mesh.face], axis=2
+    ).T
     at = copy.mesh.face.T.reshape(-1)
     reach, scale = np.zeros(len(copy.mesh.vertex)), np.zeros(len(copy.mesh.vertex))
     np.maximum.at(reach, at, size.reshape(-1))
@@ -97,8 +108,8 @@ def _at_border(copy: Copy) -> tuple[Ints, Floats]:
 
 
 def sample_curve(curve: Floats, step: float) -> Floats:
-    """Give points (m, 3) of a polyline (n, 3) at most ``step`` mm apart, itself where it is one point; at most about
-    MOST_POINTS of them."""
+    """Give points (m, 3) of a polyline (n, 3) at most ``step`` mm apart, itself where it is one point; at
+    most about MOST_POINTS of them."""
     if len(curve) == 1:
         return curve
     way = np.diff(curve, axis=0)
@@ -110,7 +121,8 @@ def sample_curve(curve: Floats, step: float) -> Floats:
 
 
 def _refuse_off_surface(region: Region, samples: Floats) -> None:
-    """Raise SettingsError where one of the samples (n, 3) mm is farther from the region than the ball is thick."""
+    """Raise SettingsError where one of the samples (n, 3) mm is farther from the region than the ball is
+    thick."""
     mesh = region.mesh
     facets = Facets(mesh.vertex[mesh.face[region.keep]].transpose(1, 0, 2), mesh.normal[region.keep])
     off = search(samples, facets.pieces(), facets.squared, nearest, 2)[:, 0]
@@ -120,7 +132,8 @@ def _refuse_off_surface(region: Region, samples: Floats) -> None:
     x, y, z = samples[worst].tolist()
     raise SettingsError(
         say(
-            "passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or a curve on it",
+            "passes cannot begin at {place}: it is {off} off the surface that is to be cut; give a place or "
+            "a curve on it",
             place=Point((x, y, z), ".6g"),
             off=Length(off[worst], ".4g"),
         ),

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the parallel planes lie (Lin & Ye, II.B and C).
 
-across     horizontal direction from plane to plane, (-sin angle, cos angle, 0); a plane's offset is across . p.
+across     horizontal direction from plane to plane, (-sin angle, cos angle, 0); a plane's offset is across .
+           p.
 interval   distance of two neighbouring planes.
-stepover   a constant interval. The outermost planes lie equally far, at most half an interval, inside the part.
+stepover   a constant interval. The outermost planes lie equally far, at most half an interval, inside the
+           part.
 scallop    largest scallop that may be left; each plane stands as far from the one before it as that allows.
-least      no interval is smaller. A wall that the planes hardly cross would otherwise take passes without end.
+least      no interval is smaller. A wall that the planes hardly cross would otherwise take passes without
+           end.
 
-With a scallop each interval starts from the smallest one along the pass before it, as in the paper, but for the local slope
-and curvature. Then the scallop between that pass and the trial pass is measured and the trial plane moved until the
-largest scallop between the two is just below what was asked. The strips outside the outermost passes are at most half
-an interval wide, or the least interval. Where passes end aslant, the corner between two ends belongs to the border,
-not to the scallop between them: where the border runs nearly along the passes up to four times the scallop may stand there.
+With a scallop each interval starts from the smallest one along the pass before it, as in the paper, but for
+the local slope and curvature. Then the scallop between that pass and the trial pass is measured and the trial
+plane moved until the largest scallop between the two is just below what was asked. The strips outside the
+outermost passes are at most half an interval wide, or the least interval. Where passes end aslant, the corner
+between two ends belongs to the border, not to the scallop between them: where the border runs nearly along
+the passes up to four times the scallop may stand there.
 """
 
 from __future__ import annotations
@@ -39,22 +43,26 @@ MOST_PLANES = 200_000
 """More planes than any job can want: a unit or a setting is wrong."""
 
 MOST_SAMPLES = 200_000_000
-"""Samples of all passes between which scallops are measured: some minutes of work. More need a coarser scallop."""
+"""Samples of all passes between which scallops are measured: some minutes of work. More need a coarser
+scallop."""
 
 TOP, AIM, BOTTOM = 0.96, 0.945, 0.92
-"""Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, good from the last."""
+"""Shares of the scallop asked for: the measured one must not exceed the first, is aimed at the second, good
+from the last."""
 
 TRIALS = 16
 """Trial planes per interval; bisection alone then leaves 1e-4 of the first bracket."""
 
 FINE = 0.03
-"""A bracket this narrow (share of the interval) is closed: the scallop jumps within it, at an edge along the pass."""
+"""A bracket this narrow (share of the interval) is closed: the scallop jumps within it, at an edge along the
+pass."""
 
 SAMPLE = 0.5
 """Step of the samples on a pass, in intervals of a flat."""
 
 GROWTH = 2.0
-"""A trial interval grows or shrinks at most by this square per step: far from the solution the square law does not hold."""
+"""A trial interval grows or shrinks at most by this square per step: far from the solution the square law
+does not hold."""
 
 WIDEST = 4.0
 """Largest interval in intervals of a flat: in a hollow of nearly the ball's radius it would have no end."""
@@ -75,11 +83,13 @@ INSIDE = 1e-3
 """Share of the least interval by which a trial plane stays inside the part, where it surely cuts facets."""
 
 BOUND = Template(
-    "On steep walls {count} of the passes stand no closer than {least}: scallops up to {height} stay where {scallop} are "
+    "On steep walls {count} of the passes stand no closer than {least}: scallops up to {height} stay where "
+    "{scallop} are "
     "asked. Give a smaller {option}, or turn the passes along the walls."
 )
 BOUND_APART = Template(
-    "On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays between them where "
+    "On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays "
+    "between them where "
     "scallops of {scallop} are asked. Give a smaller {option}, or turn the passes along the walls."
 )
 """Higher than the cutter's radius: no scallop, for between two passes of a ball none is."""
@@ -105,10 +115,10 @@ def prepare_planes(
 ) -> PlacePlanes:
     """Check what is asked of the planes, and give the long work that places them.
 
-    ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are cut, None for all;
-    ``widest``: the largest interval, in intervals of a flat. ``normal`` (3,) unit: of the planes, which else are upright and
-    travel along ``angle`` rad. Raises SettingsError for values out of range, both or none of stepover and scallop, and too many
-    planes.
+    ``radius`` of the ball, ``stepover`` or ``scallop``, and ``least``, mm; ``keep`` (f,) the facets that are
+    cut, None for all; ``widest``: the largest interval, in intervals of a flat. ``normal`` (3,) unit: of the
+    planes, which else are upright and travel along ``angle`` rad. Raises SettingsError for values out of
+    range, both or none of stepover and scallop, and too many planes.
     """
     _check(angle, radius, stepover, scallop, least)
     across = np.array((-math.sin(angle), math.cos(angle), 0.0)) if normal is None else normal
@@ -125,30 +135,44 @@ def prepare_planes(
 
 def _nothing_across(angle: float, normal: Floats | None) -> SettingsError:
     if normal is None:
-        text = say("no facet lies across planes at {angle}; turn the direction", angle=Angle(math.degrees(angle)))
+        text = say(
+            "no facet lies across planes at {angle}; turn the direction", angle=Angle(math.degrees(angle))
+        )
         return SettingsError(text, angle)
     given = ",".join(f"{number:.4g}" for number in normal.tolist())
-    return SettingsError(say("no facet lies across planes of the normal {given}; turn the normal", given=given), given)
+    return SettingsError(
+        say("no facet lies across planes of the normal {given}; turn the normal", given=given), given
+    )
 
 
 def _check(angle: float, radius: float, stepover: float | None, scallop: float | None, least: float) -> None:
     if not math.isfinite(angle):
-        raise SettingsError(say("direction {angle} is no angle; give a number of degrees", angle=angle), angle)
+        raise SettingsError(
+            say("direction {angle} is no angle; give a number of degrees", angle=angle), angle
+        )
     lengths = {"cutter radius": radius, "least interval": least, "stepover": stepover, "scallop": scallop}
     for name, value in lengths.items():
         if value is not None and not 0.0 < value < math.inf:
-            raise SettingsError(say("{name} {value} is out of range; give more than 0 mm", name=name, value=Length(value)), value)
+            raise SettingsError(
+                say("{name} {value} is out of range; give more than 0 mm", name=name, value=Length(value)),
+                value,
+            )
     if (stepover is None) == (scallop is None):
         given = say("neither")
         if stepover is not None and scallop is not None:
-            given = say("both stepover {stepover} and scallop {scallop}", stepover=Length(stepover), scallop=Length(scallop))
+            given = say(
+                "both stepover {stepover} and scallop {scallop}",
+                stepover=Length(stepover),
+                scallop=Length(scallop),
+            )
         raise SettingsError(say("{given} given; give either a stepover or a scallop", given=given), stepover)
     if scallop is not None:
         refuse_high_scallop(scallop, radius)
 
 
 def _extent(mesh: Mesh, across: Floats, rows: Ints) -> tuple[float, float]:
-    """Least and largest offset, mm, of the facets ``rows`` that planes cut: one that lies in a plane is cut by none."""
+    """Least and largest offset, mm, of the facets ``rows`` that planes cut: one that lies in a plane is cut
+    by none."""
     offset = mesh.vertex @ across
 
     def of(part: slice) -> tuple[float, float]:
@@ -168,7 +192,9 @@ def _check_count(planes: float, what: str, value: float) -> None:
             most_planes=MOST_PLANES,
             what=what,
         )
-        raise SettingsError(say("{what} {value} needs {remedy}", what=what, value=Length(value), remedy=remedy), value)
+        raise SettingsError(
+            say("{what} {value} needs {remedy}", what=what, value=Length(value), remedy=remedy), value
+        )
 
 
 def _even_planes(low: float, high: float, stepover: float) -> Floats:
@@ -183,7 +209,8 @@ def _even_planes(low: float, high: float, stepover: float) -> Floats:
 
 @dataclass(frozen=True)
 class _Step:
-    """One interval, mm, the largest scallop that it leaves, mm, and where; ``ends`` if the part ends before the scallop binds."""
+    """One interval, mm, the largest scallop that it leaves, mm, and where; ``ends`` if the part ends before
+    the scallop binds."""
 
     interval: float
     height: float
@@ -194,8 +221,16 @@ class _Step:
 class _March:
     """Places the planes of all ranges one after the other, for a scallop."""
 
-    def __init__(self, strip: Strip, radius: float, scallop: float, least: float, progress: Progress, widest: float) -> None:
-        self._strip, self._radius, self._scallop, self._least, self._progress = strip, radius, scallop, least, progress
+    def __init__(
+        self, strip: Strip, radius: float, scallop: float, least: float, progress: Progress, widest: float
+    ) -> None:
+        self._strip, self._radius, self._scallop, self._least, self._progress = (
+            strip,
+            radius,
+            scallop,
+            least,
+            progress,
+        )
         self._flat = flat_interval(radius, scallop)
         self._widest = widest * self._flat
         self._sample = SAMPLE * self._flat
@@ -207,12 +242,14 @@ class _March:
         self._check_samples()
 
     def _check_samples(self) -> None:
-        """Raise SettingsError where the scallop needs more samples than can be measured: area by interval and by sample."""
+        """Raise SettingsError where the scallop needs more samples than can be measured: area by interval and
+        by sample."""
         samples = self._strip.area / (max(self._flat, self._least) * self._sample)
         if samples > MOST_SAMPLES:
             raise SettingsError(
                 say(
-                    "scallop {value} needs about {samples} samples of its passes, more than {most}; give a larger scallop or"
+                    "scallop {value} needs about {samples} samples of its passes, more than {most}; give a "
+                    "larger scallop or"
                     " check the units of the part",
                     value=Length(self._scallop),
                     samples=Number(samples, ".2g"),
@@ -229,8 +266,9 @@ class _March:
     def _cover(self, low: float, high: float) -> None:
         """Planes from ``low`` to ``high``, the outermost at most half an interval inside.
 
-        Where the last full interval ends too far from the end for that, the march goes back and takes a share of each
-        interval on the way there, so that one more plane fits and no single interval is needlessly small.
+        Where the last full interval ends too far from the end for that, the march goes back and takes a share
+        of each interval on the way there, so that one more plane fits and no single interval is needlessly
+        small.
         """
         edge = min(self._step(low + self._inside(low, high), high).interval, high - low)
         start, share, kept = low + 0.5 * edge, 1.0, 0
@@ -252,8 +290,11 @@ class _March:
         self._bound += [step for step in steps if step.height > self._scallop]
 
     @staticmethod
-    def _again(planes: list[float], share: float, beyond: float, low: float, edge: float) -> tuple[float, float, int]:
-        """Where to march again from, the share of each interval to take, and how many planes before it stay."""
+    def _again(
+        planes: list[float], share: float, beyond: float, low: float, edge: float
+    ) -> tuple[float, float, int]:
+        """Where to march again from, the share of each interval to take, and how many planes before it
+        stay."""
         redone = min(len(planes) - 1, STRETCH)
         full = share * redone + beyond
         if redone < len(planes) - 1:
@@ -262,7 +303,8 @@ class _March:
         return low + inset * edge, share, 0
 
     def _march(self, offset: float, end: float, share: float) -> tuple[list[float], list[_Step], float]:
-        """Offsets from ``offset`` on, the steps between them, and the part of an interval that is left beyond the last one."""
+        """Offsets from ``offset`` on, the steps between them, and the part of an interval that is left beyond
+        the last one."""
         offsets, steps = [offset], list[_Step]()
         while True:
             self._report(len(self._planes) + len(offsets), offset)
@@ -284,7 +326,8 @@ class _March:
         return INSIDE * min(self._least, high - low)
 
     def _step(self, offset: float, end: float) -> _Step:
-        """The interval from the pass at ``offset`` to the next one, before ``end``: trial, measure, correct."""
+        """The interval from the pass at ``offset`` to the next one, before ``end``: trial, measure,
+        correct."""
         here = self._strip.cut(offset, self._sample)
         rest = end - self._inside(offset, end) - offset
         most = min(rest, self._widest)
@@ -306,7 +349,8 @@ class _March:
         return good
 
     def _next_trial(self, trial: float, height: float, good: float, bad: float) -> float:
-        """The interval at which the square law puts the scallop that is aimed at, or the middle of the bracket."""
+        """The interval at which the square law puts the scallop that is aimed at, or the middle of the
+        bracket."""
         change = math.sqrt(AIM * self._scallop / max(height, TINY_HEIGHT * self._scallop))
         trial *= min(max(change, 1.0 / GROWTH), GROWTH)
         return trial if good < trial < bad else 0.5 * (good + bad)
@@ -316,7 +360,9 @@ class _March:
         now = time.monotonic()
         if now - self._reported > PERIOD:
             low, high = self._strip.ranges[0][0], self._strip.ranges[-1][1]
-            self._far = max(self._far, (offset - low) / (high - low))  # a march that is repeated does not count back
+            self._far = max(
+                self._far, (offset - low) / (high - low)
+            )  # a march that is repeated does not count back
             self._progress("placing planes", self._far)
             self._reported = now
 
@@ -346,7 +392,8 @@ def _share(count: float) -> float:
 
 
 def _inset(count: float) -> tuple[float, float]:
-    """For a part ``count`` full intervals wide: how many the first plane stands inside, and the share of each to take."""
+    """For a part ``count`` full intervals wide: how many the first plane stands inside, and the share of each
+    to take."""
     planes = math.floor(count - SPARE)
     spare = count - planes
     if spare > 1.0 - SPARE:

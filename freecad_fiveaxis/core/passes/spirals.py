@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Closed passes round one another become one long open pass: a spiral.
 
-turn      once round. The first turn of a spiral is the first loop of its chain, the last one the last loop: borders are
-          finished. Between them turn k leads from loop k to loop k + 1: on it, ``index - share = k``, with the index of the
-          loops as a field (k on loop k) and the share of a turn. So at any place two turns are one index apart, as two loops
-          are, and meet where the share begins anew, to the last bit.
+turn      once round. The first turn of a spiral is the first loop of its chain, the last one the last loop:
+          borders are finished. Between them turn k leads from loop k to loop k + 1: on it, ``index - share =
+          k``, with the index of the loops as a field (k on loop k) and the share of a turn. So at any place
+          two turns are one index apart, as two loops are, and meet where the share begins anew, to the last
+          bit.
 """
 
 from __future__ import annotations
@@ -30,14 +31,16 @@ TOUCH = 1e-4
 """Of the way between two levels: no vertex lies nearer to a level than that."""
 
 MOST = 0.5
-"""Of the segments of a polyline that must be those of a loop in a spiral for the one to stand for the other."""
+"""Of the segments of a polyline that must be those of a loop in a spiral for the one to stand for the
+other."""
 
 COLUMNS = ("point", "normal", "face", "coedge", "polyline", "pass_")
 
 
 class Rings(NamedTuple):
-    """``copy`` of the facets between loops, cut open along seams; at its vertices (v,) the ``ring`` they belong to, the
-    ``height`` in loops and the ``share`` of a turn; ``first`` and ``last`` (r,) loop of each ring."""
+    """``copy`` of the facets between loops, cut open along seams; at its vertices (v,) the ``ring`` they
+    belong to, the ``height`` in loops and the ``share`` of a turn; ``first`` and ``last`` (r,) loop of each
+    ring."""
 
     copy: Copy
     ring: Ints
@@ -48,8 +51,8 @@ class Rings(NamedTuple):
 
 
 class Turns(NamedTuple):
-    """``contact`` with a polyline (p,) for each turn; the ``ring`` of each, how many turns came before it, ``turn``, and whether
-    it is to be taken ``back``wards."""
+    """``contact`` with a polyline (p,) for each turn; the ``ring`` of each, how many turns came before it,
+    ``turn``, and whether it is to be taken ``back``wards."""
 
     contact: ContactPath
     ring: Ints
@@ -57,10 +60,12 @@ class Turns(NamedTuple):
     back: Bools
 
 
-def find_spirals(part: Mesh, copy: Copy, value: Floats, levels: Floats) -> tuple[ContactPath, Ints, Ints] | None:
-    """Find the spirals that lie in a copy of facets of the part whose passes have the ascending ``levels`` (k,) of ``value``
-    (v,), each a polyline, its ``pass_`` that of its first loop; and of the loops for which they stand the facets (n,) of the
-    copy and the passes (n,). None where there is none."""
+def find_spirals(
+    part: Mesh, copy: Copy, value: Floats, levels: Floats
+) -> tuple[ContactPath, Ints, Ints] | None:
+    """Find the spirals that lie in a copy of facets of the part whose passes have the ascending ``levels``
+    (k,) of ``value`` (v,), each a polyline, its ``pass_`` that of its first loop; and of the loops for which
+    they stand the facets (n,) of the copy and the passes (n,). None where there is none."""
     if len(levels) <= FEWEST or not (np.diff(levels) > 0.0).all():
         return None
     whole, index, slab, owner = _divided_at_loops(part, copy, value, levels)
@@ -87,11 +92,13 @@ def has_loops(contact: ContactPath) -> bool:
 
 
 def without_loops(contact: ContactPath, face: Ints, pass_: Ints) -> ContactPath:
-    """Leave out the polylines of which most segments are cut out of these facets (n,) by these passes (n,); a pass has one
-    segment in a facet."""
+    """Leave out the polylines of which most segments are cut out of these facets (n,) by these passes (n,); a
+    pass has one segment in a facet."""
     count = int(contact.face.max(initial=0)) + 1
     gone = np.isin(contact.pass_ * count + contact.face, (pass_ * count + face)[face < count])
-    rows = np.flatnonzero((np.bincount(contact.polyline, gone) < MOST * np.bincount(contact.polyline))[contact.polyline])
+    rows = np.flatnonzero(
+        (np.bincount(contact.polyline, gone) < MOST * np.bincount(contact.polyline))[contact.polyline]
+    )
     return take_lines(contact, rows)
 
 
@@ -109,9 +116,11 @@ def take_lines(contact: ContactPath, rows: Ints) -> ContactPath:
     return replace(contact, **columns, segment=np.arange(len(rows)) >> 1)
 
 
-def _divided_at_loops(part: Mesh, copy: Copy, value: Floats, levels: Floats) -> tuple[Copy, Floats, Ints, Ints]:
-    """The copy divided at all levels, the index of the loops at its vertices, the slab of its facets, and the facets of the copy
-    given in which they lie."""
+def _divided_at_loops(
+    part: Mesh, copy: Copy, value: Floats, levels: Floats
+) -> tuple[Copy, Floats, Ints, Ints]:
+    """The copy divided at all levels, the index of the loops at its vertices, the slab of its facets, and the
+    facets of the copy given in which they lie."""
     knots, number = _knots(levels)
     value = off_levels(value, levels)
     cuts = divide(copy, value[copy.mesh.face], levels)
@@ -126,8 +135,8 @@ def _knots(levels: Floats) -> tuple[Floats, Floats]:
 
 
 def off_levels(value: Floats, levels: Floats) -> Floats:
-    """Move values (v,) that are next to one of the ascending ``levels`` (k,), at least two, just above it: passes that run along
-    sides of facets would else be told to lie in those on the other side."""
+    """Move values (v,) that are next to one of the ascending ``levels`` (k,), at least two, just above it:
+    passes that run along sides of facets would else be told to lie in those on the other side."""
     knots, number = _knots(levels)
     index = np.interp(value, knots, number)
     near = (np.abs(index - np.round(index)) < TOUCH) & (index > -0.5) & (index < len(levels) - 0.5)
@@ -147,20 +156,26 @@ def _cut_open(part: Mesh, ring: Copy, index: Floats) -> Rings:
     planes = np.arange(np.floor(turns.min()), np.ceil(turns.max()) + 1.0)
     cuts = divide(ring, turns, planes, index[:, None])
     share = cuts.value - planes[cuts.slab - 1][:, None]
-    face = cuts.face + len(cuts.vertex) * (share == 1.0)  # vertices at which a turn ends are others than those where one begins
+    face = cuts.face + len(cuts.vertex) * (
+        share == 1.0
+    )  # vertices at which a turn ends are others than those where one begins
     copy = assembled(part, np.tile(cuts.vertex[:, :3], (2, 1)), face, cuts.label, ring.parent[cuts.owner])
     pieces = int(ring.component.max(initial=-1)) + 1
     first, last = np.full(pieces, np.inf), np.full(pieces, -np.inf)
     np.minimum.at(first, ring.component, index)
     np.maximum.at(last, ring.component, index)
     belongs = np.repeat(ring.component[ring.mesh.face[cuts.owner, 0]][:, None], 3, axis=1)
-    belongs, height, share = (carry(copy.mesh, corner) for corner in (belongs, cuts.vertex[cuts.face, 3], share))
-    return Rings(replace(copy, bend=ring.bend), belongs, height, share, first.astype(np.int64), last.astype(np.int64))
+    belongs, height, share = (
+        carry(copy.mesh, corner) for corner in (belongs, cuts.vertex[cuts.face, 3], share)
+    )
+    return Rings(
+        replace(copy, bend=ring.bend), belongs, height, share, first.astype(np.int64), last.astype(np.int64)
+    )
 
 
 def _all_turns(rings: Rings) -> Turns:
-    """The first loop of every ring, the turns from loop to loop, and the last loop: level lines of three fields in which rings
-    have a range of their own each."""
+    """The first loop of every ring, the turns from loop to loop, and the last loop: level lines of three
+    fields in which rings have a range of their own each."""
     mesh, loops = rings.copy.mesh, rings.last - rings.first
     begin = np.arange(len(loops)) * (int(loops.max()) + 3.0)
     own, over = begin[rings.ring], rings.height - rings.first[rings.ring]
@@ -168,11 +183,19 @@ def _all_turns(rings: Rings) -> Turns:
     turn = np.arange(len(between)) - (np.cumsum(loops) - loops)[between]
     every, none = np.arange(len(loops)), np.zeros(len(loops), np.int64)
     fields = [
-        (own - over, begin, every, none, True),  # the facets above the first loop are below it here, and it runs back
+        (
+            own - over,
+            begin,
+            every,
+            none,
+            True,
+        ),  # the facets above the first loop are below it here, and it runs back
         (own + over - rings.share, begin[between] + turn, between, turn + 1, False),
         (own + over, begin + loops, every, loops + 1, False),
     ]
-    cuts = [(slice_field(mesh, value, levels), ring, turn, back) for value, levels, ring, turn, back in fields]
+    cuts = [
+        (slice_field(mesh, value, levels), ring, turn, back) for value, levels, ring, turn, back in fields
+    ]
     number = [contact.pass_[_begins(contact)] for contact, *_ in cuts]
     return Turns(
         put_beside(contact for contact, *_ in cuts),
@@ -183,8 +206,8 @@ def _all_turns(rings: Rings) -> Turns:
 
 
 def _one_after_the_other(rings: Rings, turns: Turns) -> tuple[ContactPath, Bools]:
-    """The turns of each ring as one polyline, and which rings (r,) came out whole: one turn of each number, each beginning where
-    the one before it ends. Of the others there is none."""
+    """The turns of each ring as one polyline, and which rings (r,) came out whole: one turn of each number,
+    each beginning where the one before it ends. Of the others there is none."""
     contact, order = turns.contact, np.lexsort((turns.turn, turns.ring))
     first = _begins(contact)
     last = np.append(first[1:], len(contact.point)) - 1
@@ -195,7 +218,9 @@ def _one_after_the_other(rings: Rings, turns: Turns) -> tuple[ContactPath, Bools
     meets = np.linalg.norm(enters[1:] - leaves[:-1], axis=1) < COINCIDENT_MM
     wrong = np.append(turn[:1] != 0, np.where(goes_on, ~meets | (np.diff(turn) != 1), turn[1:] != 0))
     count = len(rings.first)
-    good = (np.bincount(ring, wrong, count) == 0) & (np.bincount(ring, minlength=count) == rings.last - rings.first + 2)
+    good = (np.bincount(ring, wrong, count) == 0) & (
+        np.bincount(ring, minlength=count) == rings.last - rings.first + 2
+    )
     keep = good[ring]
     row, piece, _ = tour_rows(first, last, Tour(order[keep], back[keep]))
     ring = ring[keep][piece]
@@ -212,7 +237,9 @@ def _begins(contact: ContactPath) -> Ints:
 def put_beside(contacts: Iterable[ContactPath]) -> ContactPath:
     """Put the polylines of all one after the other."""
     parts = list(contacts)
-    columns: dict[str, Any] = {name: np.concatenate([getattr(part, name) for part in parts]) for name in COLUMNS}
+    columns: dict[str, Any] = {
+        name: np.concatenate([getattr(part, name) for part in parts]) for name in COLUMNS
+    }
     line = np.cumsum(np.concatenate([np.diff(part.polyline, prepend=-1) != 0 for part in parts])) - 1
     columns["polyline"] = line.astype(np.int64)
     return ContactPath(**columns, segment=np.arange(len(line)) >> 1)

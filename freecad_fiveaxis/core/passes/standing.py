@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a part stands on: its lowest facets where they look straight down and lie under its middle on all sides.
+"""What a part stands on: its lowest facets where they look straight down and lie under its middle on all
+sides.
 
-How a part is held is not known. A flat underside on which it can stand is where it most likely lies on something, so that nobody
-expects a tool there unless he asks for it; a part without one is held otherwise, and all of it is free.
+How a part is held is not known. A flat underside on which it can stand is where it most likely lies on
+something, so that nobody expects a tool there unless he asks for it; a part without one is held otherwise,
+and all of it is free.
 """
 
 from __future__ import annotations
@@ -23,7 +25,8 @@ FLAT = 0.9999
 
 
 def standing_facets(mesh: Mesh) -> Bools:
-    """Mask (f,) of the facets on which the part stands; none where they do not surround the middle of its surface from below."""
+    """Mask (f,) of the facets on which the part stands; none where they do not surround the middle of its
+    surface from below."""
     height, size = mesh.vertex[mesh.face, 2].max(axis=1), float(np.ptp(mesh.vertex, axis=0).max())
     flat = (mesh.normal[:, 2] < -FLAT) & (height <= float(mesh.box[0][2]) + LEVEL * size)
     corner = mesh.vertex[mesh.face[flat]].reshape(-1, 3)[:, :2]
@@ -37,7 +40,8 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
     area, facet = float(mesh.area[standing].sum()), int(np.where(standing, mesh.area, 0.0).argmax())
     x, y, z = mesh.vertex[mesh.face[facet]].mean(axis=0).tolist()
     text = say(
-        "The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give {max_axis_angle} to cut "
+        "The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give "
+        "{max_axis_angle} to cut "
         "them as well.",
         height=Length(round(z, 3) + 0.0, bare=True), area=Area(area, ".6g"),
         share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), max_axis_angle=Option("max_axis_angle"),

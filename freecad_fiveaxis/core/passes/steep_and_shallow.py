@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Level planes where the surface is steep, another strategy's passes where it is not, one over the other along the line between.
+"""Level planes where the surface is steep, another strategy's passes where it is not, one over the other
+along the line between.
 
-Each strategy sees its own part of the surface and the strip beside it, as if that were all there is to cut: so it lays its passes
-as close as its own part asks for. Facets that are not to be cut are passed over by both, as always.
+Each strategy sees its own part of the surface and the strip beside it, as if that were all there is to cut:
+so it lays its passes as close as its own part asks for. Facets that are not to be cut are passed over by
+both, as always.
 """
 
 from __future__ import annotations
@@ -34,8 +36,8 @@ BEND = 0.01
 
 @dataclass(frozen=True)
 class Division:
-    """``bound`` rad: steeper facets are cut by the strategy ``steep``, the others by ``shallow``; ``overlap`` in stepovers of a
-    flat; ``order`` and ``spiral`` as :func:`.field.cut` has them."""
+    """``bound`` rad: steeper facets are cut by the strategy ``steep``, the others by ``shallow``; ``overlap``
+    in stepovers of a flat; ``order`` and ``spiral`` as :func:`.field.cut` has them."""
 
     bound: float
     steep: PassStrategy
@@ -45,9 +47,12 @@ class Division:
     overlap: float = OVERLAP
 
 
-def lay_by_slope(region: Region, options: PassOptions, division: Division) -> tuple[ContactPath, tuple[Finding, ...]]:
-    """Lay the passes of both strategies, those of the steep part first and from the top down, and say what they do not touch.
-    Where all that is to be cut is steep, or nothing is, these are the very passes of the one strategy. Raises SettingsError."""
+def lay_by_slope(
+    region: Region, options: PassOptions, division: Division
+) -> tuple[ContactPath, tuple[Finding, ...]]:
+    """Lay the passes of both strategies, those of the steep part first and from the top down, and say what
+    they do not touch. Where all that is to be cut is steep, or nothing is, these are the very passes of the
+    one strategy. Raises SettingsError."""
     slopes = divide_by_slope(region.mesh, division.bound, division.overlap * region.interval)
     kept = region.keep[slopes.copy.parent]
     if not (kept & ~slopes.steep).any():
@@ -85,7 +90,11 @@ def _cut_strips(
     contact = cut(part, field, division.order, division.spiral)
     mostly = replace(region, keep=_mostly(slopes, kept & own, region.keep))
     reports = strategy.untouched(mostly, options, field, np.unique(copy.parent[contact.face]))
-    reports = tuple(one for one in reports if not _at_rim(one, copy.mesh.vertex[copy.mesh.face[slopes.strip[rows]]], region))
+    reports = tuple(
+        one
+        for one in reports
+        if not _at_rim(one, copy.mesh.vertex[copy.mesh.face[slopes.strip[rows]]], region)
+    )
     contact = _without_stubs(contact, slopes.strip[rows], STUB * region.interval)
     return replace(copy, bend=BEND * region.interval).on_part(contact, region.mesh), reports
 
@@ -93,15 +102,24 @@ def _cut_strips(
 def _mostly(slopes: Slopes, own: Bools, keep: Bools) -> Bools:
     """The facets (f,) of the part that are to be cut and lie at least half in the pieces ``own`` (n,)."""
     area, parent, count = slopes.copy.mesh.area, slopes.copy.parent, len(keep)
-    return np.asarray(keep & (np.bincount(parent, area * own, count) >= 0.5 * np.bincount(parent, area, count)))
+    return np.asarray(
+        keep & (np.bincount(parent, area * own, count) >= 0.5 * np.bincount(parent, area, count))
+    )
 
 
 def _at_rim(found: Finding, strip: Floats, region: Region) -> bool:
-    """Whether a finding tells of planes far apart at the rim of the strip, corners (n, 3, 3): behind it the other strategy's
-    passes lie, and the next level plane is nowhere near."""
-    if found.code != Code.LEAST_INTERVAL or found.place is None or not len(strip) or (found.value or 0.0) <= region.radius:
+    """Whether a finding tells of planes far apart at the rim of the strip, corners (n, 3, 3): behind it the
+    other strategy's passes lie, and the next level plane is nowhere near."""
+    if (
+        found.code != Code.LEAST_INTERVAL
+        or found.place is None
+        or not len(strip)
+        or (found.value or 0.0) <= region.radius
+    ):
         return False
-    return float(np.linalg.norm(strip.reshape(-1, 3) - np.asarray(found.place), axis=1).min()) <= region.interval
+    return (
+        float(np.linalg.norm(strip.reshape(-1, 3) - np.asarray(found.place), axis=1).min()) <= region.interval
+    )
 
 
 def _without_stubs(contact: ContactPath, strip: Bools, short: float) -> ContactPath:
@@ -114,8 +132,8 @@ def _without_stubs(contact: ContactPath, strip: Bools, short: float) -> ContactP
 
 
 def _top_down(contact: ContactPath, order: str) -> ContactPath:
-    """The passes from the highest to the lowest: those that run to and fro the other way round, so that each still begins
-    near the end of the one before, the others as they are."""
+    """The passes from the highest to the lowest: those that run to and fro the other way round, so that each
+    still begins near the end of the one before, the others as they are."""
     if not len(contact.point) or contact.point[0, 2] >= contact.point[-1, 2]:
         return contact
     rows = np.arange(len(contact.point))[::-1] if order == "zigzag" else _lines_reversed(contact.polyline)

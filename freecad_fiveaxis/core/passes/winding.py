@@ -2,9 +2,10 @@
 """How far round a ring a place is: a share of a turn, that grows by 1 along every loop of the ring.
 
 ring      a component of a mesh with two borders, one round the other.
-seam      a row of facets from the one border to the other. The sides that it crosses are where the share loses its turn.
-share     is in balance at every vertex: the mean of its neighbours', each worth one over the length of the side to it. So it
-          grows with the way along the loops, and has no summit and no basin.
+seam      a row of facets from the one border to the other. The sides that it crosses are where the share
+          loses its turn.
+share     is in balance at every vertex: the mean of its neighbours', each worth one over the length of the
+          side to it. So it grows with the way along the loops, and has no summit and no basin.
 """
 
 from __future__ import annotations
@@ -27,9 +28,10 @@ TOUCH = 1e-5
 
 
 def find_turns(mesh: Mesh, component: Ints, height: Floats) -> Floats:
-    """Find the share of a turn (f, 3) at the corners of facets of rings: 0 somewhere on a seam, with the whole turns that
-    belong to the corner in its facet, so that it is linear over each facet. It grows along loops with what is higher to their
-    left. ``component`` (v,); ``height`` (v,): least on the lower border of each ring, most on its upper one."""
+    """Find the share of a turn (f, 3) at the corners of facets of rings: 0 somewhere on a seam, with the
+    whole turns that belong to the corner in its facet, so that it is linear over each facet. It grows along
+    loops with what is higher to their left. ``component`` (v,); ``height`` (v,): least on the lower border of
+    each ring, most on its upper one."""
     jump = _seam_jumps(mesh, component, height)
     share = _balanced(mesh, component, jump)
     near = np.abs(share - np.round(share)) < TOUCH
@@ -61,14 +63,19 @@ def _seam_jumps(mesh: Mesh, component: Ints, height: Floats) -> Floats:
 
 
 def _seam(mesh: Mesh, lower: Ints, upper: Ints, piece: Ints) -> tuple[Bools, Ints, Ints, Ints]:
-    """Facets (f,) on the shortest way of each ring from its ``lower`` border to its ``upper`` one, the facet before each, and the
-    border co-edges by which the ways begin and end; ``piece``: the ring of each upper co-edge."""
+    """Facets (f,) on the shortest way of each ring from its ``lower`` border to its ``upper`` one, the facet
+    before each, and the border co-edges by which the ways begin and end; ``piece``: the ring of each upper
+    co-edge."""
     count, middle = len(mesh.face), mesh.vertex[mesh.face].mean(axis=1)
     one, two = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0].T
     way = np.maximum(np.linalg.norm(middle[one] - middle[two], axis=1), 1e-9)
-    graph = scipy.sparse.coo_matrix((np.tile(way, 2), (np.append(one, two), np.append(two, one))), (count, count)).tocsr()
+    graph = scipy.sparse.coo_matrix(
+        (np.tile(way, 2), (np.append(one, two), np.append(two, one))), (count, count)
+    ).tocsr()
     begins = mesh.coedge_face[lower, 0]
-    off, before, _ = scipy.sparse.csgraph.dijkstra(graph, indices=np.unique(begins), return_predecessors=True, min_only=True)
+    off, before, _ = scipy.sparse.csgraph.dijkstra(
+        graph, indices=np.unique(begins), return_predecessors=True, min_only=True
+    )
     order = np.lexsort((off[mesh.coedge_face[upper, 0]], piece))
     exit_ = upper[order[np.flatnonzero(np.diff(piece[order], prepend=-1))]]
     on = _with_all_before(before, mesh.coedge_face[exit_, 0])
@@ -97,7 +104,9 @@ def _balanced(mesh: Mesh, component: Ints, jump: Floats) -> Floats:
     rows, columns = np.concatenate([one, two, one, two]), np.concatenate([two, one, one, two])
     whole: Any = (np.concatenate([-weight, -weight, weight, weight]), (rows, columns))
     stiff = scipy.sparse.coo_matrix(whole, (count, count)).tocsc()
-    right = (np.bincount(two, weight * jump, count) - np.bincount(one, weight * jump, count)).astype(np.float64)
+    right = (np.bincount(two, weight * jump, count) - np.bincount(one, weight * jump, count)).astype(
+        np.float64
+    )
     pinned = np.unique(component, return_index=True)[1]
     inner, share = np.setdiff1d(np.arange(count), pinned), np.zeros(count)
     share[inner] = Factored(stiff, inner).solve(right)

@@ -3,7 +3,8 @@
 
 axis angle    angle between the facet normal and +Z of the work frame; the tool axis leans by it.
 looking down  an axis angle over 90 deg: the part stands on such facets, or hangs over.
-within reach  one branch of the inverse kinematics has both rotary words within their limits, whole turns added where needed.
+within reach  one branch of the inverse kinematics has both rotary words within their limits, whole turns
+              added where needed.
 """
 
 from __future__ import annotations
@@ -25,10 +26,12 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine.kinematics import BEYOND, Chain, inverse_axis
 
 LEVEL = 1e-4
-"""rad: STL files keep coordinates to 1e-7 of their size, so the normals of small facets, those of walls too, are this far off."""
+"""rad: STL files keep coordinates to 1e-7 of their size, so the normals of small facets, those of walls too,
+are this far off."""
 
 WORD_ERROR = 1e-9
-"""rad: a word that misses its limit by less is on it; rounding of the inverse, far below any controller's step."""
+"""rad: a word that misses its limit by less is on it; rounding of the inverse, far below any controller's
+step."""
 
 FLAT = 1e-8
 """Where a cosine is so near to 1 or -1, its rounding (1e-16) is worth more than WORD_ERROR / 100 of angle."""
@@ -46,15 +49,18 @@ NEARLY = 0.99
 
 
 _DOWN = Template(
-    "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the part over to "
+    "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the "
+    "part over to "
     "cut them, or raise the largest axis angle."
 )
 _STEEP = Template(
-    "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise the largest axis "
+    "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise "
+    "the largest axis "
     "angle to cut them."
 )
 _BEYOND = Template(
-    "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn the part or take "
+    "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn "
+    "the part or take "
     "another machine to cut them."
 )
 
@@ -62,17 +68,21 @@ _BEYOND = Template(
 def facets_within_limits(
     mesh: Mesh, kinematics: Chain | None, max_axis_angle: float, wanted: Bools | None = None
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones is left out.
+    """Mask (f,) of the facets that can be cut with the tool along their normal, and what of the wanted ones
+    is left out.
 
-    ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; beyond pi / 2 facets that look
-    down are cut up to it. Vertical walls count as 90 deg.
-    ``kinematics`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were chosen, None: all.
-    Raises SettingsError for another angle, ReachError where no facet is left.
+    ``max_axis_angle`` rad: the largest axis angle that is wanted, over 0 and at most pi; beyond pi / 2 facets
+    that look down are cut up to it. Vertical walls count as 90 deg.
+    ``kinematics`` None: the tool axis does not follow the facets. ``wanted`` (f,): the facets that were
+    chosen, None: all. Raises SettingsError for another angle, ReachError where no facet is left.
     """
     if not 0.0 < max_axis_angle <= math.pi:
         angle = math.degrees(max_axis_angle)
         raise SettingsError(
-            say("largest axis angle {angle} is out of range; give more than 0 and at most 180 deg", angle=Angle(angle)),
+            say(
+                "largest axis angle {angle} is out of range; give more than 0 and at most 180 deg",
+                angle=Angle(angle),
+            ),
             max_axis_angle,
         )
     up = mesh.normal[:, 2]
@@ -84,7 +94,11 @@ def facets_within_limits(
 
     def check(part: slice) -> None:
         rows = rest[part]
-        beyond[rows] = ~axes_within_limits(kinematics, mesh.normal.T.take(rows, axis=1).T) if kinematics is not None else False
+        beyond[rows] = (
+            ~axes_within_limits(kinematics, mesh.normal.T.take(rows, axis=1).T)
+            if kinematics is not None
+            else False
+        )
 
     in_threads(check, chunks(len(rest)))
     keep: Bools = wanted & ~(down | steep | beyond)
@@ -92,7 +106,9 @@ def facets_within_limits(
         return keep, ()
     area = mesh.area
     if not keep.any():
-        raise ReachError(_nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle))
+        raise ReachError(
+            _nothing_left(area, down, steep, beyond, max_axis_angle), math.degrees(max_axis_angle)
+        )
     found = (
         _looking_down(mesh, area, down),
         report_too_steep(mesh, area, steep, max_axis_angle),
@@ -102,7 +118,8 @@ def facets_within_limits(
 
 
 def facets_under_axes(mesh: Mesh, max_axis_angle: float) -> Bools:
-    """Mask (f,) of the facets over which an axis within ``max_axis_angle`` rad of +Z can lean: on others no tool stands."""
+    """Mask (f,) of the facets over which an axis within ``max_axis_angle`` rad of +Z can lean: on others no
+    tool stands."""
     lean = max_axis_angle + 0.5 * math.pi - LEVEL
     return np.asarray(mesh.normal[:, 2] > (math.cos(lean) if lean < math.pi else -math.inf))
 
@@ -113,7 +130,8 @@ def least_up(max_axis_angle: float) -> float:
 
 
 def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
-    """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their limits."""
+    """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their
+    limits."""
     ends = _second_alone(kinematics)
     if ends is not None:
         least, most = ends
@@ -130,8 +148,8 @@ def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
 
 
 def with_room(kinematics: Chain, room: float = ROOM) -> Chain:
-    """Narrow the rotary limits by ``room`` rad at either end, a quarter of the range at most: between axes that are within them
-    the machine then stays within its own."""
+    """Narrow the rotary limits by ``room`` rad at either end, a quarter of the range at most: between axes
+    that are within them the machine then stays within its own."""
     by = np.minimum(room, 0.25 * (kinematics.high[3:] - kinematics.low[3:]))
     low, high = kinematics.low.copy(), kinematics.high.copy()
     low[3:] += by
@@ -140,22 +158,26 @@ def with_room(kinematics: Chain, room: float = ROOM) -> Chain:
 
 
 def turns_within_limits(kinematics: Chain, one: Floats, other: Floats) -> Bools:
-    """True (n,) where the machine can take up what lies between unit tool axes ``one`` and ``other`` (n, 3), too, when the axis
-    turns straight: between two at its limits it would go beyond them."""
+    """True (n,) where the machine can take up what lies between unit tool axes ``one`` and ``other`` (n, 3),
+    too, when the axis turns straight: between two at its limits it would go beyond them."""
     within = np.ones(len(one), dtype=np.bool_)
     for share in SHARES:
         between = (1.0 - share) * one + share * other
         length = np.linalg.norm(between, axis=1)
-        within &= (length > 0.0) & axes_within_limits(kinematics, between / np.where(length > 0.0, length, 1.0)[:, None])
+        within &= (length > 0.0) & axes_within_limits(
+            kinematics, between / np.where(length > 0.0, length, 1.0)[:, None]
+        )
     return within
 
 
 def _second_alone(kinematics: Chain) -> tuple[float, float] | None:
-    """Least and largest component along the first rotary axis that the second one can give the tool axis within its limits.
+    """Least and largest component along the first rotary axis that the second one can give the tool axis
+    within its limits.
 
-    Where the first axis turns all the way, an axis with such a component is within reach, and no other: the first never
-    changes the component, and turns the rest anywhere. By Rodrigues it is ``mean + reach cos(word - top)``. None where the
-    first axis is limited, or the second one's limit lies where the cosine is too flat to tell.
+    Where the first axis turns all the way, an axis with such a component is within reach, and no other: the
+    first never changes the component, and turns the rest anywhere. By Rodrigues it is ``mean + reach cos(word
+    - top)``. None where the first axis is limited, or the second one's limit lies where the cosine is too
+      flat to tell.
     """
     if kinematics.high[3] - kinematics.low[3] < TURN or kinematics.low[4] > kinematics.high[4]:
         return None
@@ -192,7 +214,8 @@ def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
         return found
     lost, share = float(area[out].sum()), 100.0 * float(area[out].sum() / area.sum())
     text = say(
-        "The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the spindle. Turn the part "
+        "The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the "
+        "spindle. Turn the part "
         "over to cut it.",
         height=Length(round(low, 3) + 0.0, bare=True),
         area=Area(lost, ".6g"),
@@ -225,7 +248,9 @@ def _limits(kinematics: Chain) -> Sentence:
     return say("{one} or {other}", one=one, other=other)
 
 
-def _left_out(code: Code, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any) -> Finding | None:
+def _left_out(
+    code: Code, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any
+) -> Finding | None:
     """The finding that says how much area is left out; its place is the centre of the largest such facet."""
     rows = np.flatnonzero(out)
     if not len(rows):
@@ -243,7 +268,8 @@ def _nothing_left(area: Floats, down: Bools, steep: Bools, beyond: Bools, most: 
         Number(100.0 * float(area[mask].sum() / area.sum()), ".3g") for mask in (down, steep, beyond)
     )
     return say(
-        "no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the machine's rotary "
+        "no facet can be cut: {down} % look down, {steep} % lean more than {most}, {beyond} % lie beyond the "
+        "machine's rotary "
         "limits of the area; turn the part, raise the largest axis angle or take another machine",
         down=down_share,
         steep=steep_share,

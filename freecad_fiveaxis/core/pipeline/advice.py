@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What would finish more of a part: a few other settings, tried with the whole pipeline before they are advised.
+"""What would finish more of a part: a few other settings, tried with the whole pipeline before they are
+advised.
 
-trial     the same part with some options changed: its program is made and proven, and what it leaves is measured.
+trial     the same part with some options changed: its program is made and proven, and what it leaves is
+          measured.
 finished  area of the facets that are cut, less that on which more is left than may be.
 """
 
@@ -35,8 +37,8 @@ Run = Callable[[Settings], Result]
 
 @dataclass(frozen=True)
 class Trial:
-    """``changes``: the options that differ, as in a job file, None where one is left out; ``finished`` and ``gain`` mm2,
-    ``seconds`` of the program; ``error``: why it cannot be made, one line, or empty."""
+    """``changes``: the options that differ, as in a job file, None where one is left out; ``finished`` and
+    ``gain`` mm2, ``seconds`` of the program; ``error``: why it cannot be made, one line, or empty."""
 
     changes: Mapping[str, Any]
     finished: float = 0.0
@@ -53,8 +55,8 @@ def measure_finished(result: Result) -> float:
 
 
 def try_others(result: Result, run: Run) -> tuple[Trial, ...]:
-    """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and proves a program of the
-    same part, faces and fixtures. Raises Cancelled."""
+    """Try what may finish more than a program of ``mill`` does, the largest gain first; ``run`` makes and
+    proves a program of the same part, faces and fixtures. Raises Cancelled."""
     settings = result.draft.settings
     before = measure_finished(result if result.rest is not None else run(_measured(settings, {})))
     found = [_try(_measured(settings, changes), changes, before, run) for changes in find_changes(settings)]
@@ -66,7 +68,11 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
     passes = {} if settings.passes.passes == SCALLOP else {"passes": SCALLOP, **dict.fromkeys(NOT_PLANES)}
     cutter = settings.cutter.cutter
     ball = cutter.touches_as_ball and cutter.corner > 0.0
-    axes = {} if settings.tool_axis.tool_axis == AUTO or not ball else {"tool_axis": AUTO, "max_axis_angle": None}
+    axes = (
+        {}
+        if settings.tool_axis.tool_axis == AUTO or not ball
+        else {"tool_axis": AUTO, "max_axis_angle": None}
+    )
     yield from (one for one in (passes, axes) if one)
     if passes and axes:
         yield passes | axes
@@ -77,7 +83,11 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
 def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
     """The settings with these changes, and what is left measured."""
     options = {**flat_options(settings), "rest": "on", **changes}
-    given = {name: value for name, value in options.items() if value is not None and name not in ("task", "source", "advise")}
+    given = {
+        name: value
+        for name, value in options.items()
+        if value is not None and name not in ("task", "source", "advise")
+    }
     return build_settings(MILL, settings.source, given)
 
 
@@ -100,20 +110,25 @@ def is_worth(trial: Trial) -> bool:
 def add_advice(result: Result, run: Run) -> Result:
     """Add what would finish more to the findings of a program that leaves something."""
     draft = result.draft
-    if not isinstance(draft, MilledProgram) or unfinished_share(result.findings, draft.mesh, draft.keep) < SHARE:
+    if (
+        not isinstance(draft, MilledProgram)
+        or unfinished_share(result.findings, draft.mesh, draft.keep) < SHARE
+    ):
         return result
     found = report_advice(try_others(result, run), float(draft.program.seconds.sum()))
     return replace(result, findings=(*result.findings, found))
 
 
 def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
-    """Tell which of the trials gains most, or that none does; ``seconds`` of the program that was asked for."""
+    """Tell which of the trials gains most, or that none does; ``seconds`` of the program that was asked
+    for."""
     best = trials[0] if trials else Trial({})
     if not is_worth(best):
         tried = joined([name_changes(one.changes) for one in trials], "; ") if trials else say("nothing else")
         return report_finding(Code.ADVICE, say("Tried, and none finishes more: {tried}.", tried=tried))
     text = say(
-        "Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead of {before}.",
+        "Tried: {changes} would finish {gain} more, {finished} in all; the program then takes {time} instead "
+        "of {before}.",
         changes=name_changes(best.changes), gain=Area(best.gain, ".4g"), finished=Area(best.finished, ".4g"),
         time=clock(best.seconds), before=clock(seconds),
     )  # fmt: skip
@@ -122,7 +137,9 @@ def report_advice(trials: tuple[Trial, ...], seconds: float) -> Finding:
 
 def name_changes(changes: Mapping[str, Any]) -> Sentence:
     """Name options and what they are changed to, as the user asks for it."""
-    return joined([_name_change(name, str(value)) for name, value in changes.items() if value is not None], ", ")
+    return joined(
+        [_name_change(name, str(value)) for name, value in changes.items() if value is not None], ", "
+    )
 
 
 def _name_change(name: str, value: str) -> Sentence:

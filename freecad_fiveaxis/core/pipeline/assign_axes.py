@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the tool stands: the strategy's axes, corrections that know the machine, the tool tilted out of the part."""
+"""How the tool stands: the strategy's axes, corrections that know the machine, the tool tilted out of the
+part."""
 
 from __future__ import annotations
 
@@ -37,7 +38,9 @@ from .context import MillContext
 from .options import axis_corrections, axis_options, reacher_in, tip_to_surface, tool_body
 from .records import AssignedAxes, OffsetContacts
 
-_NOTHING_FREE = say("no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder")
+_NOTHING_FREE = say(
+    "no facet can be cut: at no contact of the passes a tool axis is free; use a smaller cutter or holder"
+)
 
 
 def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
@@ -48,8 +51,13 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
         offset, axis, found = framed_rows(context, context.frames, offset, frame)
     if context.field is not None and len(axis):
         offset, axis, found = free_rows(context, context.field, offset, axis)
-    cutter, wanted = settings.cutter.cutter, context.field is not None or context.frames is not None  # whether the neck is free
-    offset, axis = feasible_rows(offset, axis, context.kinematics, cutter.taper, cutter.undercut if wanted else 0.0)
+    cutter, wanted = (
+        settings.cutter.cutter,
+        context.field is not None or context.frames is not None,
+    )  # whether the neck is free
+    offset, axis = feasible_rows(
+        offset, axis, context.kinematics, cutter.taper, cutter.undercut if wanted else 0.0
+    )
     whole = vars(passes) | {"offset": offset}
     return AssignedAxes(**whole, axis=axis, cut=offset, corrected=axis, axis_findings=found)
 
@@ -57,7 +65,8 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
 def free_rows(
     context: MillContext, field: AxisField, offset: OffsetPath, axis: Floats
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
-    """The rows at which the field gives an axis that is free; a pass goes on behind contacts that have none."""
+    """The rows at which the field gives an axis that is free; a pass goes on behind contacts that have
+    none."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
     offset, axis = divided(offset, axis, cutter.radius, cutter.ring, cutter.barrel)
@@ -68,7 +77,9 @@ def free_rows(
     field = refine_field(field, offset, mesh, reacher, progress, contacts)
     axis, free, found = auto_axes(offset, axis, field, mesh, reacher, stand, progress, contacts)
     free = add_retreats(offset, axis, free, mesh, reacher, progress)
-    offset, axis, free, blocked = divide_blocked_turns(offset, axis, free, field, mesh, reacher, stand, progress)
+    offset, axis, free, blocked = divide_blocked_turns(
+        offset, axis, free, field, mesh, reacher, stand, progress
+    )
     blocked = blocked | neck_entering(offset, axis, mesh, reacher, progress)
     offset = break_polylines(offset, blocked[1:])
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
@@ -79,7 +90,9 @@ def free_rows(
     offset, axis, free = _keep_rows(offset, axis, free, rows)
     if not len(free):
         raise ReachError(_NOTHING_FREE, None)
-    if settings.links.order == "zigzag" and not (stand.lead or stand.tilt):  # these lean with the way of the feed
+    if settings.links.order == "zigzag" and not (
+        stand.lead or stand.tilt
+    ):  # these lean with the way of the feed
         offset, axis = order_with_axes(offset, axis)
     return offset, axis, found
 
@@ -87,10 +100,13 @@ def free_rows(
 def framed_rows(
     context: MillContext, frames: Frames, offset: OffsetPath, frame: Ints
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
-    """The rows, frame by frame, at which the tool is free with the axis of the frame of their pass, and these axes (n, 3)."""
+    """The rows, frame by frame, at which the tool is free with the axis of the frame of their pass, and these
+    axes (n, 3)."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
-    offset, axis = divided(offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring, cutter.barrel)
+    offset, axis = divided(
+        offset, frames.axis[frame[offset.pass_]], cutter.radius, cutter.ring, cutter.barrel
+    )
     axis = frames.axis[frame[offset.pass_]]
     free, found = free_in_frames(offset, frames, frame, context.obstacles, reacher, context.progress)
     offset, axis, free = _keep_rows(offset, axis, free, np.flatnonzero(free))
@@ -106,11 +122,16 @@ def framed_rows(
 def _keep_rows(offset: OffsetPath, axis: Floats, free: Ints, rows: Ints) -> tuple[OffsetPath, Floats, Ints]:
     """Those of ``rows`` (ascending) that have a neighbour among them."""
     rows = lasting_rows(offset, rows)
-    return (offset, axis, free) if len(rows) == len(free) else (take_path_rows(offset, rows), take_rows(axis, rows), free[rows])
+    return (
+        (offset, axis, free)
+        if len(rows) == len(free)
+        else (take_path_rows(offset, rows), take_rows(axis, rows), free[rows])
+    )
 
 
 def correct_axes(context: MillContext, passes: AssignedAxes) -> AssignedAxes:
-    """Correct the axes where the settings ask for that: by a strategy that knows the machine, then past the pole."""
+    """Correct the axes where the settings ask for that: by a strategy that knows the machine, then past the
+    pole."""
     settings, axis, found = context.settings, passes.corrected, passes.axis_findings
     options = axis_corrections(context)
     strategy = settings.tool_axis.tool_axis if context.field is None and context.frames is None else ""
@@ -118,7 +139,11 @@ def correct_axes(context: MillContext, passes: AssignedAxes) -> AssignedAxes:
         if (correction := AXIS_CORRECTIONS.get(name)) is not None:
             given = axis
             axis, new = correction.axes(passes.cut, given, context.kinematics, options, context.progress)
-            traded = correction.trade(passes.cut, given, context.kinematics, options, context.progress) if new else ()
+            traded = (
+                correction.trade(passes.cut, given, context.kinematics, options, context.progress)
+                if new
+                else ()
+            )
             found += new + traded
     return replace(passes, corrected=axis, axis_findings=found)
 
@@ -132,6 +157,15 @@ def tilt_axes(context: MillContext, passes: AssignedAxes) -> AssignedAxes:
     cutter, most, tolerance = settings.cutter.cutter, settings.tool_axis.max_tilt, settings.proof.tolerance
     body, above = tool_body(settings), tip_to_surface(settings)
     cut, corrected = tilt_free(
-        passes.cut, passes.corrected, cutter, body, tree, context.kinematics, most, tolerance, context.progress, above
+        passes.cut,
+        passes.corrected,
+        cutter,
+        body,
+        tree,
+        context.kinematics,
+        most,
+        tolerance,
+        context.progress,
+        above,
     )
     return replace(passes, cut=cut, corrected=corrected)

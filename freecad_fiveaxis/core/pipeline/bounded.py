@@ -25,7 +25,8 @@ CENTRE = "centre"
 
 
 def boundary_of(settings: Settings) -> Boundary | None:
-    """Read the boundary that the settings name, None where they name none. Raises SettingsError, FileError."""
+    """Read the boundary that the settings name, None where they name none. Raises SettingsError,
+    FileError."""
     chosen = settings.boundary
     if chosen.boundary is None:
         return None
@@ -35,8 +36,8 @@ def boundary_of(settings: Settings) -> Boundary | None:
 def facets_inside(
     settings: Settings, boundary: Boundary | None, mesh: Mesh, faces: Bools | None
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """Find those of the ``faces`` (f,; None: all) that lie within the boundary at least in part, and say what the others are.
-    Raises SettingsError where there is none."""
+    """Find those of the ``faces`` (f,; None: all) that lie within the boundary at least in part, and say what
+    the others are. Raises SettingsError where there is none."""
     if boundary is None:
         return np.ones(len(mesh.face), np.bool_) if faces is None else faces, ()
     reach = settings.cutter.cutter.radius if settings.boundary.boundary_by == CENTRE else 0.0
@@ -44,8 +45,9 @@ def facets_inside(
 
 
 def bounded(context: MillContext, offset: OffsetPath) -> OffsetPath:
-    """Cut the passes at the boundary, and order the pieces anew where passes run to and fro. Where the centre of a cutter that is
-    no ball counts, :func:`bounded_by_hub` does so once its axes are known. Raises SettingsError where nothing is left."""
+    """Cut the passes at the boundary, and order the pieces anew where passes run to and fro. Where the centre
+    of a cutter that is no ball counts, :func:`bounded_by_hub` does so once its axes are known. Raises
+    SettingsError where nothing is left."""
     settings, boundary = context.settings, context.boundary
     if boundary is None or _by_hub(context):
         return offset
@@ -56,8 +58,8 @@ def bounded(context: MillContext, offset: OffsetPath) -> OffsetPath:
 
 
 def bounded_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-    """Cut passes on which a cutter that is no ball sits with its axes (n, 3) where its centre crosses the boundary, where that
-    counts. Raises SettingsError where nothing is left."""
+    """Cut passes on which a cutter that is no ball sits with its axes (n, 3) where its centre crosses the
+    boundary, where that counts. Raises SettingsError where nothing is left."""
     if context.boundary is None or not _by_hub(context):
         return offset, axis
     cut, along = cut_at_boundary(offset, context.boundary, True, axis)
@@ -65,13 +67,15 @@ def bounded_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tu
 
 
 def counted_places(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
-    """What tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary, and far enough from faces
-    to avoid, so that something is to be cut there; where the centre counts, the place of a ball's over them. None where there is
-    neither."""
+    """What tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary, and far
+    enough from faces to avoid, so that something is to be cut there; where the centre counts, the place of a
+    ball's over them. None where there is neither."""
     within, keep_off, mesh = _within(context), context.keep_off, context.mesh
     if keep_off is None:
         return within
-    return lambda point, facet: keep_off.allows(mesh, point, facet) & (True if within is None else within(point, facet))
+    return lambda point, facet: (
+        keep_off.allows(mesh, point, facet) & (True if within is None else within(point, facet))
+    )
 
 
 def _within(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stages from contacts with axes to the CL path: links, the tool lifted out of the part, links near the part, lead-ins."""
+"""Stages from contacts with axes to the CL path: links, the tool lifted out of the part, links near the part,
+lead-ins."""
 
 from __future__ import annotations
 
@@ -31,15 +32,16 @@ from .settings.tree import FROM_AXIS
 
 
 def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
-    """Set the cutter on every contact, leave out what would enter where that is asked for, and link the passes over the part."""
+    """Set the cutter on every contact, leave out what would enter where that is asked for, and link the
+    passes over the part."""
     path, left_out = _linked(context, passes.cut, passes.corrected)
     entering = AIM * context.settings.proof.tolerance if left_out else 0.0
     return LinkedPath(**vars(passes), path=path, cured=left_out, entering=entering)
 
 
 def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
-    """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the cutter sits anew on
-    each of them, whatever led its axis there."""
+    """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the
+    cutter sits anew on each of them, whatever led its axis there."""
     return _linked(context, offset, axis)[0]
 
 
@@ -58,14 +60,21 @@ def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLP
     left_out = free is not seated
     seated, axis = far_enough_rows(context, free, axis)
     path = link_rows(
-        seated, axis, cutter, *context.box, options, context.progress, kept_off(settings), _retreats(context, seated, axis)
+        seated,
+        axis,
+        cutter,
+        *context.box,
+        options,
+        context.progress,
+        kept_off(settings),
+        _retreats(context, seated, axis),
     )
     return replace(path, findings=seated.findings + path.findings), left_out
 
 
 def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats | None:
-    """Find the directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes are chosen freely,
-    only there rows are kept that it cannot leave along its axis."""
+    """Find the directions (n, 3) in which the tool leaves the rows, where these are not its axes: where axes
+    are chosen freely, only there rows are kept that it cannot leave along its axis."""
     if context.field is None and context.frames is None:
         return None
     reacher = reacher_in(context)
@@ -73,8 +82,8 @@ def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats 
 
 
 def left_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut without entering the part, where the settings ask to leave out the others. ``seated``:
-    with hubs."""
+    """The rows that can be cut without entering the part, where the settings ask to leave out the others.
+    ``seated``: with hubs."""
     settings = context.settings
     if settings.gouge.gouge != "leave-out":
         return seated, axis
@@ -92,27 +101,38 @@ def lift_path(context: MillContext, linked: LinkedPath) -> LinkedPath:
     body, tree = tool_body(settings), facet_tree(context.obstacles)
     driven, above = tip_to_driven(settings), tip_to_surface(settings)
     aside = rows_left_aside(linked.path, settings.cutter.cutter)
-    lifted = lift_free(linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside)
-    return replace(linked, path=lifted.path, cured=linked.cured or bool((lifted.lift > 0.0).any()), entering=lifted.left)
+    lifted = lift_free(
+        linked.path, tree, body, settings.proof.tolerance, driven, context.progress, above, aside
+    )
+    return replace(
+        linked, path=lifted.path, cured=linked.cured or bool((lifted.lift > 0.0).any()), entering=lifted.left
+    )
 
 
 def keep_links_near(context: MillContext, linked: LinkedPath) -> LinkedPath:
-    """Take links that stay near the part wherever the tool is free there; leave the path where nothing is looked at."""
+    """Take links that stay near the part wherever the tool is free there; leave the path where nothing is
+    looked at."""
     settings, path = context.settings, linked.path
     if settings.gouge.gouge == "off" or settings.links.links == "over":
         return linked
     radius, limit = settings.cutter.cutter.radius, AIM * settings.proof.tolerance
     tree, driven, above = facet_tree(context.obstacles), tip_to_driven(settings), tip_to_surface(settings)
     body, kinematics = tool_body(settings), context.kinematics
-    spared = None if context.chosen is None else lambda begin, end: _leads_where_nothing_is_cut(context, path, begin, end)
+    spared = (
+        None
+        if context.chosen is None
+        else lambda begin, end: _leads_where_nothing_is_cut(context, path, begin, end)
+    )
     turned = MOST_TURN if context.frames is None else LOCKED
-    near = stay_near(path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared, turned)
+    near = stay_near(
+        path, tree, body, radius, limit, driven, above, context.progress, kinematics, spared, turned
+    )
     return replace(linked, path=near)
 
 
 def _leads_where_nothing_is_cut(context: MillContext, path: CLPath, begin: Ints, end: Ints) -> Bools:
-    """Which straight ways from rows ``begin`` to rows ``end`` (w,) of the path lead over facets that are not machined, or out of
-    the boundary."""
+    """Which straight ways from rows ``begin`` to rows ``end`` (w,) of the path lead over facets that are not
+    machined, or out of the boundary."""
     chosen = np.ones(len(context.mesh.face), np.bool_) if context.chosen is None else context.chosen
     over = lead_over_others(path.contact[begin], path.contact[end], context.mesh, chosen)
     return np.asarray(over | leads_outside(context, path, begin, end))
@@ -124,4 +144,6 @@ def lead_in_and_out(context: MillContext, linked: LinkedPath) -> LinkedPath:
     if settings.links.lead_in == 0.0:
         return linked
     tree = facet_tree(context.obstacles)
-    return replace(linked, path=lead_in(linked.path, tree, kept_off(settings), lead_options(context), context.progress))
+    return replace(
+        linked, path=lead_in(linked.path, tree, kept_off(settings), lead_options(context), context.progress)
+    )

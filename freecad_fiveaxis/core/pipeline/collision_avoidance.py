@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the settings ask of the finished program: that the tool keeps out of the part, and how much may stay on it.
+"""What the settings ask of the finished program: that the tool keeps out of the part, and how much may stay
+on it.
 
 allowed   so much may stay on the part, mm: scallops and tolerance.
 """
@@ -56,14 +57,16 @@ FINEST = 0.02
 """The same for the map, at least: that is as fine as SAMPLES allow."""
 
 SAMPLES = 10_000
-"""Squares of the spacing into which the map divides the surface, about; each holds two or three of its triangles."""
+"""Squares of the spacing into which the map divides the surface, about; each holds two or three of its
+triangles."""
 
 
 JUDGED = frozenset({Code.SURFACE_TIGHTER_THAN_CUTTER, Code.HEEL_IN_HOLLOW})
 """The codes of findings that only suspect what the check of the finished program then knows, cured or not."""
 
 NOT_CUT = (
-    Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_BEYOND_MACHINE, Code.FACETS_WITHOUT_FREE_AXIS, Code.OUTSIDE_FRAMES,
+    Code.FACETS_BEYOND_AXIS_ANGLE, Code.FACETS_BEYOND_MACHINE, Code.FACETS_WITHOUT_FREE_AXIS,
+    Code.OUTSIDE_FRAMES,
     Code.FACETS_NEAR_AVOIDED,
 )  # fmt: skip
 """The codes of findings on facets that are not among those to be cut."""
@@ -71,25 +74,34 @@ NOT_CUT = (
 
 def commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
     """The way that the path commands: the point straight that makes the surface."""
-    return straight_motion(path.tip - tip_to_driven(settings) * path.axis, path.axis, tip_to_surface(settings))
+    return straight_motion(
+        path.tip - tip_to_driven(settings) * path.axis, path.axis, tip_to_surface(settings)
+    )
 
 
 def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for where the map of rest
-    material tells it."""
+    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for
+    where the map of rest material tells it."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
     if settings.gouge.rest == "on":
         return ()
     cutter = settings.cutter.cutter
     swept = commanded_motion(settings, path)
-    spacing, above, blocks = REST_SPACING * cutter.diameter, allowed(settings, mesh, keep), cutting(path.motion)
+    spacing, above, blocks = (
+        REST_SPACING * cutter.diameter,
+        allowed(settings, mesh, keep),
+        cutting(path.motion),
+    )
     within = counted_places(context)
-    rest = find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within)
+    rest = find_rest_material(
+        mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, above, within
+    )
     return uncut_finding(rest, above)
 
 
 def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
-    """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the tolerance."""
+    """So much may stay on the facets ``keep`` (f,), mm: twice the scallop, which is that of a flat, and the
+    tolerance."""
     return 2.0 * _rest_scallop(settings, mesh, keep) + settings.proof.tolerance
 
 
@@ -104,11 +116,12 @@ def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
     return max(scallop_of(cutter, mesh, keep, angle, *stand, passes.stepover) for angle in travels(settings))
 
 
-# ------------------------------------------------------------------------------------------------ the finished program
+# --------------------------------------------------------------------------------------- the finished program
 
 
 def cutting(motion: Bytes) -> Ints:
-    """The blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i leads to row i + 1."""
+    """The blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i leads to
+    row i + 1."""
     return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
 
 
@@ -120,31 +133,51 @@ def entered(context: MillContext, program: Program) -> GougeCheck | None:
     body, driven = tool_body(settings), tip_to_driven(settings)
     rapids = rapids_of(settings, context.machine, context.dialect)
     return check_program(
-        context.mesh, body, context.kinematics, program, tolerance, driven, context.progress, _remedy(settings), rapids
+        context.mesh,
+        body,
+        context.kinematics,
+        program,
+        tolerance,
+        driven,
+        context.progress,
+        _remedy(settings),
+        rapids,
     )
 
 
 def enters_table(context: MillContext, program: Program) -> tuple[Finding, ...]:
-    """What of the tool goes below the machine's table on its real way, where the settings ask for the check of gouges and it is
-    known where the table is."""
+    """What of the tool goes below the machine's table on its real way, where the settings ask for the check
+    of gouges and it is known where the table is."""
     settings = context.settings
     table = table_looked_at(settings, context.machine, context.mesh)
     if table is None:
         return ()
     rapids = rapids_of(settings, context.machine, context.dialect)
     return check_table(
-        table, tool_body(settings), context.kinematics, program, settings.proof.tolerance, tip_to_driven(settings),
+        table, tool_body(settings), context.kinematics, program, settings.proof.tolerance,
+        tip_to_driven(settings),
         context.progress, rapids,
     )  # fmt: skip
 
 
 def _remedy(settings: Settings) -> str:
-    """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its path."""
+    """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its
+    path."""
     if settings.gouge.gouge == "report":
         return CURES
-    divisible = settings.cure.linearize == "off" and settings.head.rtcp == "off"  # a guided tip excludes division
-    way = say("let blocks be divided ({divide})", divide=DIVIDE) if divisible else say("ask for a smaller tolerance")
-    return say("The path itself is free of the part there, but the machine leaves it between the ends of blocks: {way}.", way=way)
+    divisible = (
+        settings.cure.linearize == "off" and settings.head.rtcp == "off"
+    )  # a guided tip excludes division
+    way = (
+        say("let blocks be divided ({divide})", divide=DIVIDE)
+        if divisible
+        else say("ask for a smaller tolerance")
+    )
+    return say(
+        "The path itself is free of the part there, but the machine leaves it between the ends of blocks: "
+        "{way}.",
+        way=way,
+    )
 
 
 def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple[Finding, ...]:
@@ -153,8 +186,8 @@ def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple
 
 
 def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
-    """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from the spindle is not
-    counted. ``keep`` (f,): the facets that are cut."""
+    """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from
+    the spindle is not counted. ``keep`` (f,): the facets that are cut."""
     out = area_of(findings, *NOT_CUT)
     whole = float(mesh.area[keep].sum()) + out
     return (out + rest_area(findings)) / whole
@@ -166,8 +199,8 @@ def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> flo
 
 
 def rest_area(findings: tuple[Finding, ...]) -> float:
-    """The area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides that no pass touches are
-    uncut as well: the larger counts."""
+    """The area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides that
+    no pass touches are uncut as well: the larger counts."""
     return max(area_of(findings, Code.UNCUT), area_of(findings, Code.SIDE_NOT_MACHINED)) + area_of(
         findings, Code.NEAR_AVOIDED_FACES
     )
@@ -179,13 +212,19 @@ def area_of(findings: tuple[Finding, ...], *codes: str) -> float:
 
 
 def find_rest_of_program(context: MillContext, program: Program) -> RestMaterial:
-    """What the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no block cuts."""
+    """What the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no block
+    cuts."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
-    cutter, swept = settings.cutter.cutter, program_motion(context.kinematics, program, tip_to_driven(settings))
+    cutter, swept = (
+        settings.cutter.cutter,
+        program_motion(context.kinematics, program, tip_to_driven(settings)),
+    )
     even = math.sqrt(float(mesh.area[keep].sum()) / SAMPLES)
     spacing = min(max(even, FINEST * cutter.diameter), REST_SPACING * cutter.diameter)
     blocks, within = cutting(program.motion), counted_places(context)
-    return find_rest_material(mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within)
+    return find_rest_material(
+        mesh, body_of(cutter).only(CUTTER), swept, blocks, spacing, keep, context.progress, counts=within
+    )
 
 
 def rest_material_findings(rest: RestMaterial | None, context: MillContext) -> tuple[Finding, ...]:

@@ -33,8 +33,8 @@ def obstacles_of(mesh: Mesh, fixtures: Sequence[Fixture], keep_off: KeepOff | No
 
 @dataclass(frozen=True, eq=False)
 class JobContext:
-    """``kinematics``: the machine's, with the part where it stands; ``dialect``: as it is to be written; ``box``: what rapids
-    stay off: the part's, or, where no part is known, that of the feed moves."""
+    """``kinematics``: the machine's, with the part where it stands; ``dialect``: as it is to be written;
+    ``box``: what rapids stay off: the part's, or, where no part is known, that of the feed moves."""
 
     settings: Settings
     machine: Machine
@@ -46,11 +46,12 @@ class JobContext:
 
 @dataclass(frozen=True, eq=False)
 class MillContext(JobContext):
-    """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of. ``field``: of the tool
-    axes on them, where the strategy chooses these by what is free; ``joined``: part and fixtures, where there are some;
-    ``chosen`` (f,): the facets that may be machined at all, where not all may; ``boundary``: within which the passes are kept;
-    ``frames``: of passes with locked rotary axes; ``keep_off``: faces to avoid on which there is an allowance; ``bodies``: of the
-    machine, which axes are chosen to keep out of, None: there are none, or axes are not chosen."""
+    """With the part: ``keep`` (f,) are the facets of ``mesh`` that are cut; the others are kept clear of.
+    ``field``: of the tool axes on them, where the strategy chooses these by what is free; ``joined``: part
+    and fixtures, where there are some; ``chosen`` (f,): the facets that may be machined at all, where not all
+    may; ``boundary``: within which the passes are kept; ``frames``: of passes with locked rotary axes;
+    ``keep_off``: faces to avoid on which there is an allowance; ``bodies``: of the machine, which axes are
+    chosen to keep out of, None: there are none, or axes are not chosen."""
 
     mesh: Mesh
     keep: Bools

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a CL path to a program: the machine led along it, blocks divided where that is asked for, the words and the NC file."""
+"""From a CL path to a program: the machine led along it, blocks divided where that is asked for, the words
+and the NC file."""
 
 from __future__ import annotations
 
@@ -20,13 +21,15 @@ from .safe_start import find_spindle_off, start_findings, start_plane
 
 
 def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath:
-    """The joint path through ``path``; its blocks divided where the settings ask for that: all feed blocks over tolerance, or
-    those in the cone about the pole; over tolerance is what the point leaves that makes the surface (of a ball the centre).
-    ``entering`` mm: so much of the tolerance the path itself uses up."""
+    """The joint path through ``path``; its blocks divided where the settings ask for that: all feed blocks
+    over tolerance, or those in the cone about the pole; over tolerance is what the point leaves that makes
+    the surface (of a ball the centre). ``entering`` mm: so much of the tolerance the path itself uses up."""
     settings, kinematics = context.settings, context.kinematics
     clearance, radius = settings.links.clearance, settings.cutter.cutter.radius
     tool = seen_from(kept_off(settings), tip_to_driven(settings))
-    blocked = context.bodies.blocked if isinstance(context, MillContext) and context.bodies is not None else None
+    blocked = (
+        context.bodies.blocked if isinstance(context, MillContext) and context.bodies is not None else None
+    )
     joints = solve(path, kinematics, *context.box, clearance, radius, context.progress, tool, blocked)
     if settings.cure.linearize == "on":
         near = None
@@ -40,10 +43,23 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
 
 def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]) -> PostedProgram:
     """The program and its NC file. ``found``: what the stages before have found."""
-    settings, machine, kinematics, dialect = context.settings, context.machine, context.kinematics, context.dialect
+    settings, machine, kinematics, dialect = (
+        context.settings,
+        context.machine,
+        context.kinematics,
+        context.dialect,
+    )
     program = build_program(joints, kinematics, dialect, settings.feeds.feed_mode == "g93", context.progress)
     height, reports = start_plane(context, program)
-    nc = write_nc(program, dialect, nc_title(settings, machine), post_options(settings), context.progress, height)
-    findings = found + block_findings(joints.findings, program) + program.findings + reports + start_findings(context, program)
+    nc = write_nc(
+        program, dialect, nc_title(settings, machine), post_options(settings), context.progress, height
+    )
+    findings = (
+        found
+        + block_findings(joints.findings, program)
+        + program.findings
+        + reports
+        + start_findings(context, program)
+    )
     findings += find_spindle_off(settings)
     return PostedProgram(settings, machine, kinematics, dialect, program, findings, path, joints, nc)

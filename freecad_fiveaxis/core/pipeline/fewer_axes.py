@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What machines of three and four axes cannot do: asked for all the same, it is refused by name, with the remedy.
+"""What machines of three and four axes cannot do: asked for all the same, it is refused by name, with the
+remedy.
 
-The tool of a machine without rotary axes stands along Z, so only the strategy `fixed` makes sense. One rotary axis turns the
-tool in one plane (or on one cone): what asks for other axes is named where it arises, what is only made for two is refused.
+The tool of a machine without rotary axes stands along Z, so only the strategy `fixed` makes sense. One rotary
+axis turns the tool in one plane (or on one cone): what asks for other axes is named where it arises, what is
+only made for two is refused.
 """
 
 from __future__ import annotations
@@ -41,7 +43,12 @@ def what_needs_more_axes(settings: Settings, machine: Machine) -> SettingsError 
     """Why a machine of so few rotary axes cannot do what is asked for: the first reason, or None."""
     if machine.rotaries == 2:
         return None
-    refused = (_task(settings, machine), _cures(settings, machine), _leaning(settings, machine), _guided(settings, machine))
+    refused = (
+        _task(settings, machine),
+        _cures(settings, machine),
+        _leaning(settings, machine),
+        _guided(settings, machine),
+    )
     return next((SettingsError(*one) for one in refused if one), None)
 
 
@@ -53,13 +60,15 @@ def keeps_its_axis(settings: Settings, machine: Machine) -> bool:
 def _task(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     if settings.task == PROVE:
         return say(
-            "machine {name} has fewer than two rotary axes: the proof of signs turns two; jog each axis and compare with the "
+            "machine {name} has fewer than two rotary axes: the proof of signs turns two; jog each axis and "
+            "compare with the "
             "machine file",
             name=machine.name,
         ), machine.rotaries
     if settings.task == SETUP and not machine.rotaries:
         return say(
-            "machine {name} has no rotary axis: its tip leaves no line wherever the part is clamped; put it where the travel "
+            "machine {name} has no rotary axis: its tip leaves no line wherever the part is clamped; put it "
+            "where the travel "
             "reaches",
             name=machine.name,
         ), machine.rotaries
@@ -79,7 +88,8 @@ def _cures(settings: Settings, machine: Machine) -> tuple[str, object] | None:
         return None
     if settings.task != POST and settings.tool_axis.tool_axis in ("minimax", "auto"):
         return say(
-            "{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the tool along Z",
+            "{tool_axis} turns two rotary axes, machine {name} has fewer; choose another, {fixed} keeps the "
+            "tool along Z",
             tool_axis=Choice("tool_axis", (settings.tool_axis.tool_axis,), flag=True),
             fixed=Choice("tool_axis", (FIXED,), alone=True),
             name=machine.name,
@@ -94,7 +104,8 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
         return None
     if tool.tool_axis != FIXED and settings.passes.passes != FRAMES:
         return say(
-            "machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose {tool_axis}",
+            "machine {name} has no rotary axis and cannot lean the tool as {strategy} asks: choose "
+            "{tool_axis}",
             name=machine.name,
             strategy=Choice("tool_axis", (tool.tool_axis,), alone=True),
             tool_axis=Choice("tool_axis", (FIXED,), flag=True),
@@ -102,7 +113,8 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     for option, value in (("lead", tool.lead), ("tilt", tool.tilt)):
         if value:
             return say(
-                "machine {name} has no rotary axis and cannot lean the tool: leave {option} out", name=machine.name,
+                "machine {name} has no rotary axis and cannot lean the tool: leave {option} out",
+                name=machine.name,
                 option=Option(option),
             ), value  # fmt: skip
     if settings.gouge.gouge == "tilt":
@@ -118,7 +130,8 @@ def _guided(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     if machine.rotaries or settings.task not in (MILL, POST) or settings.head.rtcp == "off":
         return None
     return say(
-        "{rtcp} lets the controller guide the tip while rotary axes turn, and machine {name} has none; leave it out",
+        "{rtcp} lets the controller guide the tip while rotary axes turn, and machine {name} has none; leave "
+        "it out",
         rtcp=Option("rtcp"),
         name=machine.name,
     ), settings.head.rtcp

@@ -20,8 +20,8 @@ from .settings.tree import without_part
 
 
 def check_bodies(settings: Settings, machine: Machine) -> None:
-    """Refuse, before the long work, a body whose file cannot be read, and an audit's shank and holder where there is nothing to
-    look at. Raises FileError, SettingsError."""
+    """Refuse, before the long work, a body whose file cannot be read, and an audit's shank and holder where
+    there is nothing to look at. Raises FileError, SettingsError."""
     for body in machine.bodies:
         if body.file:
             check_readable(body.file)
@@ -32,24 +32,28 @@ def check_bodies(settings: Settings, machine: Machine) -> None:
 
 
 def stand_up(draft: ProgramDraft, progress: Progress = silent) -> tuple[StandingBody, ...]:
-    """Stand up the bodies of a program's machine, to be drawn. Raises FiveAxisError for a body's file that cannot be used."""
+    """Stand up the bodies of a program's machine, to be drawn. Raises FiveAxisError for a body's file that
+    cannot be used."""
     machine, setup, _ = resolve_setup(draft.settings, draft.machine)
     length = None if draft.settings.machine.tool_length is None else setup.tool_length
     return stand_bodies(machine, setup, draft.kinematics, length, progress)
 
 
 def over_tip(draft: ProgramDraft) -> Body:
-    """Give the tool, and what the spindle carries over it where the tool's length is known; heights from the tip."""
+    """Give the tool, and what the spindle carries over it where the tool's length is known; heights from the
+    tip."""
     machine, setup, _ = resolve_setup(draft.settings, draft.machine)
     tool = tool_body(draft.settings)
     if draft.settings.machine.tool_length is None:
         return tool
-    return Body((*tool.pieces, *spindle_body(machine, setup.tool_length + tip_to_driven(draft.settings)).pieces))
+    return Body(
+        (*tool.pieces, *spindle_body(machine, setup.tool_length + tip_to_driven(draft.settings)).pieces)
+    )
 
 
 def look_in_machine(draft: ProgramDraft, against: object, progress: Progress) -> tuple[Finding, ...]:
-    """Find what tool, spindle and bodies of the machine hit of it, and the spindle of the part (what the tool hits of fixtures is
-    looked at by itself); ``against``: what an audit compares with."""
+    """Find what tool, spindle and bodies of the machine hit of it, and the spindle of the part (what the tool
+    hits of fixtures is looked at by itself); ``against``: what an audit compares with."""
     settings = draft.settings
     machine, setup, _ = resolve_setup(settings, draft.machine)
     length = None if settings.machine.tool_length is None else setup.tool_length

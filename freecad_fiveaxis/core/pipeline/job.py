@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The whole pipeline on one page: from a solid's STL to a proven program.
 
-Three ways in: ``mill`` starts at the STL, ``post`` at a CL file, ``audit`` at a finished NC file; all three end at the same
-proof of the rounded words, because that is what the machine gets. ``run`` makes and proves; :mod:`.outputs` writes. What the
-settings ask for in the terms of the packages is in :mod:`.options`, the stages of ``mill`` are in :mod:`.milling` and
+Three ways in: ``mill`` starts at the STL, ``post`` at a CL file, ``audit`` at a finished NC file; all three
+end at the same proof of the rounded words, because that is what the machine gets. ``run`` makes and proves;
+:mod:`.outputs` writes. What the settings ask for in the terms of the packages is in :mod:`.options`, the
+stages of ``mill`` are in :mod:`.milling` and
 :mod:`.driving`, what keeps the tool out of the part in :mod:`.collision_avoidance`.
 """
 
@@ -84,22 +85,25 @@ from .settings import AUDIT, MILL, POST, Settings, flat_options, is_part
 
 
 def run(settings: Settings, progress: Progress = silent, mesh: Mesh | None = None) -> Result:
-    """Do the task that the settings name. ``mesh``: the part, where it is at hand and ``settings.source`` only its name. Raises
-    FiveAxisError for input that cannot be used; writes nothing."""
+    """Do the task that the settings name. ``mesh``: the part, where it is at hand and ``settings.source``
+    only its name. Raises FiveAxisError for input that cannot be used; writes nothing."""
     result = prove(make(settings, progress, mesh), progress)
     draft = result.draft
     if settings.output.advise == "off" or not isinstance(draft, MilledProgram):
         return result
-    return add_advice(result, lambda other: prove(make(other, progress, draft.mesh, fixtures=draft.fixtures), progress))
+    return add_advice(
+        result, lambda other: prove(make(other, progress, draft.mesh, fixtures=draft.fixtures), progress)
+    )
 
 
 def make(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     fixtures: tuple[Fixture, ...] | None = None,
 ) -> ProgramDraft:  # fmt: skip
-    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only its name; facets of
-    it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to be cut, None: all; ``fixtures``: where
-    they are at hand and the settings only name them. Raises FiveAxisError for input that cannot be used."""
+    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only
+    its name; facets of it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to
+    be cut, None: all; ``fixtures``: where they are at hand and the settings only name them. Raises
+    FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
     check_bodies(settings, machine)
@@ -112,7 +116,9 @@ def make(
         mesh = read_stl(settings.source, progress) if mesh is None else mesh
         mesh, faces, avoided, reports = chosen_faces(settings, mesh, faces, progress)
         settings = settle_rotary_axis(settings, kinematics, mesh)
-        context, left_out = mill_context(settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided)
+        context, left_out = mill_context(
+            settings, mesh, machine, kinematics, dialect, progress, faces, fixtures, avoided
+        )
         reports += mesh.findings + unit_suspected(mesh, settings.cutter.cutter) + left_out
         milled = mill(context)
         return replace(milled, findings=reports + milled.findings, fixtures=fixtures)
@@ -121,24 +127,35 @@ def make(
     text = read_bytes(settings.source, "NC file")
     dialect, found = (dialect, ()) if settings.machine.controller else dialect_of_text(text, dialect)
     assumed = Assumed(
-        settings.reading.units, settings.reading.decimal, machine.no_motion, search_folders(settings, settings.source)
+        settings.reading.units,
+        settings.reading.decimal,
+        machine.no_motion,
+        search_folders(settings, settings.source),
     )
     program = read_nc(text, kinematics, dialect, progress, assumed)
     settings, named = _with_named_cutter(settings, text)
-    found += named + spindle_findings(text, program) + unit_findings(text, kinematics, program) + large_feeds(program, dialect)
-    return ProgramDraft(settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures)
+    found += (
+        named
+        + spindle_findings(text, program)
+        + unit_findings(text, kinematics, program)
+        + large_feeds(program, dialect)
+    )
+    return ProgramDraft(
+        settings, machine, kinematics, dialect, program, found + program.findings, fixtures=fixtures
+    )
 
 
 def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
-    """The settings with the cutter that an NC program names where they have none of their own, and a note of that."""
+    """The settings with the cutter that an NC program names where they have none of their own, and a note of
+    that."""
     cutter = find_named_cutter(text)
     taken = with_cutter(settings, cutter)
     return taken, () if taken is settings or cutter is None else named_cutter_note(cutter)
 
 
 class ChosenFaces(NamedTuple):
-    """``mesh``: the part, whose facets have no allowance; ``faces`` (f,): the facets to cut, None: all; ``avoided`` (f,): those
-    on faces to avoid, None: there are no such faces."""
+    """``mesh``: the part, whose facets have no allowance; ``faces`` (f,): the facets to cut, None: all;
+    ``avoided`` (f,): those on faces to avoid, None: there are no such faces."""
 
     mesh: Mesh
     faces: Bools | None
@@ -147,8 +164,9 @@ class ChosenFaces(NamedTuple):
 
 
 def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress) -> ChosenFaces:
-    """Find the facets to cut: those chosen already, else those on the faces that the settings name; without those on faces to be
-    avoided. Where these are known already they have an allowance, and are not among the ``faces``. Raises FiveAxisError."""
+    """Find the facets to cut: those chosen already, else those on the faces that the settings name; without
+    those on faces to be avoided. Where these are known already they have an allowance, and are not among the
+    ``faces``. Raises FiveAxisError."""
     chosen = settings.faces
     avoided = None if mesh.allowance is None else mesh.allowance > 0.0
     mesh = mesh if avoided is None else replace(mesh, allowance=None)
@@ -161,7 +179,9 @@ def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: 
     left = ~avoided if faces is None else faces & ~avoided
     if not left.any():
         text = say(
-            "all that is to be machined lies on {name}; leave out {option}", name=Path(chosen.avoid).name, option=Option("avoid")
+            "all that is to be machined lies on {name}; leave out {option}",
+            name=Path(chosen.avoid).name,
+            option=Option("avoid"),
         )
         raise SettingsError(text, chosen.avoid)
     return ChosenFaces(mesh, left, avoided, (*reports, *also))
@@ -171,12 +191,14 @@ def _facets_in(
     settings: Settings, mesh: Mesh, name: str, progress: Progress, machined: bool = True
 ) -> tuple[Bools, tuple[Finding, ...]]:
     """The facets on the faces of a file, and how many those are."""
-    return facets_on(mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined)
+    return facets_on(
+        mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined
+    )
 
 
 def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
-    """The dialect as it is to be written: safe start, high-speed mode, tip guided. Raises SettingsError, before the long
-    work, for what the controller has not, and for a head that cannot be written."""
+    """The dialect as it is to be written: safe start, high-speed mode, tip guided. Raises SettingsError,
+    before the long work, for what the controller has not, and for a head that cannot be written."""
     dialect = started(dialect, machine)
     dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
     dialect = dialect if settings.head.rtcp == "off" else dialect.guided(settings.head.rtcp)
@@ -188,8 +210,8 @@ def post(
     settings: Settings, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress = silent,
     fixtures: tuple[Fixture, ...] = (),
 ) -> PostedProgram:  # fmt: skip
-    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the feed moves
-    and the fixtures."""
+    """From a CL file (APT) to a program. The part is not known: rapids that are added stay off the box of the
+    feed moves and the fixtures."""
     file = read_cl_file(read_bytes(settings.source, "CL file"), cl_reading(settings), progress)
     given, path = settings, file.path
     settings = with_head(given, file.head)
@@ -197,16 +219,19 @@ def post(
     box = box_with((feeding.min(axis=0), feeding.max(axis=0)), fixtures)
     context = JobContext(settings, machine, kinematics, dialect, box, progress)
     taken = settings.cutter is not given.cutter
-    found = path.findings + (cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter))
+    found = path.findings + (
+        cutter_taken(settings.cutter.cutter) if taken else cutter_note(file.head, settings.cutter.cutter)
+    )
     return replace(posted(context, path, drive(context, path), found), fixtures=fixtures)
 
 
 def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = None) -> Result:
-    """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is the deviation of the
-    point that makes the surface: of a ball the centre. ``part``: what an audit compares with, where it is at hand and
-    ``settings.audit.against`` only its name.
+    """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is
+    the deviation of the point that makes the surface: of a ball the centre. ``part``: what an audit compares
+    with, where it is at hand and ``settings.audit.against`` only its name.
 
-    Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks' ends.
+    Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks'
+    ends.
     """
     against, settings = _compared(draft.settings, progress) if part is None else (part, draft.settings)
     draft = draft if settings is draft.settings else replace(draft, settings=settings)
@@ -216,9 +241,18 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
         deviation = without_guided(deviation, guided.on, guided.tip)
     singularity = find_singular(draft.kinematics, words, draft.machine.singular_cone)
     surface = surface_deviation(draft, driven_to_surface(draft.settings), progress)
-    judged = judge(draft.kinematics, draft.program, surface or deviation, singularity, proof.tolerance, surface is not None)
+    judged = judge(
+        draft.kinematics,
+        draft.program,
+        surface or deviation,
+        singularity,
+        proof.tolerance,
+        surface is not None,
+    )
     gouge, rest, entries = _against_part(draft, progress)
-    entries += check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
+    entries += (
+        check_keep_off(draft.context(progress), draft.program) if isinstance(draft, MilledProgram) else ()
+    )
     hit = _in_fixtures(draft, progress) + look_in_machine(draft, against, progress)
     found = still_true(draft.findings, gouge) + deviation.findings + entries + hit + judged
     if draft.settings.task != AUDIT:
@@ -229,8 +263,9 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
 
 
 def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = silent) -> Deviation | None:
-    """The deviation of the point ``above`` mm over the driven one, against its own chords; ``place`` (m, 3) mm: where the driven
-    point stands then. None where it is the driven point itself, and where the controller guides the tip."""
+    """The deviation of the point ``above`` mm over the driven one, against its own chords; ``place`` (m, 3)
+    mm: where the driven point stands then. None where it is the driven point itself, and where the controller
+    guides the tip."""
     program = draft.program
     if above == 0.0 or program.guided is not None:
         return None
@@ -238,20 +273,25 @@ def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = si
     return measure_above(draft.kinematics, program.words, above, decimals, method, progress)
 
 
-def _audited(draft: ProgramDraft, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress) -> Audit:
-    """Limits and rates (of a program made here they hold by its making), and the comparison that the settings ask for."""
+def _audited(
+    draft: ProgramDraft, deviation: Deviation, against: CLPath | Mesh | None, progress: Progress
+) -> Audit:
+    """Limits and rates (of a program made here they hold by its making), and the comparison that the settings
+    ask for."""
     settings, proof = draft.settings, draft.settings.proof
     gouge = settings.gouge
     body = tool_body(settings) if gouge.gouge != "off" or gouge.shank or gouge.holder else None
     above = driven_to_surface(settings)
     rapids = rapids_of(settings, draft.machine, draft.dialect)
-    options = AuditOptions(proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids)
+    options = AuditOptions(
+        proof.tolerance, settings.audit.axis_tolerance, settings.cutter.cutter, body, above, rapids
+    )
     return audit_program(draft.kinematics, draft.program, deviation, against, options, progress)
 
 
 def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
-    """The CL path or the part that a program is audited against, and the settings with the cutter of a CL file where they have
-    none of their own. Raises FiveAxisError where it cannot be read."""
+    """The CL path or the part that a program is audited against, and the settings with the cutter of a CL
+    file where they have none of their own. Raises FiveAxisError where it cannot be read."""
     path = settings.audit.against
     if settings.task != AUDIT or path is None:
         return None, settings
@@ -261,13 +301,20 @@ def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | N
     return file.path, with_cutter(settings, file.head.cutter)
 
 
-def _against_part(draft: ProgramDraft, progress: Progress) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
-    """What enters the part, the rest material on it, and what is to be said of both; of a program made from a mesh."""
+def _against_part(
+    draft: ProgramDraft, progress: Progress
+) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
+    """What enters the part, the rest material on it, and what is to be said of both; of a program made from a
+    mesh."""
     if not isinstance(draft, MilledProgram):
         return None, None, ()
     context, program = draft.context(progress), draft.program
     gouge, low = entered(context, program), enters_table(context, program)
-    rest = find_rest_of_program(context, program) if draft.settings.gouge.rest == "on" and len(cutting(program.motion)) else None
+    rest = (
+        find_rest_of_program(context, program)
+        if draft.settings.gouge.rest == "on" and len(cutting(program.motion))
+        else None
+    )
     return gouge, rest, (gouge.findings if gouge else ()) + low + rest_material_findings(rest, context)
 
 
@@ -277,11 +324,14 @@ def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]
     rapids, tolerance = rapids_of(settings, draft.machine, draft.dialect), settings.proof.tolerance
     body = over_tip(draft)
     near = settings.gouge.fixture_clearance
-    return check_fixtures(draft.fixtures, body, draft.kinematics, draft.program, tolerance, back, progress, rapids, near)
+    return check_fixtures(
+        draft.fixtures, body, draft.kinematics, draft.program, tolerance, back, progress, rapids, near
+    )
 
 
 def rest_material_of(draft: MilledProgram, progress: Progress = silent) -> RestMaterial:
-    """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block cuts."""
+    """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block
+    cuts."""
     return find_rest_of_program(draft.context(progress), draft.program)
 
 
@@ -291,11 +341,14 @@ def _contacts(draft: MilledProgram) -> Contacts | None:
     if not cutter.touches_as_ball:
         return None
     above = driven_to_hub(draft.settings)
-    return contacts_of(offset.centre, offset.normal, draft.axis, offset.face, draft.mesh, cutter.corner, above)
+    return contacts_of(
+        offset.centre, offset.normal, draft.axis, offset.face, draft.mesh, cutter.corner, above
+    )
 
 
 def _stand(draft: MilledProgram, contacts: Contacts | None) -> float:
-    """How far from the part what is drawn of a cut may stand, mm; with ``contacts`` it is drawn where the ball touches."""
+    """How far from the part what is drawn of a cut may stand, mm; with ``contacts`` it is drawn where the
+    ball touches."""
     cutter, offset = draft.settings.cutter.cutter, draft.offset
     if contacts is not None:
         return 0.0
@@ -307,15 +360,20 @@ def figures(result: Result) -> Figures:
     draft = result.draft
     contacts = _contacts(draft) if isinstance(draft, MilledProgram) else None
     return Figures(
-        title=title_of(draft.settings), kind=draft.settings.task, machine=draft.machine, kinematics=draft.kinematics,
+        title=title_of(draft.settings), kind=draft.settings.task, machine=draft.machine,
+        kinematics=draft.kinematics,
         program=draft.program, deviation=result.deviation, singularity=result.singularity,
-        tolerance=draft.settings.proof.tolerance, findings=result.findings, inputs=flat_options(draft.settings),
+        tolerance=draft.settings.proof.tolerance, findings=result.findings,
+        inputs=flat_options(draft.settings),
         surface=result.surface, audit=result.audit, gouge=result.gouge, rest=result.rest,
-        allowed=allowed(draft.settings, draft.mesh, draft.keep) if result.rest and isinstance(draft, MilledProgram) else 0.0,
+        allowed=allowed(draft.settings, draft.mesh, draft.keep) if result.rest and isinstance(draft,
+            MilledProgram) else 0.0,
         mesh=draft.mesh if isinstance(draft, MilledProgram) else None,
-        unfinished=unfinished_share(result.findings, draft.mesh, draft.keep) if isinstance(draft, MilledProgram) else 0.0,
+        unfinished=unfinished_share(result.findings, draft.mesh, draft.keep) if isinstance(draft,
+            MilledProgram) else 0.0,
         contacts=contacts, stand=_stand(draft, contacts) if isinstance(draft, MilledProgram) else 0.0,
         rapids=rapids_of(draft.settings, draft.machine, draft.dialect),
-        table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft, MilledProgram) else None,
+        table=table_looked_at(draft.settings, draft.machine, draft.mesh) if isinstance(draft,
+            MilledProgram) else None,
         fixtures=tuple(one.name for one in draft.fixtures),
     )  # fmt: skip

@@ -19,39 +19,55 @@ from .settings import TASKS, WITHOUT_SOURCE, Settings, build_settings, option_fi
 
 
 def read_job(path: str) -> Settings:
-    """A job file: ``{"task": "mill", "source": "part.stl", "machine": ..., ...}``; its paths are relative to the file.
+    """A job file: ``{"task": "mill", "source": "part.stl", "machine": ..., ...}``; its paths are relative to
+    the file.
 
     Raises SettingsError where it is no such thing. A report's ``inputs`` are a job file too.
     """
     given = read_json(path)
     if isinstance(given, dict) and given.get("task") in WITHOUT_SOURCE:
         given.setdefault("source", "")
-    if not isinstance(given, dict) or given.get("task") not in TASKS or not isinstance(given.get("source"), str):
+    if (
+        not isinstance(given, dict)
+        or given.get("task") not in TASKS
+        or not isinstance(given.get("source"), str)
+    ):
         raise SettingsError(
             say(
-                'job file {path} needs "task" (one of {tasks}) and "source", the file to read', path=path, tasks=", ".join(TASKS)
+                'job file {path} needs "task" (one of {tasks}) and "source", the file to read',
+                path=path,
+                tasks=", ".join(TASKS),
             ),
             path,
         )
-    options = _unique([(name.replace("-", "_"), value) for name, value in given.items() if name not in ("task", "source")])
+    options = _unique(
+        [(name.replace("-", "_"), value) for name, value in given.items() if name not in ("task", "source")]
+    )
     beside = beside_file(path, options)
     return build_settings(given["task"], _beside(path, given["source"]) if given["source"] else "", beside)
 
 
 def read_json(path: str) -> Any:
-    """What a job file holds, in which no key stands twice and every number is one. Raises SettingsError, FileError."""
+    """What a job file holds, in which no key stands twice and every number is one. Raises SettingsError,
+    FileError."""
     try:
-        return json.loads(read_bytes(path, "job file"), object_pairs_hook=_unique, parse_constant=_no_constant)
+        return json.loads(
+            read_bytes(path, "job file"), object_pairs_hook=_unique, parse_constant=_no_constant
+        )
     except SettingsError as error:
         raise SettingsError(say("job file {path}: {error}", path=path, error=error), error.value) from error
     except (ValueError, RecursionError) as error:
-        raise SettingsError(say("job file {path} is not JSON: {error}", path=path, error=error), path) from error
+        raise SettingsError(
+            say("job file {path} is not JSON: {error}", path=path, error=error), path
+        ) from error
 
 
 def beside_file(path: str, options: Mapping[str, Any]) -> dict[str, Any]:
     """Options of a job file, their paths relative to it."""
     settings_paths = {leaf.name for _, leaf in option_fields() if leaf.metadata["kind"] in ("path", "paths")}
-    beside = {name: _beside(path, value) if name in settings_paths else value for name, value in options.items()}
+    beside = {
+        name: _beside(path, value) if name in settings_paths else value for name, value in options.items()
+    }
     for name in {"machine", "machines"} & set(beside):
         beside[name] = _machines_beside(path, beside[name])
     for name in ("from", "to"):
@@ -66,7 +82,9 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     given = dict(pairs)
     if len(given) < len(pairs):
         twice = next(name for name, count in Counter(name for name, _ in pairs).items() if count > 1)
-        raise SettingsError(say("key {key} stands twice in one object; remove one", key=reprlib.repr(twice)), twice)
+        raise SettingsError(
+            say("key {key} stands twice in one object; remove one", key=reprlib.repr(twice)), twice
+        )
     return given
 
 
@@ -86,4 +104,6 @@ def _machines_beside(job_file: str, value: Any) -> Any:
         return [_machines_beside(job_file, item) if isinstance(item, str) else item for item in value]
     if not isinstance(value, str):
         return value
-    return ",".join(_beside(job_file, name.strip()) if name.endswith(".fcm") else name for name in value.split(","))
+    return ",".join(
+        _beside(job_file, name.strip()) if name.endswith(".fcm") else name for name in value.split(",")
+    )

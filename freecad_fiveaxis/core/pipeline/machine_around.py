@@ -26,11 +26,21 @@ def bodies_in_pose(
     progress: Progress,
     margin: float = 0.0,
 ) -> MachineInPose | None:
-    """Prepare the bodies of a machine with part and fixtures on it, ``kinematics`` with the limits that count, ``margin`` as of
-    :class:`MachineInPose`; None where its file names none. Raises FiveAxisError for the file of a body that cannot be used."""
+    """Prepare the bodies of a machine with part and fixtures on it, ``kinematics`` with the limits that
+    count, ``margin`` as of
+    :class:`MachineInPose`; None where its file names none. Raises FiveAxisError for the file of a body that
+    cannot be used."""
     if not machine.bodies:
         return None
     _, setup, _ = resolve_setup(settings, machine)
     length = None if settings.machine.tool_length is None else setup.tool_length
-    given = InMachine(machine, setup, kinematics, tool_body(settings), length, tip_to_driven(settings), fixtures=tuple(fixtures))
+    given = InMachine(
+        machine,
+        setup,
+        kinematics,
+        tool_body(settings),
+        length,
+        tip_to_driven(settings),
+        fixtures=tuple(fixtures),
+    )
     return machine_in_pose(given, mesh, settings.proof.tolerance, progress, margin)

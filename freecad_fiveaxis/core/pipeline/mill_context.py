@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the stages of a mill job take: the part, where it stands, and which of its facets are cut with which axes."""
+"""What the stages of a mill job take: the part, where it stands, and which of its facets are cut with which
+axes."""
 
 from __future__ import annotations
 
@@ -47,9 +48,9 @@ def mill_context(
     settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
     faces: Bools | None = None, fixtures: tuple[Fixture, ...] = (), avoided: Bools | None = None,
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
-    """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to cut, None: all.
-    ``fixtures``: what is kept clear of as the rest of the part is; ``avoided`` (f,): the facets on faces to avoid, None: no such
-    faces."""
+    """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to
+    cut, None: all. ``fixtures``: what is kept clear of as the rest of the part is; ``avoided`` (f,): the
+    facets on faces to avoid, None: no such faces."""
     keep_off = keep_off_of(settings, mesh, avoided)
     joined, box = obstacles_of(mesh, fixtures, keep_off)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
@@ -68,16 +69,22 @@ def mill_context(
         to_cut = np.append(faces, np.zeros(len(joined.face) - len(faces), np.bool_))
         reports += (*report_standing(mesh, standing & inside), *report_part_in_table(settings, machine, mesh))
         if settings.passes.passes == FRAMES:
-            frames, keep, left_out = find_frames(joined, to_cut, reacher, most, int(settings.passes.frames), progress)
+            frames, keep, left_out = find_frames(
+                joined, to_cut, reacher, most, int(settings.passes.frames), progress
+            )
         else:
             field = find_axis_field(joined, to_cut, reacher, progress)
             keep, left_out = select_facets(field, joined, to_cut, most, reacher)
         keep = keep[: len(faces)]
     elif settings.tool_axis.tool_axis == FROM_AXIS:
         stand = axis_options(settings)
-        keep, left_out = facets_around(mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen)
+        keep, left_out = facets_around(
+            mesh, kinematics, np.array(stand.through), unit_axis(stand.about), most, chosen
+        )
     else:
-        leans = keeps_its_axis(settings, machine) or settings.cutter.cutter.barrel is not None  # far from the normals
+        leans = (
+            keeps_its_axis(settings, machine) or settings.cutter.cutter.barrel is not None
+        )  # far from the normals
         followed = None if leans else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     context = MillContext(
@@ -101,28 +108,35 @@ def mill_context(
 
 
 def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
-    """The facets (f,) that the part stands on, which stay uncut where axes are chosen freely and nobody says which are cut."""
+    """The facets (f,) that the part stands on, which stay uncut where axes are chosen freely and nobody says
+    which are cut."""
     return np.asarray(standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None))
 
 
 def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
-    """Refuse, before the long work of the axis field, passes that cannot be laid on the facets ``keep`` (f,), over which an axis
-    may lean. Raises SettingsError, FileError."""
+    """Refuse, before the long work of the axis field, passes that cannot be laid on the facets ``keep`` (f,),
+    over which an axis may lean. Raises SettingsError, FileError."""
     if keep.any():
         strategy = find_pass_strategy(settings.passes.passes)
         strategy.check(find_region(settings, mesh, keep, silent), pass_options(settings))
 
 
-def find_region(settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None) -> Region:
-    """The facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart as the cutter's. For what
-    is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
+def find_region(
+    settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None
+) -> Region:
+    """The facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart as the
+    cutter's. For what is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))
     if scallop is None or cutter.touches_as_ball:
         return Region(mesh, keep, radius, interval, progress=progress, frames=frames)
     stands = [(settings.tool_axis.tool_axis, axis_options(settings))] if frames is None else stands_in(frames)
-    radii = [spacing_radius(cutter, mesh, keep, angle, *stand, scallop) for angle in travels(settings) for stand in stands]
+    radii = [
+        spacing_radius(cutter, mesh, keep, angle, *stand, scallop)
+        for angle in travels(settings)
+        for stand in stands
+    ]
     if cutter.barrel is not None:
         interval = flat_interval(min(radii), min(scallop, 0.5 * min(radii)))
     return Region(mesh, keep, min(radii), interval, 1.0, progress, frames)

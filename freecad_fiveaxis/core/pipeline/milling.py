@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a solid to a program: :data:`STAGES`, in the order of the process.
 
-A stage is ``stage(context, record) -> record``: a function named by what it does, in the module that bears its part of the
-process. The first takes the region that is cut, the last gives the program.
+A stage is ``stage(context, record) -> record``: a function named by what it does, in the module that bears
+its part of the process. The first takes the region that is cut, the last gives the program.
 """
 
 from __future__ import annotations

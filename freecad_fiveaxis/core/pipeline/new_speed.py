@@ -19,19 +19,28 @@ from .settings import Settings
 
 
 def without_speed(settings: Settings) -> Settings:
-    """The settings with spindle and coolant as if neither was given: two jobs that agree in these differ in their heads only."""
+    """The settings with spindle and coolant as if neither was given: two jobs that agree in these differ in
+    their heads only."""
     return replace(settings, head=replace(settings.head, spindle=None, coolant="off"))
 
 
 def change_speed(result: Result, settings: Settings, progress: Progress = silent) -> Result:
-    """Give the milled ``result`` the spindle speed and coolant of ``settings``, which are its own but for these two."""
+    """Give the milled ``result`` the spindle speed and coolant of ``settings``, which are its own but for
+    these two."""
     draft = result.draft
     assert isinstance(draft, MilledProgram)
     head = replace(draft.settings.head, spindle=settings.head.spindle, coolant=settings.head.coolant)
     settings = replace(draft.settings, head=head)
     draft = replace(draft, settings=settings)
     height, _ = start_plane(draft.context(progress), draft.program)
-    nc = write_nc(draft.program, draft.dialect, nc_title(settings, draft.machine), post_options(settings), progress, height)
+    nc = write_nc(
+        draft.program,
+        draft.dialect,
+        nc_title(settings, draft.machine),
+        post_options(settings),
+        progress,
+        height,
+    )
     old, new = find_spindle_off(result.draft.settings), find_spindle_off(settings)
     kept = tuple(one for one in draft.findings if one not in old)
     others = tuple(one for one in result.findings if one not in old)
@@ -39,9 +48,11 @@ def change_speed(result: Result, settings: Settings, progress: Progress = silent
     return replace(result, draft=draft, findings=_inserted(others, kept, new))
 
 
-def _inserted(others: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """Put the ``new`` one about the spindle among the ``others`` of the whole job, behind those ``kept`` of the making of the
-    program, of which the proof may have dropped some."""
+def _inserted(
+    others: tuple[Finding, ...], kept: tuple[Finding, ...], new: tuple[Finding, ...]
+) -> tuple[Finding, ...]:
+    """Put the ``new`` one about the spindle among the ``others`` of the whole job, behind those ``kept`` of
+    the making of the program, of which the proof may have dropped some."""
     draft = {id(one) for one in kept}
     first = next((at for at, one in enumerate(others) if id(one) not in draft), len(others))
     return (*others[:first], *new, *others[first:])

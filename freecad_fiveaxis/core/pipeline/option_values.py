@@ -19,8 +19,20 @@ from freecad_fiveaxis.core.base.sentences import IN_FULL, Option, Sentence, Temp
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.tool import Cutter, cutter_text, parse_cutter
 
-UNITS = {"length": "mm", "height": "mm", "lengths": "mm", "point": "mm", "place": "mm", "angle": "deg", "feed": "mm/min"}
-BOUNDS = {"above": Template("above {bound}"), "least": Template("at least {bound}"), "most": Template("at most {bound}")}
+UNITS = {
+    "length": "mm",
+    "height": "mm",
+    "lengths": "mm",
+    "point": "mm",
+    "place": "mm",
+    "angle": "deg",
+    "feed": "mm/min",
+}
+BOUNDS = {
+    "above": Template("above {bound}"),
+    "least": Template("at least {bound}"),
+    "most": Template("at most {bound}"),
+}
 
 
 def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
@@ -31,7 +43,10 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
     if rules["choices"] and given not in rules["choices"]:
         raise SettingsError(
             say(
-                "{name} {given} is not one of {rules}", name=name, given=quantity.shown(given), rules=", ".join(rules["choices"])
+                "{name} {given} is not one of {rules}",
+                name=name,
+                given=quantity.shown(given),
+                rules=", ".join(rules["choices"]),
             ),
             given,
         )
@@ -41,10 +56,18 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
         raise SettingsError(
             say("{name} {given} is not of the right kind", name=name, given=quantity.shown(given)), given
         ) from error
-    numbers = [number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)]
+    numbers = [
+        number for number in (value if isinstance(value, tuple) else (value,)) if isinstance(number, float)
+    ]
     if not all(rules["least"] <= number <= rules["most"] and number > rules["above"] for number in numbers):
         raise SettingsError(
-            say("{name} {given} is out of range; {range}", name=name, given=_shown(given, rules), range=_range_text(rules)), given
+            say(
+                "{name} {given} is out of range; {range}",
+                name=name,
+                given=_shown(given, rules),
+                range=_range_text(rules),
+            ),
+            given,
         )
     return value
 
@@ -71,10 +94,16 @@ def _range_text(rules: Mapping[str, Any]) -> Sentence:
 def read_text(given: Any, name: str) -> str:
     """A text that can name a file or a thing. Raises SettingsError."""
     if not isinstance(given, str) or not given:
-        raise SettingsError(say("{name} {given} is not a text", name=name, given=quantity.shown(given)), given)
+        raise SettingsError(
+            say("{name} {given} is not a text", name=name, given=quantity.shown(given)), given
+        )
     if not is_name(given):
         raise SettingsError(
-            say("{name} {given} holds a character that no name can have; give another", name=name, given=quantity.shown(given)),
+            say(
+                "{name} {given} holds a character that no name can have; give another",
+                name=name,
+                given=quantity.shown(given),
+            ),
             given,
         )
     return given
@@ -83,7 +112,9 @@ def read_text(given: Any, name: str) -> str:
 def _count(given: Any, name: str) -> float:
     value = quantity.parse(given, quantity.NUMBERS, name)
     if value != int(value):
-        raise SettingsError(say("{name} {given} is not a whole number", name=name, given=quantity.shown(given)), given)
+        raise SettingsError(
+            say("{name} {given} is not a whole number", name=name, given=quantity.shown(given)), given
+        )
     return value
 
 
@@ -95,7 +126,12 @@ def _speed(given: Any, name: str) -> float:
         return quantity.parse(given, quantity.NUMBERS, name)
     except SettingsError:
         raise SettingsError(
-            say("{name} {given} is no speed; give a number, 1/min, or off", name=name, given=quantity.shown(given)), given
+            say(
+                "{name} {given} is no speed; give a number, 1/min, or off",
+                name=name,
+                given=quantity.shown(given),
+            ),
+            given,
         ) from None
 
 

@@ -51,19 +51,24 @@ def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
 
 
 def search_folders(settings: Settings, program: str) -> tuple[str, ...]:
-    """The folders in which the programs lie that ``program`` calls: its own, then those named. Raises SettingsError for one that
-    is none."""
+    """The folders in which the programs lie that ``program`` calls: its own, then those named. Raises
+    SettingsError for one that is none."""
     for folder in settings.reading.search:
         if not Path(folder).is_dir():
             raise SettingsError(
-                say("{search} {folder} is no folder; name one with the called programs", search=Option("search"), folder=folder),
+                say(
+                    "{search} {folder} is no folder; name one with the called programs",
+                    search=Option("search"),
+                    folder=folder,
+                ),
                 folder,
             )
     return (str(Path(program).parent), *settings.reading.search)
 
 
 def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
-    """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises SettingsError."""
+    """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises
+    SettingsError."""
     return find_dialect(controller or (machine.controller if machine else "") or DEFAULT_CONTROLLER)
 
 
@@ -81,7 +86,8 @@ def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
 
 
 def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect]:
-    """The same for a machine that is known, whatever is asked of its axes. Raises SettingsError without a head's tool length."""
+    """The same for a machine that is known, whatever is asked of its axes. Raises SettingsError without a
+    head's tool length."""
     given = settings.machine
     dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
@@ -126,12 +132,16 @@ def pass_options(settings: Settings) -> PassOptions:
 def travels(settings: Settings) -> tuple[float, ...]:
     """rad: directions of travel, seen from above, that stand for all of the passes."""
     names = [settings.passes.passes] + [STEEP] * (settings.passes.steep_shallow is not None)
-    return tuple(dict.fromkeys(way for name in names for way in find_pass_strategy(name).travels(pass_options(settings))))
+    return tuple(
+        dict.fromkeys(
+            way for name in names for way in find_pass_strategy(name).travels(pass_options(settings))
+        )
+    )
 
 
 def axis_options(settings: Settings) -> AxisOptions:
-    """Options of the strategies for the tool axis. Where neither lead nor tilt is asked for, a barrel is tilted from the normals
-    so far that the middle of its flank touches, to the side that is up."""
+    """Options of the strategies for the tool axis. Where neither lead nor tilt is asked for, a barrel is
+    tilted from the normals so far that the middle of its flank touches, to the side that is up."""
     tool, barrel = settings.tool_axis, settings.cutter.cutter.barrel
     centre, about = settings.passes.pass_centre, settings.passes.pass_axis or UPRIGHT
     through = (0.0, 0.0, 0.0) if isinstance(centre, str) else centre
@@ -145,7 +155,8 @@ def axis_corrections(context: MillContext) -> AxisCorrectionOptions:
     settings = context.settings
     return AxisCorrectionOptions(
         driven_to_hub(settings), settings.cutter.cutter.ring, settings.feeds.feed, settings.proof.tolerance,
-        settings.tool_axis.max_tilt, settings.cure.max_axis_change, axis_options(settings), _part_to_cut(context),
+        settings.tool_axis.max_tilt, settings.cure.max_axis_change, axis_options(settings),
+        _part_to_cut(context),
     )  # fmt: skip
 
 
@@ -158,8 +169,8 @@ def _part_to_cut(context: MillContext) -> PartToCut:
 def reacher_of(
     settings: Settings, machine: Machine, kinematics: Chain, mesh: Mesh, bodies: MachineInPose | None = None
 ) -> Reacher:
-    """Tool, machine with room to its limits, table, and how far the axis may lean: what axes are chosen for freely. ``bodies``:
-    of the machine, to keep out of."""
+    """Tool, machine with room to its limits, table, and how far the axis may lean: what axes are chosen for
+    freely. ``bodies``: of the machine, to keep out of."""
     tool, cutter, tolerance = settings.gouge, settings.cutter.cutter, settings.proof.tolerance
     table = table_below(settings, machine, mesh)
     within, most = with_room(kinematics), largest_axis_angle(settings, machine, mesh)
@@ -185,8 +196,8 @@ def tool_body(settings: Settings) -> Body:
 
 
 def kept_off(settings: Settings) -> Body:
-    """What of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be looked at (gouge ``off``)
-    the cutter alone, so that shank and holder are only drawn."""
+    """What of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be looked
+    at (gouge ``off``) the cutter alone, so that shank and holder are only drawn."""
     only_cutter = settings.task == MILL and settings.gouge.gouge == "off"
     return body_of(settings.cutter.cutter) if only_cutter else tool_body(settings)
 
@@ -202,10 +213,15 @@ def tip_to_driven(settings: Settings) -> float:
 
 
 def driven_to_surface(settings: Settings) -> float:
-    """How far above the driven point, mm, that point stands whose way makes the surface: of a ball that is known to cut its
-    centre, of any other cutter, and where the controller guides the tip, the driven point itself."""
+    """How far above the driven point, mm, that point stands whose way makes the surface: of a ball that is
+    known to cut its centre, of any other cutter, and where the controller guides the tip, the driven point
+    itself."""
     known = settings.task == MILL or "cutter" in settings.explicit
-    return driven_to_hub(settings) if known and settings.cutter.cutter.touches_as_ball and settings.head.rtcp == "off" else 0.0
+    return (
+        driven_to_hub(settings)
+        if known and settings.cutter.cutter.touches_as_ball and settings.head.rtcp == "off"
+        else 0.0
+    )
 
 
 def tip_to_surface(settings: Settings) -> float:
@@ -233,14 +249,18 @@ def cl_reading(settings: Settings) -> ClReading:
     """How a CL file is to be read."""
     tool = settings.reading.cl_tool
     return ClReading(
-        settings.feeds.feed, ARC_SHARE * settings.proof.tolerance, settings.reading.units, None if tool is None else int(tool)
+        settings.feeds.feed,
+        ARC_SHARE * settings.proof.tolerance,
+        settings.reading.units,
+        None if tool is None else int(tool),
     )
 
 
 def with_head(settings: Settings, findings: ClHead) -> Settings:
     """The settings with the tool, speed, coolant and cutter of a CL file where they have none of their own.
 
-    Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its corner.
+    Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its
+    corner.
     """
     given = settings.head
     speed = (findings.speed or None) if given.spindle is None else given.spindle
@@ -252,14 +272,18 @@ def with_head(settings: Settings, findings: ClHead) -> Settings:
 
 
 def with_cutter(settings: Settings, cutter: Cutter | None) -> Settings:
-    """The settings with this cutter, which a file names, where they have none of their own and the tip is driven."""
+    """The settings with this cutter, which a file names, where they have none of their own and the tip is
+    driven."""
     if cutter is None or "cutter" in settings.explicit or settings.machine.control_point != "tip":
         return settings
-    return replace(settings, cutter=replace(settings.cutter, cutter=cutter), explicit=settings.explicit | {"cutter"})
+    return replace(
+        settings, cutter=replace(settings.cutter, cutter=cutter), explicit=settings.explicit | {"cutter"}
+    )
 
 
 def nc_title(settings: Settings, machine: Machine) -> str:
-    """For whom the program is. No file's name: the same solid and settings give the same bytes from anywhere."""
+    """For whom the program is. No file's name: the same solid and settings give the same bytes from
+    anywhere."""
     return machine.name
 
 

@@ -43,11 +43,16 @@ def check_outputs(settings: Settings, read: Iterable[str] = ()) -> None:
             raise SettingsError(say("{path} is the file that is read; name another output", path=path), path)
     for one, other in combinations(targets, 2):
         if same_file(one, other):
-            raise SettingsError(say("{path} is named for two outputs; name each file apart", path=other), targets)
+            raise SettingsError(
+                say("{path} is named for two outputs; name each file apart", path=other), targets
+            )
     for path in settings.output.report:
         if Path(path).suffix.lower() not in REPORTS:
             raise SettingsError(
-                say("report {path} needs one of the endings {reports}", path=path, reports=", ".join(REPORTS)), path
+                say(
+                    "report {path} needs one of the endings {reports}", path=path, reports=", ".join(REPORTS)
+                ),
+                path,
             )
 
 
@@ -55,12 +60,19 @@ def files_read(settings: Settings) -> list[str]:
     """Every file that the job reads: source, programs, parts, curves and machines."""
     machines = (settings.machine.machine, *settings.compare.machines)
     of_machines = [os.fspath(path) for name in machines if name and (path := machine_path(name)) is not None]
-    read = (settings.source, *_paths(settings, False), *curve_files(settings), *of_machines, *_body_files(of_machines))
+    read = (
+        settings.source,
+        *_paths(settings, False),
+        *curve_files(settings),
+        *of_machines,
+        *_body_files(of_machines),
+    )
     return [name for name in read if name]
 
 
 def _body_files(machines: Iterable[str]) -> Iterator[str]:
-    """The files of the machines' bodies; of a machine whose own file cannot be used none: whoever loads it says why."""
+    """The files of the machines' bodies; of a machine whose own file cannot be used none: whoever loads it
+    says why."""
     for path in machines:
         try:
             yield from (body.file for body in load_machine(path).bodies)
@@ -70,7 +82,11 @@ def _body_files(machines: Iterable[str]) -> Iterator[str]:
 
 def curve_files(settings: Settings) -> list[str]:
     """The files of guide curves, and of the boundary."""
-    guides = [one for one in (settings.passes.from_, settings.passes.to) if isinstance(one, str) and one.lower().endswith(ENDING)]
+    guides = [
+        one
+        for one in (settings.passes.from_, settings.passes.to)
+        if isinstance(one, str) and one.lower().endswith(ENDING)
+    ]
     boundary = settings.boundary.boundary
     return guides if boundary is None or is_inline(boundary) else [*guides, boundary]
 
@@ -118,5 +134,8 @@ def _report_files(result: Result, progress: Progress) -> dict[str, bytes]:
         files[rates] = rates_csv(result.draft.kinematics, result.draft.program, result.audit, progress)
     if output.report:
         sheets = figures(result)
-        files |= {path: REPORTS[Path(path).suffix.lower()](sheets).encode("utf-8", "backslashreplace") for path in output.report}
+        files |= {
+            path: REPORTS[Path(path).suffix.lower()](sheets).encode("utf-8", "backslashreplace")
+            for path in output.report
+        }
     return files

@@ -20,9 +20,9 @@ IN_TABLE = 0.1
 
 
 def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> float:
-    """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are chosen freely over a
-    table that is known; all round where they point at the only rotary axis; else (what is below is not known, or they follow the
-    normals) no farther than level."""
+    """How far tool axes may lean from +Z, rad: as asked; else as far as the machine goes where they are
+    chosen freely over a table that is known; all round where they point at the only rotary axis; else (what
+    is below is not known, or they follow the normals) no farther than level."""
     wanted, free = settings.passes.max_axis_angle, settings.tool_axis.tool_axis in (AUTO, FROM_AXIS)
     if wanted is not None:
         return wanted
@@ -32,26 +32,31 @@ def largest_axis_angle(settings: Settings, machine: Machine, mesh: Mesh) -> floa
 
 
 def table_below(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
-    """Give the height of the table's face in the work frame, mm; None where it is not known or the part lies in it."""
+    """Give the height of the table's face in the work frame, mm; None where it is not known or the part lies
+    in it."""
     table = _table_height(settings, machine)
     return None if machine.table is None or float(mesh.box[0][2]) < table - IN_TABLE else table
 
 
 def table_looked_at(settings: Settings, machine: Machine, mesh: Mesh) -> float | None:
-    """Give the height of the table's face in the work frame, mm, against which a finished program is checked; None: none."""
+    """Give the height of the table's face in the work frame, mm, against which a finished program is checked;
+    None: none."""
     return None if settings.gouge.gouge == "off" else table_below(settings, machine, mesh)
 
 
 def report_part_in_table(settings: Settings, machine: Machine, mesh: Mesh) -> tuple[Finding, ...]:
-    """Say that a part reaches below the table as it is placed, where undersides are not cut for that reason."""
+    """Say that a part reaches below the table as it is placed, where undersides are not cut for that
+    reason."""
     free = settings.passes.max_axis_angle is None and settings.tool_axis.tool_axis == AUTO
     if not free or machine.table is None or table_below(settings, machine, mesh) is not None:
         return ()
     low = float(mesh.box[0][2])
     text = say(
-        "The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis leans below level. "
+        "The part reaches {depth} below the table of {machine}, so its place is not known and no tool axis "
+        "leans below level. "
         "Give {origin} the place of the work zero, or {max_axis_angle} how far axes may lean.",
-        depth=Length(_table_height(settings, machine) - low, ".6g"), machine=machine.name, origin=Option("origin"),
+        depth=Length(_table_height(settings, machine) - low, ".6g"), machine=machine.name,
+        origin=Option("origin"),
         max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip
     return (report_finding(Code.PART_IN_TABLE, text, low),)

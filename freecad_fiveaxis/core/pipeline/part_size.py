@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether the part's size speaks for another unit than the mm in which its file is read: an STL does not say its unit."""
+"""Whether the part's size speaks for another unit than the mm in which its file is read: an STL does not say
+its unit."""
 
 from __future__ import annotations
 
@@ -16,12 +17,14 @@ INCH, METRE = 25.4, 1000.0
 
 
 def unit_suspected(mesh: Mesh, cutter: Cutter) -> tuple[Finding, ...]:
-    """A warning where the whole part is smaller than the cutter's diameter: its longest side in mm, and in other units."""
+    """A warning where the whole part is smaller than the cutter's diameter: its longest side in mm, and in
+    other units."""
     size = float(np.ptp(mesh.vertex, axis=0).max())
     if size >= cutter.diameter:
         return ()
     text = say(
-        "The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in metres ({metres}) or "
+        "The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in "
+        "metres ({metres}) or "
         "inches ({inches}). Export the part in mm, or scale it.",
         size=Length(size, ".4g"),
         diameter=Length(cutter.diameter, ".4g"),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stages from the facets to what the cutter follows: passes, their offset, and what is not to be cut taken off them."""
+"""Stages from the facets to what the cutter follows: passes, their offset, and what is not to be cut taken
+off them."""
 
 from __future__ import annotations
 
@@ -32,7 +33,8 @@ def plan_passes(context: MillContext, region: Region) -> PlannedPasses:
 
 
 def offset_contacts(context: MillContext, passes: PlannedPasses) -> OffsetContacts:
-    """Offset the passes by the corner radius, close the gaps at co-edges and trim the overlaps (Lin & Ye, II.D)."""
+    """Offset the passes by the corner radius, close the gaps at co-edges and trim the overlaps (Lin & Ye,
+    II.D)."""
     cutter, keep = context.settings.cutter, None if context.keep.all() else context.keep
     radius = corner_radius(cutter.cutter)
     offset = close_gaps(passes.contact, context.mesh, radius, cutter.coedge_tolerance, keep, context.progress)

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The passes of the settings, laid without anything that comes after them: no tool axes, gouge cure, links, joints and NC.
+"""The passes of the settings, laid without anything that comes after them: no tool axes, gouge cure, links,
+joints and NC.
 
-They are those of :func:`.milling.mill` but for what these later stages leave out or trim: places under which the cutter does not
-fit, and where axes are chosen freely those that no axis gets to, which is not looked at here. Of very many passes only some are
-laid, as far apart as every second, third, ... would be: a picture shows no more, and what it takes grows with their square.
+They are those of :func:`.milling.mill` but for what these later stages leave out or trim: places under which
+the cutter does not fit, and where axes are chosen freely those that no axis gets to, which is not looked at
+here. Of very many passes only some are laid, as far apart as every second, third, ... would be: a picture
+shows no more, and what it takes grows with their square.
 """
 
 from __future__ import annotations
@@ -22,7 +24,13 @@ from freecad_fiveaxis.core.geometry.mesh import Mesh, read_stl
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.orientation.axis_field import MARGIN
 from freecad_fiveaxis.core.orientation.find_frames import find_frames
-from freecad_fiveaxis.core.passes import ContactPath, facets_under_axes, facets_within_limits, find_pass_strategy, with_room
+from freecad_fiveaxis.core.passes import (
+    ContactPath,
+    facets_under_axes,
+    facets_within_limits,
+    find_pass_strategy,
+    with_room,
+)
 from freecad_fiveaxis.core.passes.keep_off import KeepOff
 from freecad_fiveaxis.core.passes.scallop import flat_interval
 from freecad_fiveaxis.core.toolpath.cl_offset import cl_offset_path
@@ -48,9 +56,10 @@ HIGHEST = 0.4
 
 @dataclass(frozen=True, eq=False)
 class Preview:
-    """``point`` (n, 3) mm, work frame, of the lines ``polyline`` (n,) that the cutter touches the part along, one row after the
-    other; ``pass_`` (n,) that each is of; ``feed`` mm/min. ``findings``: what stays uncut, and how the facets were chosen.
-    ``one_in``: of so many passes one is laid; length and time are then estimates of all."""
+    """``point`` (n, 3) mm, work frame, of the lines ``polyline`` (n,) that the cutter touches the part along,
+    one row after the other; ``pass_`` (n,) that each is of; ``feed`` mm/min. ``findings``: what stays uncut,
+    and how the facets were chosen. ``one_in``: of so many passes one is laid; length and time are then
+    estimates of all."""
 
     point: Floats
     polyline: Ints
@@ -87,8 +96,9 @@ class Preview:
 def preview_passes(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None
 ) -> Preview:
-    """Lay the passes of the settings, and nothing more. ``mesh``: what to mill, where it is at hand and ``settings.source`` only
-    its name; ``faces`` (f,): the facets of it that are to be cut, None: all. Raises FiveAxisError for what cannot be used."""
+    """Lay the passes of the settings, and nothing more. ``mesh``: what to mill, where it is at hand and
+    ``settings.source`` only its name; ``faces`` (f,): the facets of it that are to be cut, None: all. Raises
+    FiveAxisError for what cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     find_pass_strategy(settings.passes.passes)
     mesh = read_stl(settings.source, progress) if mesh is None else mesh
@@ -103,8 +113,9 @@ def preview_passes(
 
 
 def _sparser(context: MillContext) -> tuple[MillContext, int]:
-    """With passes as far apart as every k-th of those asked for, and k: 1 where they are few, or a stepover gives their distance,
-    which takes no time. On a flat a scallop between passes s apart is ``r - sqrt(r^2 - s^2 / 4)``, ``r`` the cutter's radius."""
+    """With passes as far apart as every k-th of those asked for, and k: 1 where they are few, or a stepover
+    gives their distance, which takes no time. On a flat a scallop between passes s apart is ``r - sqrt(r^2 -
+    s^2 / 4)``, ``r`` the cutter's radius."""
     scallop, radius = wanted_scallop(context.settings), context.settings.cutter.cutter.radius
     if scallop is None or scallop >= HIGHEST * radius:
         return context, 1
@@ -122,7 +133,8 @@ def _sparser(context: MillContext) -> tuple[MillContext, int]:
 def _context(
     settings: Settings, mesh: Mesh, faces: Bools | None, progress: Progress, keep_off: KeepOff | None
 ) -> tuple[MillContext, tuple[Finding, ...]]:
-    """As :func:`.mill_context.mill_context`, with all facets over which an axis may lean where axes are chosen freely."""
+    """As :func:`.mill_context.mill_context`, with all facets over which an axis may lean where axes are
+    chosen freely."""
     machine, kinematics, dialect = machine_of(settings)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
     inside, reports = facets_inside(settings, boundary, mesh, faces)
@@ -137,13 +149,17 @@ def _context(
         if settings.passes.passes == FRAMES:  # they are what the passes lie in
             bodies = bodies_in_pose(settings, machine, with_room(kinematics), mesh, (), progress, MARGIN)
             reacher = reacher_of(settings, machine, kinematics, mesh, bodies)
-            frames, keep, left_out = find_frames(joined, wanted, reacher, most, int(settings.passes.frames), progress)
+            frames, keep, left_out = find_frames(
+                joined, wanted, reacher, most, int(settings.passes.frames), progress
+            )
     else:
         followed = None if keeps_its_axis(settings, machine) else kinematics
         keep, left_out = facets_within_limits(mesh, followed, most, chosen)
     if not keep.any():
         raise ReachError(say("no facet can be cut: over none of those chosen the tool axis may stand"), None)
-    context = MillContext(settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary)
+    context = MillContext(
+        settings, machine, kinematics, dialect, box, progress, mesh, keep, chosen=chosen, boundary=boundary
+    )
     return replace(context, frames=frames, keep_off=keep_off), (*reports, *left_out)
 
 
@@ -160,11 +176,15 @@ def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
 
 
 def _within_boundary(context: MillContext, passes: PlannedPasses) -> Columns:
-    """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is taken as over the
-    surface's normal."""
+    """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is
+    taken as over the surface's normal."""
     offset = keep_off_faces(context, keep_within_boundary(context, offset_contacts(context, passes))).offset
     cutter = context.settings.cutter
-    if context.boundary is not None and context.settings.boundary.boundary_by == "centre" and not cutter.cutter.touches_as_ball:
+    if (
+        context.boundary is not None
+        and context.settings.boundary.boundary_by == "centre"
+        and not cutter.cutter.touches_as_ball
+    ):
         seated, axis = cl_offset_path(offset, offset.normal, cutter.cutter, cutter.coedge_tolerance)
         offset, _ = bounded_by_hub(context, seated, axis)
     return offset.point, offset.polyline, offset.pass_

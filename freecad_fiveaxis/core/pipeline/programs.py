@@ -31,8 +31,8 @@ from .settings import Settings
 
 @dataclass(frozen=True, eq=False)
 class ProgramDraft:
-    """A program of rounded words, not yet proven, with the machine that it is for, and the fixtures that the tool is to keep out
-    of."""
+    """A program of rounded words, not yet proven, with the machine that it is for, and the fixtures that the
+    tool is to keep out of."""
 
     settings: Settings
     machine: Machine
@@ -54,9 +54,9 @@ class PostedProgram(ProgramDraft):
 
 @dataclass(frozen=True, eq=False)
 class MilledProgram(PostedProgram):
-    """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each row of ``offset``;
-    ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is one; ``keep_off``: faces to avoid on
-    which there is an allowance."""
+    """A program made from a mesh. ``axis`` (n, 3): the strategy's tool axes, before any cure, one for each
+    row of ``offset``; ``keep`` (f,): the facets that are machined; ``boundary``: within which, where there is
+    one; ``keep_off``: faces to avoid on which there is an allowance."""
 
     mesh: Mesh
     contact: ContactPath
@@ -87,10 +87,10 @@ class MilledProgram(PostedProgram):
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """A proven program. ``findings`` of every stage, in the order of the pipeline. ``surface``: the deviation of the point that
-    makes the surface (a ball's centre) where that is not the driven one, with the driven one's place there. ``audit``: only of
-    a program not made here; ``gouge`` and ``rest``: what enters the part on the real way, and what stays on it, where the
-    settings ask for that."""
+    """A proven program. ``findings`` of every stage, in the order of the pipeline. ``surface``: the deviation
+    of the point that makes the surface (a ball's centre) where that is not the driven one, with the driven
+    one's place there. ``audit``: only of a program not made here; ``gouge`` and ``rest``: what enters the
+    part on the real way, and what stays on it, where the settings ask for that."""
 
     draft: ProgramDraft
     deviation: Deviation

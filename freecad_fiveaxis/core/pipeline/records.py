@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the stages of :func:`.milling.mill` hand on, one record after the other; each holds all of the one before it.
+"""What the stages of :func:`.milling.mill` hand on, one record after the other; each holds all of the one
+before it.
 
-Whatever a stage has to say of what it did stands in the record's findings; what a later stage needs is a field.
+Whatever a stage has to say of what it did stands in the record's findings; what a later stage needs is a
+field.
 """
 
 from __future__ import annotations
@@ -18,8 +20,8 @@ from freecad_fiveaxis.core.toolpath.coedge import OffsetPath
 
 @dataclass(frozen=True, eq=False)
 class PlannedPasses:
-    """The passes on the facets, and the frame (k,) of each, where the rotary axes are locked. ``findings``: sides that no pass
-    touches, and what is to say of the passes."""
+    """The passes on the facets, and the frame (k,) of each, where the rotary axes are locked. ``findings``:
+    sides that no pass touches, and what is to say of the passes."""
 
     contact: ContactPath
     frame: Ints | None
@@ -35,8 +37,9 @@ class OffsetContacts(PlannedPasses):
 
 @dataclass(frozen=True, eq=False)
 class AssignedAxes(OffsetContacts):
-    """``axis`` (n, 3): the strategy's tool axes, one for each row of ``offset``. ``corrected`` (m, 3): those after all
-    corrections, one for each row of ``cut``, the rows that are left then. ``axis_findings``: of all that chose them."""
+    """``axis`` (n, 3): the strategy's tool axes, one for each row of ``offset``. ``corrected`` (m, 3): those
+    after all corrections, one for each row of ``cut``, the rows that are left then. ``axis_findings``: of all
+    that chose them."""
 
     axis: Floats
     cut: OffsetPath
@@ -46,8 +49,8 @@ class AssignedAxes(OffsetContacts):
 
 @dataclass(frozen=True, eq=False)
 class LinkedPath(AssignedAxes):
-    """The CL path, with findings of its own. ``cured``: whether rows were lifted or left out for the part's sake; ``entering``:
-    how deep, mm, what that leaves of entries into the part may be."""
+    """The CL path, with findings of its own. ``cured``: whether rows were lifted or left out for the part's
+    sake; ``entering``: how deep, mm, what that leaves of entries into the part may be."""
 
     path: CLPath
     cured: bool

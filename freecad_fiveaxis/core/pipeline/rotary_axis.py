@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The axis about which a part turns under the tool, where the settings leave it open.
 
-own axis   of a machine of one rotary axis: that axis. Where a table turns, its line stands still in the part's frame; a head's
-           line moves with the tool, so that only its direction counts.
+own axis   of a machine of one rotary axis: that axis. Where a table turns, its line stands still in the
+           part's frame; a head's line moves with the tool, so that only its direction counts.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from .settings.tree import FROM_AXIS, ROTARY
 
 
 def settle_rotary_axis(settings: Settings, kinematics: Chain, mesh: Mesh) -> Settings:
-    """Give the settings the centre and the axis of passes or tool axes about a rotary axis as numbers: as asked; else the
-    machine's only rotary axis; else through the middle of the part's box along its longest side. Raises SettingsError for a
-    centre that is none and an axis of no direction."""
+    """Give the settings the centre and the axis of passes or tool axes about a rotary axis as numbers: as
+    asked; else the machine's only rotary axis; else through the middle of the part's box along its longest
+    side. Raises SettingsError for a centre that is none and an axis of no direction."""
     passes = settings.passes
     if passes.passes != ROTARY and settings.tool_axis.tool_axis != FROM_AXIS:
         return settings
@@ -41,8 +41,8 @@ def settle_rotary_axis(settings: Settings, kinematics: Chain, mesh: Mesh) -> Set
 
 
 def own_axis(kinematics: Chain) -> tuple[Vector, Vector | None] | None:
-    """Find the direction of the machine's only rotary axis and a point of it, mm, in the work frame; no point where its line
-    moves with the tool. None where the machine has no rotary axis, or two."""
+    """Find the direction of the machine's only rotary axis and a point of it, mm, in the work frame; no point
+    where its line moves with the tool. None where the machine has no rotary axis, or two."""
     fitted = [i for i, axis in enumerate(kinematics.axes[3:]) if axis.fitted]
     if len(fitted) != 1:
         return None
@@ -53,7 +53,8 @@ def own_axis(kinematics: Chain) -> tuple[Vector, Vector | None] | None:
 
 
 def turns_the_part(kinematics: Chain) -> bool:
-    """Whether the machine's only rotary axis turns the part: then the tool stays above it, whichever side it cuts."""
+    """Whether the machine's only rotary axis turns the part: then the tool stays above it, whichever side it
+    cuts."""
     line = own_axis(kinematics)
     return line is not None and line[1] is not None
 

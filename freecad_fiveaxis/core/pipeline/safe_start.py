@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the program that the settings ask for begins and ends: its head's lines, the plane above the part, and what to say of both.
+"""How the program that the settings ask for begins and ends: its head's lines, the plane above the part, and
+what to say of both.
 
-The lines are made by core/nc/start.py, the plane by core/motion/program/retract.py; the Program itself begins where block 0
-ends, with the tool above that place and the rotary axes turned.
+The lines are made by core/nc/start.py, the plane by core/motion/program/retract.py; the Program itself begins
+where block 0 ends, with the tool above that place and the rotary axes turned.
 """
 
 from __future__ import annotations
@@ -27,15 +28,20 @@ from .settings import Settings
 def started(dialect: Dialect, machine: Machine) -> Dialect:
     """The dialect with the machine's safe start and end."""
     table = [axis.direction for axis in machine.rotary if axis.side == "table"]
-    return with_start(dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table), machine.rotaries > 0)
+    return with_start(
+        dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table), machine.rotaries > 0
+    )
 
 
 def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Finding, ...]]:
-    """The word of Z at which the program begins and ends above the part, where the machine file asks for that, else 0."""
+    """The word of Z at which the program begins and ends above the part, where the machine file asks for
+    that, else 0."""
     settings, machine, kinematics = context.settings, context.machine, context.kinematics
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
-    widest = max(max(piece.low_radius, piece.high_radius) + piece.round for piece in kept_off(settings).pieces)
+    widest = max(
+        max(piece.low_radius, piece.high_radius) + piece.round for piece in kept_off(settings).pieces
+    )
     body = widest if machine.has_head else 0.0  # a tool that lies level reaches down by its radius
     margin = settings.links.clearance + tip_to_driven(settings) + body
     return within_travel(kinematics, plane_above(kinematics, *context.box, margin, program.words))
@@ -47,7 +53,8 @@ def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]
     found: tuple[Finding, ...] = ()
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
         text = say(
-            "Under {split} the program begins and ends at the reference point of Z, because before it no tool "
+            "Under {split} the program begins and ends at the reference point of Z, because before it no "
+            "tool "
             "length is active. Set the machine file's safe_start to reference or machine.",
             split=dialect.guide.on[0].split()[0],
         )
@@ -58,10 +65,14 @@ def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]
 
 
 def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
-    """Warn of a program that leaves the spindle off because no speed is given; a note where that is asked for."""
+    """Warn of a program that leaves the spindle off because no speed is given; a note where that is asked
+    for."""
     speed = settings.head.spindle
     if speed is None:
-        text, severity = say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")), Severity.WARNING
+        text, severity = (
+            say("The spindle stays off: give {spindle}.", spindle=Option("spindle", given="S")),
+            Severity.WARNING,
+        )
     else:
         text, severity = say("The spindle stays off, as asked: this program is for a dry run."), Severity.NOTE
     return () if speed else (report_finding(Code.SPINDLE_OFF, text, severity=severity),)
@@ -70,17 +81,27 @@ def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
 def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
     """An error where the straight way of Z to the first place, or from the last, meets the part's box."""
     found, ends = [], (0, len(program.words) - 1)
-    for row, what in zip(ends, (say("comes down to its first place"), say("rises from its last place")), strict=True):
+    for row, what in zip(
+        ends, (say("comes down to its first place"), say("rises from its last place")), strict=True
+    ):
         words = program.words[row : row + 1]
-        place, up = forward_tip(kinematics, words_to_q(words))[0], upwards(kinematics, np.radians(words[:, 3:]))[0]
+        place, up = (
+            forward_tip(kinematics, words_to_q(words))[0],
+            upwards(kinematics, np.radians(words[:, 3:]))[0],
+        )
         if _meets(place, up, *box):
             text = say(
-                "The tool {what} along Z through the part, because the tool axis points downwards there. Begin and "
+                "The tool {what} along Z through the part, because the tool axis points downwards there. "
+                "Begin and "
                 "end with an upright tool, or set the machine file's safe_start to none and begin by hand.",
                 what=what,
             )
             x, y, z = place.tolist()
-            found.append(report_finding(Code.START_THROUGH_PART, text, block=row, line=int(program.line[row]), place=(x, y, z)))
+            found.append(
+                report_finding(
+                    Code.START_THROUGH_PART, text, block=row, line=int(program.line[row]), place=(x, y, z)
+                )
+            )
     return tuple(found)
 
 

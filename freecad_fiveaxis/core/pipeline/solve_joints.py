@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Stages from the CL path to the program: joints, blocks divided where the machine leaves the path, rapids kept clear, NC."""
+"""Stages from the CL path to the program: joints, blocks divided where the machine leaves the path, rapids
+kept clear, NC."""
 
 from __future__ import annotations
 
@@ -35,9 +36,10 @@ def solve_joints(context: MillContext, linked: LinkedPath) -> SolvedJoints:
 
 
 def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLPath, JointPath]:
-    """The path and its joint path (:func:`.driving.drive`). Where a cure is asked for and blocks may be divided, rows are put in
-    half-way where the tool still enters on its real way though the path itself does not: the machine turns the axis otherwise
-    than on a great arc, and with the tip within the tolerance the rest of the cutter may swing farther."""
+    """The path and its joint path (:func:`.driving.drive`). Where a cure is asked for and blocks may be
+    divided, rows are put in half-way where the tool still enters on its real way though the path itself does
+    not: the machine turns the axis otherwise than on a great arc, and with the tip within the tolerance the
+    rest of the cutter may swing farther."""
     settings, joints = context.settings, drive(context, path, entering)
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
@@ -49,17 +51,25 @@ def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLP
         path = _halved(path, rows, driven_to_surface(settings))
         joints = drive(context, path, entering)
         fresh = rows + np.arange(len(rows))
-        wanted = np.union1d(fresh, fresh + 1)  # both halves; of all else the machine goes the way that was clear
+        wanted = np.union1d(
+            fresh, fresh + 1
+        )  # both halves; of all else the machine goes the way that was clear
     return path, joints
 
 
 def _entering(context: MillContext, path: CLPath, joints: JointPath, wanted: Ints) -> Ints:
-    """Find the rows (k,) of the path, of those ``wanted`` (n,) for, to which the machine leads the cutter through the part, and
-    the path itself does not."""
+    """Find the rows (k,) of the path, of those ``wanted`` (n,) for, to which the machine leads the cutter
+    through the part, and the path itself does not."""
     settings, progress = context.settings, context.progress
-    cutter, tree, limit = tool_body(settings).only(CUTTER), facet_tree(context.obstacles), settings.proof.tolerance
+    cutter, tree, limit = (
+        tool_body(settings).only(CUTTER),
+        facet_tree(context.obstacles),
+        settings.proof.tolerance,
+    )
     real = real_motion(context.kinematics, q_to_words(joints.q), tip_to_driven(settings))
-    fed = np.flatnonzero((joints.path.motion[1:] != Motion.RAPID) & np.isin(joints.row[1:], wanted))  # links near the part too
+    fed = np.flatnonzero(
+        (joints.path.motion[1:] != Motion.RAPID) & np.isin(joints.row[1:], wanted)
+    )  # links near the part too
     blocks = np.flatnonzero(which_enter(cutter, tree, real, limit, fed, progress))
     rows = np.unique(joints.row[blocks + 1])
     rows = rows[rows > 0]
@@ -68,24 +78,29 @@ def _entering(context: MillContext, path: CLPath, joints: JointPath, wanted: Int
 
 
 def _halved(path: CLPath, rows: Ints, above: float = 0.0) -> CLPath:
-    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis; the point ``above``
-    mm over the driven one goes straight."""
+    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis;
+    the point ``above`` mm over the driven one goes straight."""
     pose = straight_motion(path.tip, path.axis, above).pose(rows - 1, np.full(len(rows), 0.5))
-    given = {name: getattr(path, name) for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")}
+    given = {
+        name: getattr(path, name)
+        for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")
+    }
     columns = {name: np.insert(column, rows, column[rows], axis=0) for name, column in given.items()}
     tip, axis = np.insert(path.tip, rows, pose.tip.T, axis=0), np.insert(path.axis, rows, pose.axis.T, axis=0)
     return replace(path, tip=tip, axis=axis, **columns)
 
 
 def keep_rapids_clear(context: MillContext, solved: SolvedJoints) -> SolvedJoints:
-    """Divide the rapids that are clear only if interpolated, where the controller may drive their axes independently and the part
-    is looked at."""
+    """Divide the rapids that are clear only if interpolated, where the controller may drive their axes
+    independently and the part is looked at."""
     settings = context.settings
     if settings.gouge.gouge == "off" or rapids_of(settings, context.machine, context.dialect) == INTERPOLATED:
         return solved
     body, limit, back = tool_body(settings), settings.proof.tolerance, tip_to_driven(settings)
     clearance = RapidClearance(body, facet_tree(context.obstacles), back, limit, context.progress)
-    return replace(solved, joints=divide_rapids(solved.joints, context.kinematics, context.dialect, clearance))
+    return replace(
+        solved, joints=divide_rapids(solved.joints, context.kinematics, context.dialect, clearance)
+    )
 
 
 def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
@@ -94,6 +109,7 @@ def write_program(context: MillContext, solved: SolvedJoints) -> MilledProgram:
     uncut = uncut_by_cure(context, solved.path) if solved.cured else ()
     program = posted(context, solved.path, solved.joints, found + uncut)
     return MilledProgram(
-        **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis, keep=context.keep,
+        **vars(program), mesh=context.mesh, contact=solved.contact, offset=solved.offset, axis=solved.axis,
+        keep=context.keep,
         boundary=context.boundary, keep_off=context.keep_off,
     )  # fmt: skip

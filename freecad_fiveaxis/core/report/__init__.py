@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about a finished program, and the markers for the 3D view.
 
-The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``, the traffic light over everything
-from ``verdict``, what that rests on from ``scope``; ``text`` writes for the terminal, ``json_text`` for scripts, ``html_page`` a
-page with plots, ``block_table`` and ``rate_table`` the CSV, ``drawing`` the arrays of a view, ``deviation_scale`` what they are
-coloured by. ``part_facts`` tells what the program does to the part, ``rest_material_picture`` draws it (``raster``).
+The numbers come from ``figures`` (which defines the words), the judgement from ``judgement``, the traffic
+light over everything from ``verdict``, what that rests on from ``scope``; ``text`` writes for the terminal,
+``json_text`` for scripts, ``html_page`` a page with plots, ``block_table`` and ``rate_table`` the CSV,
+``drawing`` the arrays of a view, ``deviation_scale`` what they are coloured by. ``part_facts`` tells what the
+program does to the part, ``rest_material_picture`` draws it (``raster``).
 """
 
 from .block_table import blocks_csv

@@ -19,7 +19,8 @@ from .block_table import letter_order
 
 
 def audited(program: Program, audit: Audit | None) -> dict[str, Any]:
-    """The numbers of an audit; empty without one. Feeds mm/min, lengths mm, angles degrees; None where nothing is known."""
+    """The numbers of an audit; empty without one. Feeds mm/min, lengths mm, angles degrees; None where
+    nothing is known."""
     if audit is None:
         return {}
     timed = timed_feeds(program)
@@ -105,7 +106,8 @@ WORST = 10
 
 
 def worst_of(values: Floats, above: float) -> Ints:
-    """The rows of the largest of ``values`` (m,) that are above ``above``, the largest first, the earlier first among equals."""
+    """The rows of the largest of ``values`` (m,) that are above ``above``, the largest first, the earlier
+    first among equals."""
     rows = np.flatnonzero(values > above)
     return rows[np.argsort(-values[rows], kind="stable")][:WORST]
 
@@ -115,14 +117,28 @@ def audit_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     if "over_limit_blocks" not in numbers:
         return []
     unit = "mm" if (numbers["limit_axis"] or "X") in "XYZ" else "deg"
-    beyond = f", at most {numbers['limit_axis']} by {numbers['max_limit_excess']:.4f} {unit} (NC line {numbers['limit_line']})"
-    most = "" if numbers["rate_axis"] is None else f" ({numbers['rate_axis']}, NC line {numbers['rate_line']})"
+    beyond = (
+        f", at most {numbers['limit_axis']} by {numbers['max_limit_excess']:.4f} {unit} (NC line "
+        f"{numbers['limit_line']})"
+    )
+    most = (
+        "" if numbers["rate_axis"] is None else f" ({numbers['rate_axis']}, NC line {numbers['rate_line']})"
+    )
     feeds = [
-        f"{value:.5g}" for value in (numbers[f"{name}_tip_feed"] for name in ("least", "median", "largest")) if value is not None
+        f"{value:.5g}"
+        for value in (numbers[f"{name}_tip_feed"] for name in ("least", "median", "largest"))
+        if value is not None
     ]
-    untimed = [("feed blocks whose time is not known", f"{numbers['untimed_blocks']}")] if numbers["untimed_blocks"] else []
+    untimed = (
+        [("feed blocks whose time is not known", f"{numbers['untimed_blocks']}")]
+        if numbers["untimed_blocks"]
+        else []
+    )
     return [
-        ("blocks beyond a limit", f"{numbers['over_limit_blocks']}{beyond if numbers['over_limit_blocks'] else ''}"),
+        (
+            "blocks beyond a limit",
+            f"{numbers['over_limit_blocks']}{beyond if numbers['over_limit_blocks'] else ''}",
+        ),
         ("blocks that ask too much of an axis", f"{numbers['over_rate_blocks']}"),
         ("largest share of an axis' maximum rate", f"{numbers['max_rate_ratio']:.3g}{most}"),
         ("feed over the part, least median largest", f"{' '.join(feeds)} mm/min" if feeds else "-"),

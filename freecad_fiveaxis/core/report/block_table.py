@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of blocks: one CSV row for every motion block, rapids too.
 
-block    the row of the Program, counted from 0 (as in ``Finding.block``); row 0 is the first position, all figures 0.
+block    the row of the Program, counted from 0 (as in ``Finding.block``); row 0 is the first position, all
+         figures 0.
 line     the line of the NC file, counted from 1.
-words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters sorted. Where the
-         controller guides the tip X Y Z are the tip's place, and the deviations are 0: they are not ours to measure.
+words    the block's end, mm and degrees, turns not folded; X Y Z and then the machine's two rotary letters
+         sorted. Where the controller guides the tip X Y Z are the tip's place, and the deviations are 0: they
+         are not ours to measure.
 bound    rounded up, so that what is read back is still a bound.
-surface  deviation and bound of the point that makes the surface: only where that is not the tip (a ball's centre); last columns.
-depth    only where the program was checked against the part: how deep cutter, shank or holder go into it in the block, mm.
+surface  deviation and bound of the point that makes the surface: only where that is not the tip (a ball's
+         centre); last columns.
+depth    only where the program was checked against the part: how deep cutter, shank or holder go into it in
+         the block, mm.
 """
 
 from __future__ import annotations
@@ -29,14 +33,14 @@ DECIMALS = 6
 
 
 def letter_order(letters: str) -> list[int]:
-    """The columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0 1 2 4 3); only
-    those that the machine has."""
+    """The columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0 1 2 4
+    3); only those that the machine has."""
     return [0, 1, 2, *sorted(fitted_columns(letters)[3:], key=lambda column: letters[column])]
 
 
 def header(letters: str, depth: bool = False, surface: bool = False) -> str:
-    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``, ``surface``: the last
-    ones too."""
+    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``,
+    ``surface``: the last ones too."""
     words = ",".join(letters[column] for column in letter_order(letters))
     of_deviation = "u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
     names = f"block,line,motion,{words},feed,{of_deviation}"
@@ -54,11 +58,18 @@ def blocks_csv(
     program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent,
     gouge: GougeCheck | None = None, surface: Deviation | None = None,
 ) -> bytes:  # fmt: skip
-    """The whole table as ASCII text, lines ending in a line feed. All records have one row a block, ``gouge`` one less."""
+    """The whole table as ASCII text, lines ending in a line feed. All records have one row a block, ``gouge``
+    one less."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
     words = [_programmed(program, column) + 0.0 for column in letter_order(program.letters)]
-    figures = [deviation.u_line, deviation.line, deviation.u_segment, deviation.segment, round_up(deviation.bound)]
+    figures = [
+        deviation.u_line,
+        deviation.line,
+        deviation.u_segment,
+        deviation.segment,
+        round_up(deviation.bound),
+    ]
     numbers = [*words, program.feed, *figures, np.degrees(deviation.axis)]
     parts: list[Part] = [
         Column(b"", np.arange(rows)),
@@ -73,11 +84,16 @@ def blocks_csv(
         parts.append(Column(b",", np.append(0.0, depth)[:rows], DECIMALS))
     if surface is not None:
         parts += [Column(b",", values, DECIMALS) for values in (surface.segment, round_up(surface.bound))]
-    return header(program.letters, gouge is not None, surface is not None).encode() + b"\n" + table(parts, progress=progress)
+    return (
+        header(program.letters, gouge is not None, surface is not None).encode()
+        + b"\n"
+        + table(parts, progress=progress)
+    )
 
 
 def _programmed(program: Program, column: int) -> Floats:
-    """The words (m,) of one letter as the NC file says them: the tip's place where the controller guides it."""
+    """The words (m,) of one letter as the NC file says them: the tip's place where the controller guides
+    it."""
     if program.guided is None or column >= 3:
         return program.words[:, column]
     return np.where(program.guided.on, program.guided.tip[:, column], program.words[:, column])

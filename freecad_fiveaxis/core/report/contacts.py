@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where a ball touches the part, for the picture.
 
-The tip of a ball that leans stands beside its contact, the radius times the sine of the lean away: passes drawn through tips
-leave bare what is cut and cover what is not. A picture of what is cut is drawn through contacts.
+The tip of a ball that leans stands beside its contact, the radius times the sine of the lean away: passes
+drawn through tips leave bare what is cut and cover what is not. A picture of what is cut is drawn through
+contacts.
 """
 
 from __future__ import annotations
@@ -30,8 +31,8 @@ FAR = 2.0
 
 @dataclass(frozen=True, eq=False)
 class Contacts:
-    """The ball's centres (k, 3) mm along the passes, and the facets ``face`` (k,) of ``mesh`` that it touches there; its
-    ``radius`` mm, and how far ``above`` the driven point its centre stands along the axis, mm."""
+    """The ball's centres (k, 3) mm along the passes, and the facets ``face`` (k,) of ``mesh`` that it touches
+    there; its ``radius`` mm, and how far ``above`` the driven point its centre stands along the axis, mm."""
 
     centre: Floats
     face: Ints
@@ -47,8 +48,8 @@ class Contacts:
         return scipy.spatial.cKDTree(self.centre)
 
     def touched(self, driven: Floats, axis: Floats) -> Floats:
-        """Find the points (n, 3) mm of the ball that are nearest to the part, where it stands with ``driven`` (n, 3) mm and unit
-        ``axis`` (n, 3)."""
+        """Find the points (n, 3) mm of the ball that are nearest to the part, where it stands with ``driven``
+        (n, 3) mm and unit ``axis`` (n, 3)."""
         centre = driven + self.above * axis
         _, near = self._tree.query(centre, k=np.arange(1, min(NEAR, len(self.centre)) + 1), workers=2)
         least, way = np.full(len(centre), np.inf), np.zeros_like(centre)
@@ -68,8 +69,9 @@ class Contacts:
 def contacts_of(
     centre: Floats, normal: Floats, axis: Floats, face: Ints, mesh: Mesh, radius: float, above: float
 ) -> Contacts | None:
-    """Keep the contacts of passes at which a ball's ``centre`` (k, 3) mm stood over facets ``face`` (k,) of ``mesh``, with unit
-    normals (k, 3) and ``axis`` (k, 3), at most MOST of them; None where the tool stands on all normals: tips show the same."""
+    """Keep the contacts of passes at which a ball's ``centre`` (k, 3) mm stood over facets ``face`` (k,) of
+    ``mesh``, with unit normals (k, 3) and ``axis`` (k, 3), at most MOST of them; None where the tool stands
+    on all normals: tips show the same."""
     if not len(centre) or float((normal * axis).sum(axis=1).min()) >= LEAN:
         return None
     some = slice(None, None, -(-len(centre) // MOST))

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The arrays that a 3D view draws, and the numbers behind one block that somebody points at.
 
-stroke  a straight line of the picture: the chord of a feed block, or of several neighbouring ones where a program has more
-        than STROKES; it has the deviation of the worst of its blocks. Of a ball that leans it joins the contacts: what is cut.
-cut     a stroke that cuts: of a cut or a fill whose ends lie at the part. Where the tool was lifted off the part, and on links,
-        it cuts nothing. Of a foreign program without its part every feed block may cut.
+stroke  a straight line of the picture: the chord of a feed block, or of several neighbouring ones where a
+        program has more than STROKES; it has the deviation of the worst of its blocks. Of a ball that leans
+        it joins the contacts: what is cut.
+cut     a stroke that cuts: of a cut or a fill whose ends lie at the part. Where the tool was lifted off the
+        part, and on links, it cuts nothing. Of a foreign program without its part every feed block may cut.
 coat    ``thinning``: fewer passes, for a small picture. What is over the tolerance is in every coat.
 level   where the deviation stands on the scale of the path (``deviation_scale``): 0.5 is the tolerance.
-curve   the way that the judged point, the tip or a ball's centre, really takes in a block, beside its own chord; spoke: from
-        the chord to the curve where they are farthest apart.
+curve   the way that the judged point, the tip or a ball's centre, really takes in a block, beside its own
+        chord; spoke: from the chord to the curve where they are farthest apart.
 spot    one block that is worth a look, in numbers.
 
 All places are in the work frame, mm.
@@ -43,7 +44,8 @@ RAPID_POINTS = 17
 RAPIDS = 5_000
 """At most so many rapids are drawn, evenly chosen."""
 AXES_ACROSS = 26
-"""At most one tool axis is drawn in each cube of the part's longest side divided by this: more hide each other."""
+"""At most one tool axis is drawn in each cube of the part's longest side divided by this: more hide each
+other."""
 LARGEST = "largest-deviation"
 """The kind of the first marker."""
 
@@ -52,12 +54,13 @@ LARGEST = "largest-deviation"
 class Drawing:
     """What a view shows of a program.
 
-    ``stroke`` (2k, 3): start and end of every stroke in turn; ``block`` (k,) the worst of its blocks, ``deviation`` (k,) mm
-    and ``level`` (k,) of that, ``cut`` (k,) whether it cuts, ``coat`` (k,) the widest coat that it belongs to; ``apart``
-    (COATS,) mm between the passes of each coat. ``rapid`` (2r, 3): strokes along the real way of the rapids. ``foot``, ``axis``
-    (a, 3): tip (or contact) and unit axis of the tools drawn, which cut there and stand ``axis_length`` mm high. ``curve``
-    (w CURVE_POINTS, 3), ``chord`` (2w, 3) and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the
-    box of the feed blocks.
+    ``stroke`` (2k, 3): start and end of every stroke in turn; ``block`` (k,) the worst of its blocks,
+    ``deviation`` (k,) mm and ``level`` (k,) of that, ``cut`` (k,) whether it cuts, ``coat`` (k,) the widest
+    coat that it belongs to; ``apart`` (COATS,) mm between the passes of each coat. ``rapid`` (2r, 3): strokes
+    along the real way of the rapids. ``foot``, ``axis`` (a, 3): tip (or contact) and unit axis of the tools
+    drawn, which cut there and stand ``axis_length`` mm high. ``curve`` (w CURVE_POINTS, 3), ``chord`` (2w, 3)
+    and ``spoke`` (2w, 3) of the worst blocks ``worst`` (w,). ``low``, ``high`` (3,) the box of the feed
+    blocks.
     """
 
     tolerance: float
@@ -95,9 +98,10 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Spot:
-    """One feed block in numbers: mm and degrees. ``turns``: the letters of the rotary axes and how far each turns in the
-    block; ``lean`` how far the tool axis leans meanwhile; ``step`` the length of the tip's chord; ``place`` the real tip when the
-    judged point is farthest from its chord; ``ball``: that point is a ball's centre."""
+    """One feed block in numbers: mm and degrees. ``turns``: the letters of the rotary axes and how far each
+    turns in the block; ``lean`` how far the tool axis leans meanwhile; ``step`` the length of the tip's
+    chord; ``place`` the real tip when the judged point is farthest from its chord; ``ball``: that point is a
+    ball's centre."""
 
     block: int
     line: int
@@ -129,7 +133,8 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
         tolerance=figures.tolerance, stroke=stroke, block=block, deviation=deviation, level=level, cut=cut,
         coat=_coats(stroke, cut, level, diagonal), apart=distances(diagonal),
         rapid=_rapids(figures), foot=figures.drawn(tool), axis=figures.axis[tool],
-        axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3), chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
+        axis_length=1.5 * length, worst=worst, curve=curve.reshape(-1, 3),
+        chord=curve[:, [0, -1]].reshape(-1, 3), spoke=spoke,
         low=low, high=high, markers=markers(figures),
     )  # fmt: skip
 
@@ -140,17 +145,20 @@ def spot(figures: Figures, block: int) -> Spot:
     first, second = np.abs(program.words[row, 3:] - program.words[row - 1, 3:]).tolist()
     x, y, z = deviation.place[row].tolist()
     return Spot(
-        block=row, line=int(program.line[row]), deviation=float(deviation.segment[row]), bound=float(deviation.bound[row]),
+        block=row, line=int(program.line[row]), deviation=float(deviation.segment[row]),
+        bound=float(deviation.bound[row]),
         tolerance=figures.tolerance, singular=bool(figures.singularity.singular[row]),
-        turns=tuple((program.letters[k], (first, second)[k - 3]) for k in fitted_columns(program.letters)[3:]),
-        lean=math.degrees(figures.singularity.axis_travel[row]), step=math.dist(figures.tip[row - 1], figures.tip[row]),
+        turns=tuple((program.letters[k],
+            (first, second)[k - 3]) for k in fitted_columns(program.letters)[3:]),
+        lean=math.degrees(figures.singularity.axis_travel[row]),
+        step=math.dist(figures.tip[row - 1], figures.tip[row]),
         place=(x, y, z), ball=figures.surface is not None,
     )  # fmt: skip
 
 
 class Row(NamedTuple):
-    """A line of a list of findings. ``kind``: a finding's code or a marker's kind; ``whole``: it tells of several blocks, of
-    which ``finding`` names the worst."""
+    """A line of a list of findings. ``kind``: a finding's code or a marker's kind; ``whole``: it tells of
+    several blocks, of which ``finding`` names the worst."""
 
     kind: str
     finding: Finding
@@ -188,7 +196,9 @@ def _finding_of(figures: Figures, mark: Marker) -> Finding:
     if mark.block is None or mark.kind not in (LARGEST, Code.DEVIATION_OVER_TOLERANCE, Code.SINGULAR_BLOCK):
         severity = Severity.ERROR if mark.kind in GOUGES else Severity.NOTE
         line = None if mark.block is None else int(figures.program.line[mark.block])
-        return mark.finding or Finding(severity, mark.kind, mark.label, block=mark.block, line=line, place=mark.place)
+        return mark.finding or Finding(
+            severity, mark.kind, mark.label, block=mark.block, line=line, place=mark.place
+        )
     there = spot(figures, mark.block)
     if mark.kind == Code.SINGULAR_BLOCK:
         value, unit, severity = max((turn for _, turn in there.turns), default=0.0), "deg", Severity.WARNING
@@ -219,7 +229,9 @@ def _stroke_ends(feeds: Ints, motion: np.ndarray, most: int) -> tuple[Ints, Ints
 
 def _cutting(figures: Figures, start: Ints, end: Ints) -> Bools:
     """Which strokes, of blocks ``start`` to ``end`` (k,), cut."""
-    return np.asarray((figures.program.motion[end] != Motion.LINK) & figures.at_part[start - 1] & figures.at_part[end])
+    return np.asarray(
+        (figures.program.motion[end] != Motion.LINK) & figures.at_part[start - 1] & figures.at_part[end]
+    )
 
 
 def _coats(stroke: Floats, cut: Bools, level: Floats, diagonal: float) -> Ints:
@@ -261,7 +273,8 @@ def _paired(start: Floats, end: Floats) -> Floats:
 
 
 def _curves(figures: Figures, rows: Ints) -> tuple[Floats, Floats]:
-    """The real way (w, CURVE_POINTS, 3) mm of the judged point in the blocks ``rows`` (w,), and its spokes (2w, 3) mm."""
+    """The real way (w, CURVE_POINTS, 3) mm of the judged point in the blocks ``rows`` (w,), and its spokes
+    (2w, 3) mm."""
     if not len(rows):
         return np.zeros((0, CURVE_POINTS, 3)), np.zeros((0, 3))
     deviation, words = figures.judged, figures.program.words

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The figures of a finished program in numbers.
 
-feed block    a block that may touch the part: CUT, FILL or LINK (in a foreign program every G1). Every figure of the
-              summary judges the feed blocks and none of the rapids: a rapid is driven in the air, where it may leave its
-              line. The table of blocks (``block_table``) and ``max_rapid_deviation`` show the rapids too.
-surface       of a ball the way of its centre makes the surface, not that of the tip: where that is known (``Figures.surface``) it
-              is what is judged, against the centre's own chord. The tip's deviation stays beside it.
-proven        the proven bound of every feed block is within the tolerance, and in none of them the controller guides the tip
-              (``guided_blocks``), which is its own affair. ``over_tolerance`` counts the feed blocks
-              whose judged deviation from the commanded segment exceeds it, ``unproven`` those where only the bound does.
+feed block    a block that may touch the part: CUT, FILL or LINK (in a foreign program every G1). Every figure
+              of the summary judges the feed blocks and none of the rapids: a rapid is driven in the air,
+              where it may leave its line. The table of blocks (``block_table``) and ``max_rapid_deviation``
+              show the rapids too.
+surface       of a ball the way of its centre makes the surface, not that of the tip: where that is known
+              (``Figures.surface``) it is what is judged, against the centre's own chord. The tip's deviation
+              stays beside it.
+proven        the proven bound of every feed block is within the tolerance, and in none of them the controller
+              guides the tip (``guided_blocks``), which is its own affair. ``over_tolerance`` counts the feed
+              blocks whose judged deviation from the commanded segment exceeds it, ``unproven`` those where
+              only the bound does.
 block         a row of the Program, counted from 0; ``line`` a line of the NC file, counted from 1.
-pass          a run of CUT and FILL blocks between links and rapids. ``cut_length`` is theirs, ``link_length`` that of other
-              feed blocks, ``rapid_length`` that of the rapids: of the tip over the work, mm.
-peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all blocks.
+pass          a run of CUT and FILL blocks between links and rapids. ``cut_length`` is theirs, ``link_length``
+              that of other feed blocks, ``rapid_length`` that of the rapids: of the tip over the work, mm.
+peak rate     the largest mean rate of an axis over a feed block; travels and word ranges are those of all
+              blocks.
 """
 
 from __future__ import annotations
@@ -46,7 +50,8 @@ from .near_part import near_part
 from .part_facts import part_numbers
 
 WORST = 10
-"""So many single blocks are named; more tell nobody anything that the table of blocks does not tell better."""
+"""So many single blocks are named; more tell nobody anything that the table of blocks does not tell
+better."""
 _CHUNK = 16384
 
 
@@ -54,14 +59,16 @@ _CHUNK = 16384
 class Figures:
     """All that a report shows. ``tolerance`` mm; ``findings`` those of every stage.
 
-    ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that ``program`` is for.
-    ``deviation`` is that of the driven point, ``surface`` that of the point that makes the surface, where it is another one.
-    ``audit`` where there was one; ``gouge`` (a row less: its row i is block i + 1) and ``rest`` where the settings ask for them;
-    ``allowed`` mm: so much may be left; ``mesh``: the part where it is known; ``unfinished``: the share, 0 to
-    1, of the surface asked for that stays unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how
-    far from the part what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
-    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the tool was checked
-    against, None: it was not; ``fixtures``: names of those that the tool was checked against.
+    ``program``, ``deviation`` and ``singularity`` have one row a block; ``kinematics`` is the chain that
+    ``program`` is for. ``deviation`` is that of the driven point, ``surface`` that of the point that makes
+    the surface, where it is another one. ``audit`` where there was one; ``gouge`` (a row less: its row i is
+    block i + 1) and ``rest`` where the settings ask for them; ``allowed`` mm: so much may be left; ``mesh``:
+    the part where it is known; ``unfinished``: the share, 0 to 1, of the surface asked for that stays
+    unfinished; ``contacts``: where a ball that leans touches the part; ``stand`` mm: how far from the part
+    what is drawn of a cut stands at most (``near_part``); ``rapids``: how the controller drives them, one of
+    :data:`~freecad_fiveaxis.core.base.rapids.RAPIDS`; ``table``: height of the table's face, mm, that the
+    tool was checked against, None: it was not; ``fixtures``: names of those that the tool was checked
+    against.
     """
 
     title: str
@@ -89,7 +96,8 @@ class Figures:
 
     @property
     def judged(self) -> Deviation:
-        """The deviation that is held against the tolerance: the surface's where it is known, else that of the driven point."""
+        """The deviation that is held against the tolerance: the surface's where it is known, else that of the
+        driven point."""
         return self.deviation if self.surface is None else self.surface
 
     @cached_property
@@ -99,7 +107,8 @@ class Figures:
 
     @cached_property
     def worst(self) -> Ints:
-        """The feed blocks of the largest deviation from the segment, largest first; none whose tip the controller guides."""
+        """The feed blocks of the largest deviation from the segment, largest first; none whose tip the
+        controller guides."""
         guided = self.program.guided
         measured = self.feeds if guided is None else self.feeds[~guided.on[self.feeds]]
         return worst_first(measured, self.judged.segment)[:WORST]
@@ -115,8 +124,13 @@ class Figures:
         return self._poses[1]
 
     def drawn(self, rows: Ints) -> Floats:
-        """Where the blocks (k,) are drawn to end (k, 3) mm: a ball that leans at its contact, all else at the tip."""
-        return self.tip[rows] if self.contacts is None else self.contacts.touched(self.tip[rows], self.axis[rows])
+        """Where the blocks (k,) are drawn to end (k, 3) mm: a ball that leans at its contact, all else at the
+        tip."""
+        return (
+            self.tip[rows]
+            if self.contacts is None
+            else self.contacts.touched(self.tip[rows], self.axis[rows])
+        )
 
     @cached_property
     def at_part(self) -> Bools:
@@ -142,7 +156,8 @@ def inner_words(words: Floats) -> Floats:
 
 
 def guided_feeds(program: Program) -> Ints:
-    """The feed blocks in which the controller guides the tip: nothing is proven of them but where they end."""
+    """The feed blocks in which the controller guides the tip: nothing is proven of them but where they
+    end."""
     feeds = feed_blocks(program)
     return feeds[program.guided.on[feeds]] if program.guided is not None else feeds[:0]
 
@@ -156,7 +171,8 @@ def travel(program: Program) -> Floats:
 
 
 def worst_first(rows: Ints, values: Floats) -> Ints:
-    """``rows`` by their ``values`` (m,), NaN and then the largest first, the earlier block first among equals."""
+    """``rows`` by their ``values`` (m,), NaN and then the largest first, the earlier block first among
+    equals."""
     return rows[np.argsort(-np.nan_to_num(values[rows], nan=np.inf), kind="stable")]
 
 
@@ -180,7 +196,10 @@ def summary(figures: Figures) -> dict[str, Any]:
             "kind": figures.kind,
             "machine": figures.machine.name,
             "tolerance": figures.tolerance,
-            "proven": bool(len(feeds)) and not over.any() and not unproven.any() and not len(guided_feeds(program)),
+            "proven": bool(len(feeds))
+            and not over.any()
+            and not unproven.any()
+            and not len(guided_feeds(program)),
             "over_tolerance": int(over.sum()),
             "unproven": int(unproven.sum()),
             "guided_blocks": len(guided_feeds(program)),
@@ -197,7 +216,10 @@ def summary(figures: Figures) -> dict[str, Any]:
             "blocks": len(program.words),
             "feed_blocks": len(feeds),
             "time_s": float(program.seconds.sum()),
-            "findings": {kind.name.lower(): sum(f.severity == kind for f in figures.findings) for kind in reversed(Severity)},
+            "findings": {
+                kind.name.lower(): sum(f.severity == kind for f in figures.findings)
+                for kind in reversed(Severity)
+            },
         }
         | _travelled(figures)
         | audited(figures.program, figures.audit)
@@ -207,13 +229,17 @@ def summary(figures: Figures) -> dict[str, Any]:
 
 
 def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, Any]]:
-    """The worst feed blocks (or ``rows``) as rows: mm and degrees; the rotary letters tell how far those axes turn in the block.
-    With an audit each has what that found in it, too, and where the surface was judged its deviation and bound."""
+    """The worst feed blocks (or ``rows``) as rows: mm and degrees; the rotary letters tell how far those axes
+    turn in the block. With an audit each has what that found in it, too, and where the surface was judged its
+    deviation and bound."""
     chosen = figures.worst if rows is None else rows
-    more = [{} for _ in chosen] if figures.audit is None else audit_rows(figures.program, figures.audit, chosen)
+    more = (
+        [{} for _ in chosen] if figures.audit is None else audit_rows(figures.program, figures.audit, chosen)
+    )
     if (surface := figures.surface) is not None:
         more = [
-            one | {"surface_deviation": float(surface.segment[row]), "surface_bound": float(surface.bound[row])}
+            one
+            | {"surface_deviation": float(surface.segment[row]), "surface_bound": float(surface.bound[row])}
             for one, row in zip(more, chosen, strict=True)
         ]
     program, deviation, moved = figures.program, figures.deviation, travel(figures.program)[chosen]
@@ -238,11 +264,15 @@ def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, An
 
 
 def worst_of_audit(figures: Figures) -> dict[str, list[dict[str, Any]]]:
-    """The worst lines of an audit by ``limits``, ``rates`` and ``off`` (the CL path or the part), each as ``worst_table``."""
+    """The worst lines of an audit by ``limits``, ``rates`` and ``off`` (the CL path or the part), each as
+    ``worst_table``."""
     if figures.audit is None:
         return {}
     off = figures.audit.off()[0]
-    kinds = {"limits": (figures.audit.limits.excess, 0.0), "rates": (figures.audit.rates.ratio, 1.0 + RATE_ROUNDING)}
+    kinds = {
+        "limits": (figures.audit.limits.excess, 0.0),
+        "rates": (figures.audit.rates.ratio, 1.0 + RATE_ROUNDING),
+    }
     kinds["off"] = (off, figures.tolerance)
     return {name: worst_table(figures, worst_of(values, above)) for name, (values, above) in kinds.items()}
 
@@ -269,9 +299,13 @@ def _travelled(figures: Figures) -> dict[str, object]:
 
 
 def time_shares(seconds: Floats, kinds: Mapping[str, Bools]) -> dict[str, float]:
-    """Give the share, 0 to 1, of the time that blocks of each kind take; ``seconds`` (m,) of the blocks, the first stands."""
+    """Give the share, 0 to 1, of the time that blocks of each kind take; ``seconds`` (m,) of the blocks, the
+    first stands."""
     whole = float(seconds[1:].sum())
-    return {kind: float(seconds[1:][rows[1:]].sum()) / whole if whole > 0.0 else 0.0 for kind, rows in kinds.items()}
+    return {
+        kind: float(seconds[1:][rows[1:]].sum()) / whole if whole > 0.0 else 0.0
+        for kind, rows in kinds.items()
+    }
 
 
 def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[str, object]]:
@@ -287,6 +321,7 @@ def _axes(figures: Figures, order: list[int], moved: Floats) -> dict[str, dict[s
         "max_rate": kinematics.rate * inner,
     }
     return {
-        program.letters[i]: {"unit": "mm" if i < 3 else "deg"} | {name: float(values[i]) for name, values in columns.items()}
+        program.letters[i]: {"unit": "mm" if i < 3 else "deg"}
+        | {name: float(values[i]) for name, values in columns.items()}
         for i in order
     }

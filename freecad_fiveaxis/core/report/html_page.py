@@ -28,33 +28,44 @@ NAMED = 11
 """So many findings of one kind are written out: the one for all and the worst ten."""
 
 GLOSSARY = {
-    "Block": "One line of the NC program that moves the machine: all axes start together, move evenly, and arrive together.",
-    "Commanded segment, chord": "The straight line from the tip's place at one block's end to that at the next.",
+    "Block": "One line of the NC program that moves the machine: all axes start together, move evenly, and "
+    "arrive together.",
+    "Commanded segment, chord": "The straight line from the tip's place at one block's end to that at the "
+    "next.",
     "Deviation": (
-        "The largest distance between the tip's real path and the commanded segment while a block runs. Where rotary axes turn, "
+        "The largest distance between the tip's real path and the commanded segment while a block runs. "
+        "Where rotary axes turn, "
         "axes that move evenly carry the tip along a curve, although both ends are right."
     ),
     "Deviation of the ball's centre": (
-        "The same of the centre of a ball: its way, not the tip's, makes the surface. Where the tool axis swings, a tip that "
-        "runs straight makes the centre bulge. Where the centre is known it is judged, and the tip's deviation is told beside it."
+        "The same of the centre of a ball: its way, not the tip's, makes the surface. Where the tool axis "
+        "swings, a tip that "
+        "runs straight makes the centre bulge. Where the centre is known it is judged, and the tip's "
+        "deviation is told beside it."
     ),
-    "Proven bound": "A number that the deviation cannot exceed anywhere in the block, by calculation and not by sampling.",
+    "Proven bound": "A number that the deviation cannot exceed anywhere in the block, by calculation and not "
+    "by sampling.",
     "Line deviation": (
-        "The distance from the infinite line through both ends. It overlooks a tip that runs past an end, so it can be "
+        "The distance from the infinite line through both ends. It overlooks a tip that runs past an end, so "
+        "it can be "
         "much smaller; it stands here for comparison with the literature (So et al. 2008)."
     ),
     "Axis deviation": "How far the tool tilts out of the plane of its two end positions, in degrees.",
-    "Feed block, rapid": "A feed block may touch the part. A rapid goes through the air and is not judged here.",
+    "Feed block, rapid": "A feed block may touch the part. A rapid goes through the air and is not judged "
+    "here.",
     "Near the pole": (
-        "Where the tool stands almost along the first rotary axis, this axis must turn far to lean the tool a little, as a "
+        "Where the tool stands almost along the first rotary axis, this axis must turn far to lean the tool "
+        "a little, as a "
         "compass needle does near the pole of the earth. Textbooks call it a singularity."
     ),
     "Feed over the part": (
-        "Length of the tip's real path in a block over the time that the block's F word means: what the cutter feels. Under G94 "
+        "Length of the tip's real path in a block over the time that the block's F word means: what the "
+        "cutter feels. Under G94 "
         "F measures other things where rotary axes turn."
     ),
     "u": "The share of a block's time that has passed: 0 at its start, 1 at its end.",
-    "RTCP": "Rotation about the tool centre point: the controller itself guides the tip along the straight segment.",
+    "RTCP": "Rotation about the tool centre point: the controller itself guides the tip along the straight "
+    "segment.",
 }
 
 
@@ -64,9 +75,12 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
     whole = verdict(figures, numbers)
     title = escape(f"{figures.title}: {figures.kind} on {figures.machine.name}")
     body = [
-        f"<header><h1>{escape(figures.title)}</h1><p>{escape(figures.kind)} on {escape(figures.machine.name)}</p></header>",
+        f"<header><h1>{escape(figures.title)}</h1><p>{escape(figures.kind)} on "
+        f"{escape(figures.machine.name)}</p></header>",
         f'<p class="verdict {MOOD[whole.light]}">{escape(whole.text)}</p>',
-        _grounds([(path_verdict(figures, numbers), _path_mood(numbers)), *part_verdict(numbers, figures.tolerance)]),
+        _grounds(
+            [(path_verdict(figures, numbers), _path_mood(numbers)), *part_verdict(numbers, figures.tolerance)]
+        ),
         _section("What the verdict rests on", _scope(scope(figures, numbers))),
         _section("Figures", _cards(facts(numbers))),
         _section("Where the tool enters the part", _entries(figures, numbers)),
@@ -79,10 +93,15 @@ def as_html(figures: Figures, progress: Progress = silent) -> str:
         _section("Inputs", _pairs((name, _as_text(value)) for name, value in figures.inputs.items())),
         _section("The words used here", _glossary()),
     ]
-    head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>{title}</title>'
+    head = (
+        '<meta charset="utf-8"><meta name="viewport" content="width=device-width, '
+        f'initial-scale=1"><title>{title}</title>'
+    )
     page = "\n".join(part for part in body if part)
     head += f"<style>{STYLE}</style>"
-    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{page}\n</main></body></html>\n'
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{page}\n</main></body></html>\n'
+    )
 
 
 MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
@@ -90,14 +109,24 @@ MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
 
 
 def _grounds(statements: Iterable[tuple[str, str]]) -> str:
-    """What the verdict is made of: one sentence for the path, and one for each thing that was looked for on the part."""
-    return '<ul class="grounds">' + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in statements) + "</ul>"
+    """What the verdict is made of: one sentence for the path, and one for each thing that was looked for on
+    the part."""
+    return (
+        '<ul class="grounds">'
+        + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in statements)
+        + "</ul>"
+    )
 
 
 def _scope(found: Scope) -> str:
     """Proven, assumed, not known: a row each."""
-    rows = [(name, "".join(f"<li>{escape(one)}</li>" for one in statements)) for name, statements in found.named]
-    cells = "".join(f'<tr><th scope="row">{escape(name)}</th><td><ul>{statements}</ul></td></tr>\n' for name, statements in rows)
+    rows = [
+        (name, "".join(f"<li>{escape(one)}</li>" for one in statements)) for name, statements in found.named
+    ]
+    cells = "".join(
+        f'<tr><th scope="row">{escape(name)}</th><td><ul>{statements}</ul></td></tr>\n'
+        for name, statements in rows
+    )
     return f'<div class="scroll"><table class="pairs scope"><tbody>{cells}</tbody></table></div>'
 
 
@@ -110,11 +139,17 @@ def _section(title: str, content: str) -> str:
 
 
 def _cards(rows: Iterable[tuple[str, str]]) -> str:
-    return '<dl class="cards">' + "".join(f"<div><dt>{escape(a)}</dt><dd>{escape(b)}</dd></div>\n" for a, b in rows) + "</dl>"
+    return (
+        '<dl class="cards">'
+        + "".join(f"<div><dt>{escape(a)}</dt><dd>{escape(b)}</dd></div>\n" for a, b in rows)
+        + "</dl>"
+    )
 
 
 def _pairs(rows: Iterable[tuple[str, str]]) -> str:
-    cells = "".join(f'<tr><th scope="row">{escape(name)}</th><td>{escape(value)}</td></tr>\n' for name, value in rows)
+    cells = "".join(
+        f'<tr><th scope="row">{escape(name)}</th><td>{escape(value)}</td></tr>\n' for name, value in rows
+    )
     return f'<div class="scroll"><table class="pairs"><tbody>{cells}</tbody></table></div>' if cells else ""
 
 
@@ -130,12 +165,18 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]], caption: str = ""
     top = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in head)
     body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f'<div class="scroll"><table class="numbers">{title}<thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div>'
+    return (
+        '<div class="scroll"><table '
+        f'class="numbers">{title}<thead><tr>{top}</tr></thead>\n<tbody>{body}</tbody></table></div>'
+    )
 
 
 def _pictures(drawn: Sequence[Plot], wanted: bool) -> list[str]:
     if not drawn and wanted:
-        note = "The plots are left out because matplotlib is not installed. To get them: <code>pip install matplotlib</code>"
+        note = (
+            "The plots are left out because matplotlib is not installed. To get them: <code>pip "
+            "install matplotlib</code>"
+        )
         return [f'<section><h2>Plots</h2><p class="note">{note}</p></section>']
     return [
         f'<figure><h2>{escape(plot.title)}</h2><div class="card"><img alt="{escape(plot.alt)}" '
@@ -201,7 +242,8 @@ def _entries(figures: Figures, numbers: Mapping[str, Any]) -> str:
         head,
         [
             [
-                row["kind"], row["part"], number(row["depth"], 4), number(row["bound"], 4), str(row["line"]), str(row["block"]),
+                row["kind"], row["part"], number(row["depth"], 4), number(row["bound"], 4), str(row["line"]),
+                str(row["block"]),
                 number(row["u"], 3), " ".join(number(value, 3) for value in row["place"]),
             ]
             for row in rows
@@ -216,7 +258,8 @@ def _rest_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
         return []
     statements = (
         "The machined surface, coloured by how far the cutter stays away from it all along its way. Up to "
-        f"{figures.allowed:.3g} mm may be left (scallops and tolerance), {figures.tolerance:g} mm too deep is within tolerance. "
+        f"{figures.allowed:.3g} mm may be left (scallops and tolerance), {figures.tolerance:g} mm too deep "
+        "is within tolerance. "
         "Facets that are not machined are grey. Rings: the most that is left, and the deepest place."
     )
     most, deepest = numbers["max_left"], numbers["max_too_deep"]
@@ -271,7 +314,8 @@ def _option_table(rows: Sequence[Mapping[str, Any]]) -> str:
             ]
             for row in rows
         ],
-        "Words and excess in mm and deg, feeds and rates in mm/min and deg/min. A feed of 0: a rapid, or no time is known.",
+        "Words and excess in mm and deg, feeds and rates in mm/min and deg/min. A feed of 0: a rapid, or no "
+        "time is known.",
     )
 
 
@@ -280,10 +324,18 @@ def _axes(axes: Mapping[str, Mapping[str, Any]]) -> str:
     fields = ("least", "largest", "low_limit", "high_limit")
     rates = ("travel", "peak_rate", "max_rate")
     rows = [
-        [f"{letter}, {row['unit']}", *(number(row[name], 3) for name in fields), *(number(row[name], 1) for name in rates)]
+        [
+            f"{letter}, {row['unit']}",
+            *(number(row[name], 3) for name in fields),
+            *(number(row[name], 1) for name in rates),
+        ]
         for letter, row in axes.items()
     ]
-    return _table(head, rows, "Rates are per minute; the peak is the largest mean over a feed block. A dash: no limit is known.")
+    return _table(
+        head,
+        rows,
+        "Rates are per minute; the peak is the largest mean over a feed block. A dash: no limit is known.",
+    )
 
 
 def _findings(findings: Sequence[Finding]) -> str:
@@ -293,7 +345,9 @@ def _findings(findings: Sequence[Finding]) -> str:
     for severity in reversed(Severity):
         groups = [group for group in grouped(findings) if group[0].severity == severity]
         if groups:
-            parts.append(f'<h3 class="{severity.name.lower()}">{MEANING[severity]}</h3>' + "".join(map(_group, groups)))
+            parts.append(
+                f'<h3 class="{severity.name.lower()}">{MEANING[severity]}</h3>' + "".join(map(_group, groups))
+            )
     return "\n".join(parts)
 
 
@@ -308,12 +362,22 @@ def _group(group: Sequence[Finding]) -> str:
     first, rest = group[0], group[1:NAMED]
     items = "".join(f"<li>{escape(one.text)}</li>\n" for one in rest)
     more = f"<li>and {len(group) - NAMED} more</li>" if len(group) > NAMED else ""
-    listed = f"<details open><summary>The single ones, worst first</summary><ul>{items}{more}</ul></details>" if rest else ""
-    return f'<div class="finding"><p><code>{escape(first.code)}</code> {escape(first.text)}</p>{listed}</div>\n'
+    listed = (
+        f"<details open><summary>The single ones, worst first</summary><ul>{items}{more}</ul></details>"
+        if rest
+        else ""
+    )
+    return (
+        f'<div class="finding"><p><code>{escape(first.code)}</code> {escape(first.text)}</p>{listed}</div>\n'
+    )
 
 
 def _glossary() -> str:
-    return "<dl>" + "".join(f"<dt>{escape(word)}</dt><dd>{escape(text)}</dd>\n" for word, text in GLOSSARY.items()) + "</dl>"
+    return (
+        "<dl>"
+        + "".join(f"<dt>{escape(word)}</dt><dd>{escape(text)}</dd>\n" for word, text in GLOSSARY.items())
+        + "</dl>"
+    )
 
 
 STYLE = """
@@ -353,4 +417,4 @@ dt{font-weight:600;margin-top:.5rem}dd{margin:0;max-width:52rem}
 @media print{:root{--page:#fff;--card:#fff;--ink:#000;--line:#bbb}main{max-width:none;padding:0}body{font-size:10.5pt}
 section,figure{break-inside:avoid;border:0;padding:.4rem 0}.scroll,.card{overflow:visible}.card img{min-width:0}
 .numbers{font-size:7.5pt}.numbers th,.numbers td{padding-right:.35rem}}
-"""
+"""  # noqa: E501

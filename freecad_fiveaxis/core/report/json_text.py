@@ -19,20 +19,21 @@ from .scope import scope
 from .verdict import verdict
 
 VERSION = 1
-"""Of the JSON report, which scripts rely on. ``proven``, ``over_tolerance``, ``unproven``, ``worst_line`` and ``worst_block`` go
-by ``max_surface_deviation`` and its bound where these are known."""
+"""Of the JSON report, which scripts rely on. ``proven``, ``over_tolerance``, ``unproven``, ``worst_line`` and
+``worst_block`` go by ``max_surface_deviation`` and its bound where these are known."""
 
 
 def as_json(figures: Figures) -> str:
     """The report for scripts; infinite and missing numbers are null, severities lower-case words.
 
-    Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers give back.
+    Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers
+    give back.
 
-    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`; and ``light``: red, amber or green,
-    ``verdict``: the sentence, ``reasons``: its parts), worst_blocks, findings, inputs; scope: lists of sentences on what is
-    ``proven``, ``assumed`` for that, and ``unknown``; of an
-    audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part; where the part was
-    looked at also ``gouge``: the deepest entries, and ``left``, the rest material (see
+    Keys: version, summary (see :func:`~freecad_fiveaxis.core.report.figures.summary`; and ``light``: red,
+    amber or green, ``verdict``: the sentence, ``reasons``: its parts), worst_blocks, findings, inputs; scope:
+    lists of sentences on what is ``proven``, ``assumed`` for that, and ``unknown``; of an
+    audit also ``audit``: its worst lines by limits, rates, and distance off the CL path or depth in the part;
+    where the part was looked at also ``gouge``: the deepest entries, and ``left``, the rest material (see
     :mod:`~freecad_fiveaxis.core.report.part_facts`).
     """
     numbers = summary(figures)
@@ -65,7 +66,8 @@ def _of_part(figures: Figures) -> dict[str, Any]:
 
 
 def plain(value: object) -> Any:
-    """The same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become their text."""
+    """The same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become their
+    text."""
     if isinstance(value, np.generic | np.ndarray):
         value = value.tolist()
     if isinstance(value, Enum):

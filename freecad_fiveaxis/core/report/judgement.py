@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the figures of the feed blocks mean for the part, in plain words.
 
-Each kind of trouble gives one finding for all blocks together, with the worst block's value and place, and, where there
-are several blocks, one for each of the worst.
+Each kind of trouble gives one finding for all blocks together, with the worst block's value and place, and,
+where there are several blocks, one for each of the worst.
 
 deviation-over-tolerance   ERROR: the tip leaves the commanded segment by more than the tolerance.
 bound-over-tolerance       WARNING: it was not seen to, but the proven bound does not exclude it.
-singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a little.
-                           NOTE where every such block holds the tolerance by proof, and no rotary axis is slowed by its rate.
+singular-block             WARNING: near the pole, where the first rotary axis turns far to move the tool a
+                           little. NOTE where every such block holds the tolerance by proof, and no rotary
+                           axis is slowed by its rate.
 """
 
 from __future__ import annotations
@@ -21,7 +22,17 @@ import numpy as np
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats, Ints
-from freecad_fiveaxis.core.base.sentences import Angle, Choice, Length, Option, Sentence, Task, joined, plural, say
+from freecad_fiveaxis.core.base.sentences import (
+    Angle,
+    Choice,
+    Length,
+    Option,
+    Sentence,
+    Task,
+    joined,
+    plural,
+    say,
+)
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.deviation import Deviation
 from freecad_fiveaxis.core.motion.program import Program, feed_blocks
@@ -32,40 +43,54 @@ from .figures import WORST, axis_rates, inner_words, travel, worst_first
 ROUND_UP = 1.0 + 1e-4
 """A bound must not become less by being told with five digits."""
 UNHURRIED = 0.95
-"""Share of its maximum rate up to which a rotary axis follows the feed: one that is held back runs at all of it."""
+"""Share of its maximum rate up to which a rotary axis follows the feed: one that is held back runs at all of
+it."""
 
 _SPLIT = say(
-    "Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many as are needed.",
+    "Shorter blocks help: half the length leaves about a quarter of the deviation; {linearize} makes as many "
+    "as are needed.",
     linearize=Choice("linearize", ("on",)),
 )
 _AWAY = say(
-    "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or clamp the part in "
+    "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or "
+    "clamp the part in "
     "another position ({setup} finds one), so that the tool keeps off the pole.",
     past=Choice("singularity", ("deform",), alone=True),
     lead=Option("lead", flag=False),
     tilt=Option("tilt", flag=False),
     setup=Task("setup"),
 )
-_TIP_BENDS = say("While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight segment.")
+_TIP_BENDS = say(
+    "While rotary axes turn, straight moves of the axes carry the tip along a curve beside the straight "
+    "segment."
+)
 _BALL_BENDS = say(
-    "While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its straight segment, and "
+    "While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its "
+    "straight segment, and "
     "the surface with it."
 )
 _GUIDE = say("A controller with tool tip control (RTCP) guides the tip along the segment itself.")
 
 
 def judge(
-    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, surface: bool = False
+    kinematics: Chain,
+    program: Program,
+    deviation: Deviation,
+    singularity: Singularity,
+    tolerance: float,
+    surface: bool = False,
 ) -> tuple[Finding, ...]:
-    """The findings of all feed blocks; ``tolerance`` mm. All records have one row a block. ``surface``: the deviation is that of
-    a ball's centre, which makes the surface, not of the tip."""
+    """The findings of all feed blocks; ``tolerance`` mm. All records have one row a block. ``surface``: the
+    deviation is that of a ball's centre, which makes the surface, not of the tip."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)
     return (
         *_over_tolerance(kinematics, program, deviation, singularity, tolerance, feeds[over], surface),
         *_unproven(program, deviation, tolerance, feeds[unproven]),
-        *_near_pole(kinematics, program, deviation, singularity, feeds[singularity.singular[feeds]], tolerance),
+        *_near_pole(
+            kinematics, program, deviation, singularity, feeds[singularity.singular[feeds]], tolerance
+        ),
     )
 
 
@@ -101,14 +126,16 @@ def _finding(kind: _Kind, program: Program, deviation: Deviation, row: int, text
 
 
 def _over_tolerance(
-    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float, rows: Ints,
+    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, tolerance: float,
+    rows: Ints,
     surface: bool,
 ) -> list[Finding]:  # fmt: skip
     near = int(singularity.singular[rows].sum())
 
     def whole(row: int) -> Sentence:
         lead = say(
-            "{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by {deviation}: there {turns} "
+            "{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by "
+            "{deviation}: there {turns} "
             "within a step of {step}.",
             blocks=plural(len(rows), "1 feed block leaves", "{count} feed blocks leave"),
             tolerance=Length(tolerance),
@@ -123,7 +150,8 @@ def _over_tolerance(
 
     def single(row: int) -> Sentence:
         lead = say(
-            "NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within a step of {step}.",
+            "NC line {line} leaves the commanded segment by {deviation}, {tolerance} allowed: {turns} within "
+            "a step of {step}.",
             line=program.line[row],
             deviation=Length(deviation.segment[row], ".5g"),
             tolerance=Length(tolerance),
@@ -140,7 +168,8 @@ def _over_tolerance(
 def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: Ints) -> list[Finding]:
     def whole(row: int) -> Sentence:
         lead = say(
-            "{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation is within it, its "
+            "{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation "
+            "is within it, its "
             "proven upper bound is not (worst, NC line {line}: bound {bound}).",
             blocks=plural(len(rows), "1 feed block is", "{count} feed blocks are"),
             tolerance=Length(tolerance),
@@ -163,7 +192,12 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
 
 
 def _near_pole(
-    kinematics: Chain, program: Program, deviation: Deviation, singularity: Singularity, rows: Ints, tolerance: float
+    kinematics: Chain,
+    program: Program,
+    deviation: Deviation,
+    singularity: Singularity,
+    rows: Ints,
+    tolerance: float,
 ) -> list[Finding]:
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
     if not len(rows):
@@ -173,8 +207,10 @@ def _near_pole(
 
     def whole(row: int) -> Sentence:
         lead = say(
-            "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far to lean the tool "
-            "a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too slow for the "
+            "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far "
+            "to lean the tool "
+            "a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too "
+            "slow for the "
             "programmed feed, the tool dwells, and marks or a deviation from the path may show.",
             blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
             letter=program.letters[3],
@@ -196,9 +232,12 @@ def _near_pole(
     return _findings(kind, program, deviation, rows, whole, single)
 
 
-def _is_harmless(kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, tolerance: float) -> bool:
-    """Whether each of the feed blocks ``rows`` is proven to hold ``tolerance`` mm and runs below the rates of the rotary axes.
-    Not where the controller guides the tip, for how it turns there is not known, nor where the machine states no rate."""
+def _is_harmless(
+    kinematics: Chain, program: Program, deviation: Deviation, rows: Ints, tolerance: float
+) -> bool:
+    """Whether each of the feed blocks ``rows`` is proven to hold ``tolerance`` mm and runs below the rates of
+    the rotary axes. Not where the controller guides the tip, for how it turns there is not known, nor where
+    the machine states no rate."""
     if program.guided is not None or not np.isfinite(kinematics.rate[3:]).all():
         return False
     rates = axis_rates(program)[rows, 3:]
@@ -206,12 +245,16 @@ def _is_harmless(kinematics: Chain, program: Program, deviation: Deviation, rows
     return bool(within and (rates <= UNHURRIED * np.rad2deg(kinematics.rate[3:])).all())
 
 
-def _note_harmless(program: Program, deviation: Deviation, singularity: Singularity, turned: Floats, rows: Ints) -> list[Finding]:
+def _note_harmless(
+    program: Program, deviation: Deviation, singularity: Singularity, turned: Floats, rows: Ints
+) -> list[Finding]:
     """One note about the feed blocks ``rows``, at the one that turns farthest."""
     row = int(worst_first(rows, turned)[0])
     text = say(
-        "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than the tool leans: most "
-        "in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and no rotary axis "
+        "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than "
+        "the tool leans: most "
+        "in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and "
+        "no rotary axis "
         "comes to its maximum rate there.",
         blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
         letter=program.letters[3],
@@ -232,7 +275,9 @@ def _near(near: int, rows: int, program: Program) -> str:
         return ""
     lies = plural(near, "{count} of them lies", "{count} of them lie") if rows > 1 else say("It lies")
     return say(
-        "{lies} near the pole, where {letter} must turn far to lean the tool a little.", lies=lies, letter=program.letters[3]
+        "{lies} near the pole, where {letter} must turn far to lean the tool a little.",
+        lies=lies,
+        letter=program.letters[3],
     )
 
 

@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A machine drawn from its axes alone: plain boxes and cylinders about the rotary lines, as large as the part and the tool ask.
+"""A machine drawn from its axes alone: plain boxes and cylinders about the rotary lines, as large as the part
+and the tool ask.
 
-A sketch, not to scale: a machine file tells where the axes are and nothing of the bodies. Where the lines run and how each body
-moves is exact; how wide and how thick the bodies are is made up, so that the part and the tool find room.
+A sketch, not to scale: a machine file tells where the axes are and nothing of the bodies. Where the lines run
+and how each body moves is exact; how wide and how thick the bodies are is made up, so that the part and the
+tool find room.
 
-platter   carries the work: a disc about the table axis that is nearest to it, its face under the part; a plain table where no
-          rotary axis carries the work.
-riser     stands under a part that is clamped above the table's face, so that it does not float; what clamps it is not known.
-cradle    carries the platter: a U that hangs in the next table axis; a knuckle about its line where that is inclined.
-base      carries the cradle or the platter: two bearings and a floor, below all that swings within the axis's limits.
-spindle   carries the tool. fork: what the spindle swings in; a knuckle where the line is inclined. ram: what carries the fork or
-          the spindle.
+platter   carries the work: a disc about the table axis that is nearest to it, its face under the part; a
+          plain table where no rotary axis carries the work.
+riser     stands under a part that is clamped above the table's face, so that it does not float; what clamps
+          it is not known.
+cradle    carries the platter: a U that hangs in the next table axis; a knuckle about its line where that is
+          inclined.
+base      carries the cradle or the platter: two bearings and a floor, below all that swings within the axis's
+          limits.
+spindle   carries the tool. fork: what the spindle swings in; a knuckle where the line is inclined. ram: what
+          carries the fork or the spindle.
 
-frame     machine frame as in :mod:`.playback`: parallel to the machine's, its zero where the work zero stands while all words
-          are 0, and so does the tip. Bodies are given as they stand then; :func:`.playback.placements` says where they go.
+frame     machine frame as in :mod:`.playback`: parallel to the machine's, its zero where the work zero stands
+          while all words are 0, and so does the tip. Bodies are given as they stand then;
+          :func:`.playback.placements` says where they go.
 carrier   the column of the words (0 to 4) whose axis carries a body; None for what stands still.
 """
 
@@ -37,7 +43,8 @@ WALL = 0.16
 GAP = 0.03
 """Between bodies that move against each other, as a share of the same radius."""
 ACROSS = 0.35
-"""Cosine up to which two axes count as standing across each other: a cradle, a fork. Beyond it: an inclined knuckle."""
+"""Cosine up to which two axes count as standing across each other: a cradle, a fork. Beyond it: an inclined
+knuckle."""
 LEAST_RADIUS = 12.0
 """mm, of a spindle."""
 WIDER = 2.2
@@ -72,7 +79,8 @@ class Cylinder:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """One body of the sketch: ``name`` as at the head of the module; ``carrier`` a column of the words, or None."""
+    """One body of the sketch: ``name`` as at the head of the module; ``carrier`` a column of the words, or
+    None."""
 
     name: str
     carrier: int | None
@@ -81,16 +89,21 @@ class Body:
 
 @dataclass(frozen=True)
 class ToolRoom:
-    """What the sketch needs of a tool: ``height`` mm of its top above the driven point, ``radius`` mm where it is widest."""
+    """What the sketch needs of a tool: ``height`` mm of its top above the driven point, ``radius`` mm where
+    it is widest."""
 
     height: float
     radius: float
 
 
-def sketch(kinematics: Chain, low: Floats, high: Floats, tool: ToolRoom, table: float | None = None) -> tuple[Body, ...]:
-    """The bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on its table.
+def sketch(
+    kinematics: Chain, low: Floats, high: Floats, tool: ToolRoom, table: float | None = None
+) -> tuple[Body, ...]:
+    """The bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on its
+    table.
 
-    ``table`` mm: height of the table's face, work frame, where it is known; the face never stands in the part.
+    ``table`` mm: height of the table's face, work frame, where it is known; the face never stands in the
+    part.
     """
     low, high = np.asarray(low, float), np.asarray(high, float)
     spindle = max(1.25 * tool.radius, LEAST_RADIUS)
@@ -127,7 +140,8 @@ class _Frame(NamedTuple):
 
 
 def _frame(up: Floats, first: Floats | None = None) -> Floats:
-    """Unit rows: ``first`` made square to ``up`` (any direction where that is not given), the one square to both, ``up``."""
+    """Unit rows: ``first`` made square to ``up`` (any direction where that is not given), the one square to
+    both, ``up``."""
     guess = np.eye(3)[np.abs(up).argmin()] if first is None else first
     side = guess - (guess @ up) * up
     side = side / np.linalg.norm(side)
@@ -149,7 +163,7 @@ def _beyond(order: list[int], axis: int | None) -> int | None:
     return order[at - 1] if at else None
 
 
-# ------------------------------------------------------------------------------------------------ the table's side
+# ------------------------------------------------------------------------------------------- the table's side
 
 
 def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: float | None) -> list[Body]:
@@ -161,9 +175,14 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
         plain = _plain_table(part, order[-1] if order else None, least)
         return [plain, *_riser(low, high, float(part[:, 2].min()), plain.carrier)]
     first = turning[0]
-    up, radius = _upwards(kinematics, first, turning[1:], part), max(_swept_radius(kinematics, first, part), least)
+    up, radius = (
+        _upwards(kinematics, first, turning[1:], part),
+        max(_swept_radius(kinematics, first, part), least),
+    )
     if len(turning) > 1:
-        line = _nearest(_point(kinematics, first), _point(kinematics, turning[1]), kinematics.direction[turning[1]])
+        line = _nearest(
+            _point(kinematics, first), _point(kinematics, turning[1]), kinematics.direction[turning[1]]
+        )
         middle = _nearest(0.5 * (low + high), _point(kinematics, first), up)
         radius = max(radius, 0.5 * float(np.linalg.norm(line - middle)))
     base = _point(kinematics, first)
@@ -174,7 +193,9 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
         platter += _riser(low, high, float(face[2]), first)
     if len(turning) == 1:
         frame = _Frame(face - (1.0 + GAP) * thick * up, _frame(up))
-        foot = frame.box((-1.1 * radius, -1.1 * radius, -0.5 * radius), (1.1 * radius, 1.1 * radius, -GAP * radius))
+        foot = frame.box(
+            (-1.1 * radius, -1.1 * radius, -0.5 * radius), (1.1 * radius, 1.1 * radius, -GAP * radius)
+        )
         return [*platter, Body("base", _beyond(order, first), foot)]
     second = turning[1]
     draw = _cradle if abs(float(kinematics.direction[second] @ up)) <= ACROSS else _table_knuckle
@@ -183,8 +204,8 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
 
 
 def _riser(low: Floats, high: Floats, face: float, carrier: int | None) -> list[Body]:
-    """A block on a level face at the height ``face`` mm, under the part with the box ``low``, ``high``; none where the part
-    stands on the face."""
+    """A block on a level face at the height ``face`` mm, under the part with the box ``low``, ``high``; none
+    where the part stands on the face."""
     middle, half = 0.5 * (low + high), 0.5 * SLIM * (high - low)
     if low[2] - face <= LEAST_RISER:
         return []
@@ -198,12 +219,14 @@ def _plain_table(part: Floats, carrier: int | None, least: float) -> Body:
     low, high = part.min(axis=0), part.max(axis=0)
     middle, half = 0.5 * (low + high), np.maximum(0.5 * ROOM * (high - low), least)
     frame = _Frame(np.array([middle[0], middle[1], low[2]]), np.eye(3))
-    return Body("table", carrier, frame.box((-half[0], -half[1], -WALL * half[:2].max()), (half[0], half[1], 0.0)))
+    return Body(
+        "table", carrier, frame.box((-half[0], -half[1], -WALL * half[:2].max()), (half[0], half[1], 0.0))
+    )
 
 
 def _upwards(kinematics: Chain, first: int, others: list[int], part: Floats) -> Floats:
-    """The direction of the platter's axis that points out of its face: upwards, or for a level one from the next line to the
-    part."""
+    """The direction of the platter's axis that points out of its face: upwards, or for a level one from the
+    next line to the part."""
     axis = kinematics.direction[first]
     if abs(axis[2]) > ACROSS or not others:
         return np.asarray(axis if axis[2] >= 0.0 else -axis)
@@ -228,7 +251,8 @@ def _ring(face: Floats, up: Floats, radius: float, height: float) -> Floats:
 def _cradle(
     kinematics: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
 ) -> list[Body]:
-    """A U about the platter, in the coordinates (along its line, across, up) of the platter's underside, and its bearings."""
+    """A U about the platter, in the coordinates (along its line, across, up) of the platter's underside, and
+    its bearings."""
     direction, wall, gap = kinematics.direction[axis], WALL * radius, GAP * radius
     frame = _Frame(under, _frame(up, direction))
     _, across, height = frame.of(_point(kinematics, axis)[None])[0].tolist()
@@ -238,12 +262,20 @@ def _cradle(
     half = max(0.7 * radius, abs(across) + boss)
     plate = frame.box((-outer, -half, deep), (outer, half, -gap))
     arms = [
-        frame.box(*_ordered((end * inner, -half, min(deep, height - boss)), (end * outer, half, max(-gap, height + boss))))
+        frame.box(
+            *_ordered(
+                (end * inner, -half, min(deep, height - boss)), (end * outer, half, max(-gap, height + boss))
+            )
+        )
         for end in ends
     ]
     line = frame.zero + np.array([0.0, across, height]) @ frame.along
     pins = [
-        Cylinder(line + end * outer * frame.along[0], line + end * (outer + 2.5 * wall) * frame.along[0], 0.8 * boss)
+        Cylinder(
+            line + end * outer * frame.along[0],
+            line + end * (outer + 2.5 * wall) * frame.along[0],
+            0.8 * boss,
+        )
         for end in ends
     ]
     cradle: list[Box | Cylinder] = [plate, *arms, *pins]
@@ -251,7 +283,8 @@ def _cradle(
     floor = height - ROOM * _deepest(kinematics, axis, frame, swing, across, height)
     near, far, wide = outer + gap, outer + 2.0 * wall, 1.2 * boss
     bearings = [
-        frame.box(*_ordered((end * near, across - wide, floor), (end * far, across + wide, height + wide))) for end in ends
+        frame.box(*_ordered((end * near, across - wide, floor), (end * far, across + wide, height + wide)))
+        for end in ends
     ]
     ground = frame.box((-far, across - half - wall, floor - wall), (far, across + half + wall, floor))
     return [
@@ -264,7 +297,9 @@ def _ordered(one: tuple[float, float, float], other: tuple[float, float, float])
     return np.minimum(one, other), np.maximum(one, other)
 
 
-def _deepest(kinematics: Chain, axis: int, frame: _Frame, points: Floats, across: float, height: float) -> float:
+def _deepest(
+    kinematics: Chain, axis: int, frame: _Frame, points: Floats, across: float, height: float
+) -> float:
     """How far (mm) below its line any of the points comes that swing with the axis, between its limits."""
     _, y, z = (frame.of(points) - (0.0, across, height)).T
     low, high = np.clip((kinematics.low[axis], kinematics.high[axis]), -np.pi, np.pi)
@@ -275,18 +310,23 @@ def _deepest(kinematics: Chain, axis: int, frame: _Frame, points: Floats, across
 def _table_knuckle(
     kinematics: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
 ) -> list[Body]:
-    """A nutating table: a neck under the platter, and two discs about the inclined line that turn upon each other."""
+    """A nutating table: a neck under the platter, and two discs about the inclined line that turn upon each
+    other."""
     direction = kinematics.direction[axis] * (1.0 if kinematics.direction[axis] @ up > 0.0 else -1.0)
     crossing = _nearest(under, _point(kinematics, axis), direction)
     lean = float(direction @ up)
     side = float(np.sqrt(1.0 - lean * lean))
     disc, wall = 0.62 * radius, 1.6 * WALL * radius
     least = float(((np.concatenate([ring, _ring(under, up, radius, 0.0)]) - crossing) @ direction).min())
-    top = crossing + min(least - GAP * radius, 0.0) * direction  # what turns stays above the joint, what stands below it
+    top = (
+        crossing + min(least - GAP * radius, 0.0) * direction
+    )  # what turns stays above the joint, what stands below it
     joint, end = top - wall * direction, top - 2.0 * wall * direction
     start = top - 0.5 * wall * direction
     slant = (under - start) / np.linalg.norm(under - start)
-    neck = Cylinder(start, under - 0.42 * radius * float(np.linalg.norm(np.cross(slant, up))) * up, 0.42 * radius)
+    neck = Cylinder(
+        start, under - 0.42 * radius * float(np.linalg.norm(np.cross(slant, up))) * up, 0.42 * radius
+    )
     lower = Cylinder(end, joint - GAP * radius * direction, disc)
     frame, deep = _Frame(end, _frame(up)), -(0.8 * 2.0**0.5 * side / lean + GAP) * radius
     foot = frame.box((-0.8 * radius, -0.8 * radius, deep - wall), (0.8 * radius, 0.8 * radius, deep))
@@ -297,7 +337,7 @@ def _table_knuckle(
     ]
 
 
-# ------------------------------------------------------------------------------------------------ the head's side
+# -------------------------------------------------------------------------------------------- the head's side
 
 
 def _head(kinematics: Chain, height: float, radius: float) -> list[Body]:
@@ -327,9 +367,16 @@ def _spindle(carrier: int | None, low: float, high: float, radius: float) -> Bod
 
 
 def _fork(
-    kinematics: Chain, order: list[int], turning: list[int], pivot: Floats, direction: Floats, low: float, radius: float
+    kinematics: Chain,
+    order: list[int],
+    turning: list[int],
+    pivot: Floats,
+    direction: Floats,
+    low: float,
+    radius: float,
 ) -> list[Body]:
-    """A fork over the spindle, in the coordinates (along its line, across, up) of the pivot, and what carries it."""
+    """A fork over the spindle, in the coordinates (along its line, across, up) of the pivot, and what carries
+    it."""
     axis, carrier = turning[0], _beyond(order, turning[0])
     frame = _Frame(pivot, _frame(np.array([0.0, 0.0, 1.0]), direction))
     offset = float(np.hypot(*frame.of(np.array([[0.0, 0.0, pivot[2]]]))[0, :2]))
@@ -338,7 +385,9 @@ def _fork(
     clear = float(np.hypot(radius + offset, rise)) + gap
     wide, beam = 0.75 * radius, clear + 0.6 * radius
     outer = inner + wall
-    cheeks = [frame.box(*_ordered((end * inner, -wide, -wide), (end * outer, wide, clear))) for end in (-1.0, 1.0)]
+    cheeks = [
+        frame.box(*_ordered((end * inner, -wide, -wide), (end * outer, wide, clear))) for end in (-1.0, 1.0)
+    ]
     bridge = frame.box((-outer, -wide, clear), (outer, wide, beam))
     pin = Cylinder(pivot - outer * frame.along[0], pivot + outer * frame.along[0], 0.5 * radius)
     return [
@@ -350,7 +399,13 @@ def _fork(
 
 
 def _head_knuckle(
-    kinematics: Chain, order: list[int], turning: list[int], pivot: Floats, direction: Floats, low: float, radius: float
+    kinematics: Chain,
+    order: list[int],
+    turning: list[int],
+    pivot: Floats,
+    direction: Floats,
+    low: float,
+    radius: float,
 ) -> list[Body]:
     """A nutating head: two discs about the inclined line, above the spindle, that turn upon each other."""
     axis, carrier = turning[0], _beyond(order, turning[0])
@@ -361,22 +416,31 @@ def _head_knuckle(
         Body("spindle", axis, Cylinder(pivot, below, 0.7 * radius)),
         Body("spindle", axis, Cylinder(below, middle, 1.3 * radius)),
         Body("fork", carrier, Cylinder(middle + gap * direction, above, 1.3 * radius)),
-        *_carrying(kinematics, order, turning[1:], carrier, above + 0.6 * radius * np.array([0.0, 0.0, 1.0]), radius),
+        *_carrying(
+            kinematics, order, turning[1:], carrier, above + 0.6 * radius * np.array([0.0, 0.0, 1.0]), radius
+        ),
     ]
 
 
 def _carrying(
     kinematics: Chain, order: list[int], others: list[int], carrier: int | None, top: Floats, radius: float
 ) -> list[Body]:
-    """What carries a fork that ends at ``top`` (3,): a disc about the next rotary line where that carries it, then a ram."""
+    """What carries a fork that ends at ``top`` (3,): a disc about the next rotary line where that carries it,
+    then a ram."""
     up, draw = np.array([0.0, 0.0, 1.0]), []
     if others and carrier == others[0]:
-        direction = kinematics.direction[others[0]] * (1.0 if kinematics.direction[others[0]][2] >= 0.0 else -1.0)
+        direction = kinematics.direction[others[0]] * (
+            1.0 if kinematics.direction[others[0]][2] >= 0.0 else -1.0
+        )
         start = _nearest(top, _point(kinematics, others[0]), direction) if abs(direction[2]) > ACROSS else top
         draw.append(Body("fork", carrier, Cylinder(start, start + 0.8 * radius * direction, 1.5 * radius)))
         top, carrier = start + (0.8 + GAP) * radius * direction, _beyond(order, carrier)
     frame = _Frame(top, _frame(up))
     return [
         *draw,
-        Body("ram", carrier, frame.box((-1.7 * radius, -1.7 * radius, 0.0), (1.7 * radius, 1.7 * radius, 3.5 * radius))),
+        Body(
+            "ram",
+            carrier,
+            frame.box((-1.7 * radius, -1.7 * radius, 0.0), (1.7 * radius, 1.7 * radius, 3.5 * radius)),
+        ),
     ]

@@ -22,8 +22,8 @@ MARKERS = 500
 
 @dataclass(frozen=True)
 class Marker:
-    """Something to show on the part: ``place`` mm in the work frame, ``kind`` a code, ``label`` a few words; ``block`` a row of
-    the Program."""
+    """Something to show on the part: ``place`` mm in the work frame, ``kind`` a code, ``label`` a few words;
+    ``block`` a row of the Program."""
 
     place: Vector
     kind: str
@@ -35,7 +35,8 @@ class Marker:
 def markers(figures: Figures) -> tuple[Marker, ...]:
     """What the 3D view shows: places over tolerance, near the pole, and those of the other findings.
 
-    A run of neighbouring blocks has one marker, at its worst block; the first marker is the largest deviation of all.
+    A run of neighbouring blocks has one marker, at its worst block; the first marker is the largest deviation
+    of all.
     """
     program, deviation = figures.program, figures.judged
     over, near = np.zeros(len(program.words), bool), np.zeros(len(program.words), bool)
@@ -44,7 +45,13 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
     turned = np.abs(travel(program)[:, 3:]).max(axis=1, initial=0.0)
     return (
         *_marked(figures, "largest-deviation", figures.worst[:1], deviation.segment, "{:.4g} mm"),
-        *_marked(figures, Code.DEVIATION_OVER_TOLERANCE, _run_peaks(over, deviation.segment), deviation.segment, "{:.4g} mm"),
+        *_marked(
+            figures,
+            Code.DEVIATION_OVER_TOLERANCE,
+            _run_peaks(over, deviation.segment),
+            deviation.segment,
+            "{:.4g} mm",
+        ),
         *_marked(figures, Code.SINGULAR_BLOCK, _run_peaks(near, turned), turned, "turns {:.4g} deg"),
         *_entered(figures),
         *_placed(figures),
@@ -72,14 +79,18 @@ def _marked(figures: Figures, kind: str, rows: Ints, values: Floats, label: str)
 
 
 def _entered(figures: Figures) -> list[Marker]:
-    """Where the tool enters the part: in each run of blocks the deepest, at the point that is entered most."""
+    """Where the tool enters the part: in each run of blocks the deepest, at the point that is entered
+    most."""
     if figures.gouge is None:
         return []
     by_block, marks = {(one.code, one.block): one for one in reversed(figures.findings)}, []
     for code, entries, depth in _depths(figures.gouge, figures.program.motion[1:]):
         for block in _run_peaks(depth > 0.0, depth).tolist():
             x, y, z = entries.place[block].tolist()
-            label = f"{PARTS[int(entries.part[block])]} {depth[block]:.4g} mm in the part, line {figures.program.line[block + 1]}"
+            label = (
+                f"{PARTS[int(entries.part[block])]} {depth[block]:.4g} mm in the part, line "
+                f"{figures.program.line[block + 1]}"
+            )
             marks.append(Marker((x, y, z), code, label, by_block.get((code, block + 1)), block + 1))
     return marks
 
@@ -91,13 +102,18 @@ def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEn
 
 
 def _placed(figures: Figures) -> list[Marker]:
-    marked = (Code.DEVIATION_OVER_TOLERANCE, Code.SINGULAR_BLOCK, *((*GOUGES, Code.INDEPENDENT_RAPID) if figures.gouge else ()))
+    marked = (
+        Code.DEVIATION_OVER_TOLERANCE,
+        Code.SINGULAR_BLOCK,
+        *((*GOUGES, Code.INDEPENDENT_RAPID) if figures.gouge else ()),
+    )
     others = [one for one in figures.findings if one.place is not None and one.code not in marked]
     return [Marker(one.place, one.code, _words(one), one, one.block) for one in others[:MARKERS] if one.place]
 
 
 def _words(one: Finding) -> str:
-    """What is in what or near what, and how far, of a collision or a near miss; of any other finding its code in words."""
+    """What is in what or near what, and how far, of a collision or a near miss; of any other finding its code
+    in words."""
     if one.hit is not None and one.value:
         return f"{one.hit.enters} {one.value:.4g} mm in {one.hit.entered or 'the part'}, line {one.line}"
     if one.near is not None:

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which places of a path lie at the part: where the tool cuts, and where it was lifted off what it should have cut.
+"""Which places of a path lie at the part: where the tool cuts, and where it was lifted off what it should
+have cut.
 
-stand    how far from the part the driven point stands in a cut at most: a flat or a ring that leans touches beside it.
+stand    how far from the part the driven point stands in a cut at most: a flat or a ring that leans touches
+         beside it.
 """
 
 from __future__ import annotations
@@ -18,8 +20,8 @@ NEAR = 0.5
 
 
 def stand_of(cutter: Cutter, normal: Floats, axis: Floats) -> float:
-    """How far from the part the tip stands at most, mm, of a cutter that touches with unit ``normal`` (k, 3) and stands along
-    ``axis`` (k, 3)."""
+    """How far from the part the tip stands at most, mm, of a cutter that touches with unit ``normal`` (k, 3)
+    and stands along ``axis`` (k, 3)."""
     upright = np.clip((normal * axis).sum(axis=1), 0.0, 1.0)
     stand = cutter.ring * np.sqrt(1.0 - upright**2) + cutter.corner * (1.0 - upright)
     if (barrel := cutter.barrel) is not None:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the program does to the part, in numbers: where the tool enters it, and the rest material on it.
 
-entry     a block in which cutter, shank or holder go into the part deeper than the tolerance: ``overcut`` (the cutter, on a cut),
-          ``rapid-collision`` (the cutter, between passes), ``holder-collision`` (shank or holder, at any time).
-rest      of a place of the machined surface: how far the cutter stays away from it, mm; below 0 it is cut too deep.
+entry     a block in which cutter, shank or holder go into the part deeper than the tolerance: ``overcut``
+          (the cutter, on a cut), ``rapid-collision`` (the cutter, between passes), ``holder-collision``
+          (shank or holder, at any time).
+rest      of a place of the machined surface: how far the cutter stays away from it, mm; below 0 it is cut too
+          deep.
 allowed   so much may be left, mm: scallops and tolerance.
 """
 
@@ -69,7 +71,8 @@ def _rapid_numbers(program: Program, ways: WayEntries) -> dict[str, Any]:
 
 
 def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]:
-    """The deepest entries of all kinds as rows, deepest first; of a run of neighbouring blocks the deepest one."""
+    """The deepest entries of all kinds as rows, deepest first; of a run of neighbouring blocks the deepest
+    one."""
     found = []
     for code, entries, depth in gouge.cases(program.motion[1:]):
         for block in spots(depth)[0][:DEEPEST].tolist():
@@ -87,8 +90,8 @@ def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]
 
 
 def rest_report(program: Program, rest: RestMaterial, tolerance: float, allowed: float) -> dict[str, Any]:
-    """The rest material as scripts want it: the two extremes with place, block and NC line; area and volume beyond what may be;
-    the histogram by area."""
+    """The rest material as scripts want it: the two extremes with place, block and NC line; area and volume
+    beyond what may be; the histogram by area."""
     return {
         "tolerance": tolerance,
         "allowed": allowed,
@@ -110,14 +113,19 @@ def _extreme(program: Program, rest: RestMaterial, row: int) -> dict[str, Any]:
 
 
 def histogram(rest: RestMaterial, scale: HeightScale) -> list[dict[str, float]]:
-    """The area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is in one."""
+    """The area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is in
+    one."""
     edge = borders(scale)
     area, _ = np.histogram(np.clip(rest.height, edge[0], edge[-1]), edge, weights=rest.area)
-    return [{"from": a, "to": b, "area": c} for a, b, c in zip(edge[:-1].tolist(), edge[1:].tolist(), area.tolist(), strict=True)]
+    return [
+        {"from": a, "to": b, "area": c}
+        for a, b, c in zip(edge[:-1].tolist(), edge[1:].tolist(), area.tolist(), strict=True)
+    ]
 
 
 def borders(scale: HeightScale) -> Floats:
-    """Heights, mm, ascending: ends and neutral borders of the scale, and 1, 2, 5 times powers of ten between them."""
+    """Heights, mm, ascending: ends and neutral borders of the scale, and 1, 2, 5 times powers of ten between
+    them."""
     ends = [height for _, height in scale_marks(scale)]
     sides = ((scale.tolerance, scale.deepest, -1.0), (scale.allowed, scale.highest, 1.0))
     between = [sign * value for low, high, sign in sides for value in round_values(low, high, 1.05)]
@@ -134,18 +142,28 @@ def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[st
             parts = "; ".join(" ".join(_entry_fact(numbers, code)) for code in entered)
             sentences.append((f"The tool enters the part by more than {tolerance:g} mm: {parts}.", "bad"))
         elif not numbers["buried_blocks"] and not numbers.get("independent_rapid_blocks"):
-            sentences.append((f"Gouge-free: nowhere does the tool enter the part by more than {tolerance:g} mm.", "good"))
+            sentences.append(
+                (f"Gouge-free: nowhere does the tool enter the part by more than {tolerance:g} mm.", "good")
+            )
         if hit := numbers.get("independent_rapid_blocks"):
             text = f"In {hit} rapids the tool enters the part unless the axes are interpolated; deepest "
             sentences.append(
-                (f"{text}{numbers['max_independent_rapid']:.4g} mm (NC line {numbers['independent_rapid_line']}).", "bad")
+                (
+                    f"{text}{numbers['max_independent_rapid']:.4g} mm (NC line "
+                    f"{numbers['independent_rapid_line']}).",
+                    "bad",
+                )
             )
         if numbers["buried_blocks"]:
-            sentences.append((f"In {numbers['buried_blocks']} blocks the whole cutter is inside the part.", "bad"))
+            sentences.append(
+                (f"In {numbers['buried_blocks']} blocks the whole cutter is inside the part.", "bad")
+            )
     if "max_left" in numbers:
         if numbers["left_area"]:
             share = f"{numbers['left_area']:.4g} of {numbers['machined_area']:.4g} mm2"
-            sentences.append((f"More is left than may be on {share}, at most {numbers['max_left']:.4g} mm.", "open"))
+            sentences.append(
+                (f"More is left than may be on {share}, at most {numbers['max_left']:.4g} mm.", "open")
+            )
         else:
             sentences.append((f"Nothing is left but scallops, at most {numbers['max_left']:.3g} mm.", "good"))
     return tuple(sentences)

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where everything stands at any moment of a program: the tool over the work, and table and head in the machine.
+"""Where everything stands at any moment of a program: the tool over the work, and table and head in the
+machine.
 
-moment    a block and its u, or a time in seconds from the program's start. Within a block all words move linearly, so the tip
-          leaves the chord as it does on the machine. Block 0 is the first position; nothing is claimed of the way to it.
-clock     the time at which each block ends: the sum of ``Program.seconds``. A block that moves but of which the program
-          says no time (a foreign file without F) is shown for UNTIMED seconds.
-machine   frame parallel to the machine's, its zero where the work zero stands while all words are 0. With all words 0 the
-          tool's tip stands there too, so work, machine and tool frame are then one and the same.
-tool      frame with its zero in the driven point (the tip) and z along the tool axis, from the tip to the holder.
+moment    a block and its u, or a time in seconds from the program's start. Within a block all words move
+          linearly, so the tip leaves the chord as it does on the machine. Block 0 is the first position;
+          nothing is claimed of the way to it.
+clock     the time at which each block ends: the sum of ``Program.seconds``. A block that moves but of which
+          the program says no time (a foreign file without F) is shown for UNTIMED seconds.
+machine   frame parallel to the machine's, its zero where the work zero stands while all words are 0. With all
+          words 0 the tool's tip stands there too, so work, machine and tool frame are then one and the same.
+tool      frame with its zero in the driven point (the tip) and z along the tool axis, from the tip to the
+          holder.
 
-A positive word moves the tool relative to the work; the axes stand in one order from work to tool, M1 ... Mk of the table
-and Mk+1 ... M5 of the head. So ``work_from_tool = M1 ... M5``, ``machine_from_work = (M1 ... Mk)^-1``, and
-``machine_from_tool = Mk+1 ... M5``.
+A positive word moves the tool relative to the work; the axes stand in one order from work to tool, M1 ... Mk
+of the table and Mk+1 ... M5 of the head. So ``work_from_tool = M1 ... M5``, ``machine_from_work = (M1 ...
+Mk)^-1``, and ``machine_from_tool = Mk+1 ... M5``.
 """
 
 from __future__ import annotations
@@ -45,12 +48,13 @@ MOST_POINTS = 1001
 class Pose:
     """One or many moments; every array begins with the shape that was asked for, () for a single moment.
 
-    ``block``, ``u`` the moment; ``seconds`` its time; ``words`` (..., 5) mm and **degrees**; ``tip`` (..., 3) mm and ``axis``
-    (..., 3) unit, work frame; ``point`` (..., 3) mm: the point whose deviation is played, the tip or a ball's centre, and
-    ``foot`` (..., 3) mm: the point of its commanded segment that is nearest to it, work frame; ``to_chord`` mm: the distance
-    of the two. Placements (..., 4, 4), mm: ``work_from_tool``, ``machine_from_work``, ``work_from_machine``,
-    ``machine_from_tool``. The rotary axes' lines as they stand, the one nearer to the work first: ``line_point`` (..., 2, 3)
-    mm, ``line_direction`` (..., 2, 3) unit, machine frame.
+    ``block``, ``u`` the moment; ``seconds`` its time; ``words`` (..., 5) mm and **degrees**; ``tip`` (..., 3)
+    mm and ``axis`` (..., 3) unit, work frame; ``point`` (..., 3) mm: the point whose deviation is played, the
+    tip or a ball's centre, and ``foot`` (..., 3) mm: the point of its commanded segment that is nearest to
+    it, work frame; ``to_chord`` mm: the distance of the two. Placements (..., 4, 4), mm: ``work_from_tool``,
+    ``machine_from_work``, ``work_from_machine``, ``machine_from_tool``. The rotary axes' lines as they stand,
+    the one nearer to the work first: ``line_point`` (..., 2, 3) mm, ``line_direction`` (..., 2, 3) unit,
+    machine frame.
     """
 
     block: Ints
@@ -75,8 +79,8 @@ class Pose:
 class Playback:
     """A program ready to be played on its machine. ``clock`` (m,) s: the time at which each block ends.
 
-    ``program`` and ``deviation`` have one row a block and are for the machine of ``kinematics``; ``deviation`` is that of the tip
-    or of a ball's centre. Raises ProgramError for a program without a block.
+    ``program`` and ``deviation`` have one row a block and are for the machine of ``kinematics``;
+    ``deviation`` is that of the tip or of a ball's centre. Raises ProgramError for a program without a block.
     """
 
     kinematics: Chain
@@ -103,7 +107,8 @@ class Playback:
         return int(rows[0]) if len(rows) else None
 
     def spot(self, time: ArrayLike) -> tuple[Ints, Floats]:
-        """The block and its u at ``time`` s (any shape); before the start the first position, after the end the last."""
+        """The block and its u at ``time`` s (any shape); before the start the first position, after the end
+        the last."""
         at = np.clip(np.asarray(time, float), 0.0, self.seconds)
         block = np.minimum(np.searchsorted(self.clock, at), len(self.clock) - 1)
         left, whole = self.clock[block] - at, self.clock[block] - self._begin(block)
@@ -121,22 +126,29 @@ class Playback:
         return self.at_block(*self.spot(time))
 
     def at_block(self, block: ArrayLike, u: ArrayLike) -> Pose:
-        """The pose at ``u`` (0 to 1) of ``block``; the two broadcast. Raises ProgramError for a block that is not there."""
+        """The pose at ``u`` (0 to 1) of ``block``; the two broadcast. Raises ProgramError for a block that is
+        not there."""
         rows, at_u = np.broadcast_arrays(np.asarray(block, int), np.asarray(u, float))
         self._check(rows)
         row, flat_u = rows.reshape(-1), at_u.reshape(-1)
         start, end = self._ends(row)
         words, point = start + flat_u[:, None] * (end - start), self._points(start, end, flat_u)
-        foot = segment_foot(point, *(self._points(start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0)))
+        foot = segment_foot(
+            point, *(self._points(start, end, np.full_like(flat_u, edge)) for edge in (0.0, 1.0))
+        )
         columns = {
             "block": row, "u": flat_u, "seconds": self.time(row, flat_u), "words": words,
-            "tip": tip_at(self.kinematics, start, end, flat_u), "axis": axis_at(self.kinematics, start, end, flat_u),
+            "tip": tip_at(self.kinematics, start, end, flat_u),
+            "axis": axis_at(self.kinematics, start, end, flat_u),
             "point": point, "foot": foot, "to_chord": np.linalg.norm(point - foot, axis=1),
         } | placements(self.kinematics, words)  # fmt: skip
-        return Pose(**{name: column.reshape(rows.shape + column.shape[1:]) for name, column in columns.items()})
+        return Pose(
+            **{name: column.reshape(rows.shape + column.shape[1:]) for name, column in columns.items()}
+        )
 
     def curve(self, block: int) -> Floats:
-        """The real path of ``Pose.point`` in one block (n, 3) mm, work frame, ends included, fine enough to be drawn."""
+        """The real path of ``Pose.point`` in one block (n, 3) mm, work frame, ends included, fine enough to
+        be drawn."""
         row = np.array([block])
         self._check(row)
         start, end = self._ends(row)
@@ -158,7 +170,11 @@ class Playback:
         bad = rows[(rows < 0) | (rows >= len(self.clock))]
         if bad.size:
             raise ProgramError(
-                say("there is no block {flat}; the last one is {count}", flat=bad.flat[0], count=len(self.clock) - 1),
+                say(
+                    "there is no block {flat}; the last one is {count}",
+                    flat=bad.flat[0],
+                    count=len(self.clock) - 1,
+                ),
                 int(bad.flat[0]),
             )
 
@@ -173,12 +189,14 @@ def shown_seconds(program: Program) -> Floats:
 
 
 def following(rows: Ints, block: int) -> int | None:
-    """The first of the ascending ``rows`` after ``block``, from the last on the first again; None where there is none."""
+    """The first of the ascending ``rows`` after ``block``, from the last on the first again; None where there
+    is none."""
     return int(rows[np.searchsorted(rows, block, side="right") % len(rows)]) if len(rows) else None
 
 
 class NCLines:
-    """The lines of an NC file, counted from 1 as the reader counts them. Only the places of the line ends are kept."""
+    """The lines of an NC file, counted from 1 as the reader counts them. Only the places of the line ends are
+    kept."""
 
     def __init__(self, nc: bytes) -> None:
         self._text = nc.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
@@ -193,16 +211,19 @@ class NCLines:
 
 
 def segment_foot(point: Floats, start: Floats, end: Floats) -> Floats:
-    """The point (n, 3) of each segment between ``start`` and ``end`` (n, 3) that is nearest to ``point`` (n, 3), mm."""
+    """The point (n, 3) of each segment between ``start`` and ``end`` (n, 3) that is nearest to ``point`` (n,
+    3), mm."""
     chord = end - start
     length2 = (chord * chord).sum(axis=-1)
-    share = np.divide(((point - start) * chord).sum(axis=-1), length2, out=np.zeros_like(length2), where=length2 > 0.0)
+    share = np.divide(
+        ((point - start) * chord).sum(axis=-1), length2, out=np.zeros_like(length2), where=length2 > 0.0
+    )
     return np.asarray(start + np.clip(share, 0.0, 1.0)[..., None] * chord)
 
 
 def rotary_lines(pose: Pose, near: Floats, reach: float) -> Floats:
-    """Ends (2, 2, 3) mm, machine frame, of the two rotary lines at a single moment: ``reach`` mm to either side of where each
-    comes nearest to ``near`` (3,) mm, a point of the work in the work frame."""
+    """Ends (2, 2, 3) mm, machine frame, of the two rotary lines at a single moment: ``reach`` mm to either
+    side of where each comes nearest to ``near`` (3,) mm, a point of the work in the work frame."""
     placed = pose.machine_from_work[:3, :3] @ near + pose.machine_from_work[:3, 3]
     along = pose.line_direction
     middle = pose.line_point + ((placed - pose.line_point) * along).sum(axis=-1, keepdims=True) * along
@@ -220,7 +241,9 @@ def placements(kinematics: Chain, words: Floats) -> dict[str, Floats]:
     work_from_machine = _product(still, (moves[j] for j in table))
     machine_from_tool = _product(still, (moves[j] for j in head))
     machine_from_work = rigid_inverse(work_from_machine)
-    carried = {j: machine_from_work @ _product(still, (moves[i] for i in table[:at])) for at, j in enumerate(table)}
+    carried = {
+        j: machine_from_work @ _product(still, (moves[i] for i in table[:at])) for at, j in enumerate(table)
+    }
     carried |= {j: _product(still, (moves[i] for i in head[: at + 1])) for at, j in enumerate(head)}
     point, direction = (kinematics.point1, kinematics.point2), kinematics.direction[3:]
     return {
@@ -229,7 +252,9 @@ def placements(kinematics: Chain, words: Floats) -> dict[str, Floats]:
         "work_from_machine": work_from_machine,
         "machine_from_tool": machine_from_tool,
         "machine_from_carried": np.stack([carried[j] for j in range(5)], axis=1),
-        "line_point": np.stack([carried[3 + i][:, :3, :3] @ point[i] + carried[3 + i][:, :3, 3] for i in range(2)], axis=1),
+        "line_point": np.stack(
+            [carried[3 + i][:, :3, :3] @ point[i] + carried[3 + i][:, :3, 3] for i in range(2)], axis=1
+        ),
         "line_direction": np.stack([carried[3 + i][:, :3, :3] @ direction[i] for i in range(2)], axis=1),
     }
 
@@ -246,7 +271,10 @@ def rigid_inverse(placement: Floats) -> Floats:
 
 def sides(kinematics: Chain) -> tuple[list[int], list[int]]:
     """The columns of the table's and of the head's words, each in the order from work to tool."""
-    place = [2 * slot for slot in kinematics.slot] + [1, 3]  # linear axes before, between and after the two rotary ones
+    place = [2 * slot for slot in kinematics.slot] + [
+        1,
+        3,
+    ]  # linear axes before, between and after the two rotary ones
     order = sorted(range(5), key=lambda j: place[j])
     table = [j for j in order if kinematics.axes[j].side == "table"]
     return table, [j for j in order if kinematics.axes[j].side == "head"]
@@ -258,7 +286,10 @@ def _axis_motion(kinematics: Chain, j: int, word: Floats) -> Floats:
     if j < 3:
         motion[:, :3, 3] = word[:, None] * kinematics.direction[j]
         return motion
-    point, turn = (kinematics.point1, kinematics.point2)[j - 3], _turn(kinematics.direction[j], np.radians(word))
+    point, turn = (
+        (kinematics.point1, kinematics.point2)[j - 3],
+        _turn(kinematics.direction[j], np.radians(word)),
+    )
     motion[:, :3, :3] = turn
     motion[:, :3, 3] = point - turn @ point
     return motion
@@ -269,7 +300,9 @@ def _turn(axis: Floats, angle: Floats) -> Floats:
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     across = cross @ cross
-    return np.asarray(np.eye(3) + np.sin(angle)[:, None, None] * cross + (1.0 - np.cos(angle))[:, None, None] * across)
+    return np.asarray(
+        np.eye(3) + np.sin(angle)[:, None, None] * cross + (1.0 - np.cos(angle))[:, None, None] * across
+    )
 
 
 def _product(first: Floats, others: Iterable[Floats]) -> Floats:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How the plots look, and how a long program is thinned for them.
 
-thinned  a program of millions of blocks is drawn by the largest and least value of each of BINS stretches: the worst
-         block is always among them.
+thinned  a program of millions of blocks is drawn by the largest and least value of each of BINS stretches:
+         the worst block is always among them.
 """
 
 from __future__ import annotations
@@ -37,7 +37,15 @@ STYLE: dict[Any, Any] = {
     "legend.fontsize": 8.5,
     "lines.linewidth": 1.2,
 }
-BLUE, SKY, ORANGE, RED, GREEN, PURPLE, GREY = "#0072B2", "#56B4E9", "#E69F00", "#C4320A", "#007A55", "#9B4F96", "#777777"
+BLUE, SKY, ORANGE, RED, GREEN, PURPLE, GREY = (
+    "#0072B2",
+    "#56B4E9",
+    "#E69F00",
+    "#C4320A",
+    "#007A55",
+    "#9B4F96",
+    "#777777",
+)
 """Okabe and Ito's palette, darkened where text is set in it: told apart by colour-blind readers too."""
 WIDE = 8.0
 """Inches: the width of every figure."""
@@ -58,7 +66,8 @@ def thin(values: Floats, bins: int = BINS, least: bool = True) -> Ints:
 
 
 def spans(chosen: Bools, x: Floats, bins: int = BINS // 4) -> list[tuple[float, float]]:
-    """Left end and width of each run of ``chosen`` blocks (n,) on the axis of ``x`` (n,); runs nearer than a bin are one.
+    """Left end and width of each run of ``chosen`` blocks (n,) on the axis of ``x`` (n,); runs nearer than a
+    bin are one.
 
     A block spans from the x of the row before it to its own.
     """

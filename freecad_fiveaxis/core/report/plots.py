@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plots of a finished program that a machinist would look at, as SVG. Needs matplotlib; without it there are none.
+"""Plots of a finished program that a machinist would look at, as SVG. Needs matplotlib; without it there are
+none.
 
 near     shaded: the blocks near the pole (singular blocks).
-thinned  a program of millions of blocks is drawn by the largest and least value of each of BINS stretches: the worst
-         block is always among them.
+thinned  a program of millions of blocks is drawn by the largest and least value of each of BINS stretches:
+         the worst block is always among them.
 
 Figures are objects of their own (no pyplot, no global state), and the same input gives the same bytes.
 """
@@ -39,7 +40,8 @@ class Plot:
 
 
 def plots(figures: Figures, progress: Progress = silent) -> tuple[Plot, ...]:
-    """All plots that this program has something to show in; none where matplotlib is missing or no block is at feed."""
+    """All plots that this program has something to show in; none where matplotlib is missing or no block is
+    at feed."""
     try:
         import matplotlib
         from matplotlib.figure import Figure
@@ -77,7 +79,9 @@ def _shade(axes: Any, figures: Figures, x: Floats) -> None:
     near[figures.feeds] = figures.singularity.singular[figures.feeds]
     bars, whole = spans(near, x), axes.get_xaxis_transform()
     if bars:
-        axes.broken_barh(bars, (0, 1), transform=whole, color=ORANGE, alpha=0.3, lw=0, zorder=2.5, label="near the pole")
+        axes.broken_barh(
+            bars, (0, 1), transform=whole, color=ORANGE, alpha=0.3, lw=0, zorder=2.5, label="near the pole"
+        )
 
 
 def _abscissa(program: Program) -> Floats:
@@ -102,7 +106,8 @@ def _steps(x: Floats, rows: Ints, values: Floats) -> tuple[Floats, Floats]:
 def _legend(axes: Any, columns: int = 6) -> None:
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(
-        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=min(len(labels), columns), borderaxespad=0.2,
+        handles, labels, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=min(len(labels), columns),
+        borderaxespad=0.2,
         handlelength=1.4, columnspacing=1.2,
     )  # fmt: skip
 
@@ -111,7 +116,9 @@ def _along(figure: Any, figures: Figures) -> PlotText:
     axes, deviation, x, rows = figure.subplots(), figures.judged, _abscissa(figures.program), figures.feeds
     segment, bound = np.maximum(deviation.segment[rows], FLOOR), np.maximum(deviation.bound[rows], FLOOR)
     _shade(axes, figures, x)
-    axes.fill_between(*_steps(x, rows, bound), FLOOR, step="pre", color=SKY, alpha=0.45, lw=0, label="proven bound")
+    axes.fill_between(
+        *_steps(x, rows, bound), FLOOR, step="pre", color=SKY, alpha=0.45, lw=0, label="proven bound"
+    )
     axes.plot(*_steps(x, rows, segment), color=BLUE, lw=0.9, drawstyle="steps-pre", label="deviation")
     over = np.flatnonzero(~(segment <= figures.tolerance))
     over = over[thin(segment[over], BINS // 4, least=False)]
@@ -125,13 +132,16 @@ def _along(figure: Any, figures: Figures) -> PlotText:
     axes.set_ylim(max(FLOOR, min(figures.tolerance, top) * 1e-3), top * 3.0)
     _lines(axes, figures.program, x)
     _legend(axes)
-    alt = f"Deviation of each feed block against the NC line, logarithmic; tolerance {figures.tolerance:g} mm."
+    alt = (
+        f"Deviation of each feed block against the NC line, logarithmic; tolerance {figures.tolerance:g} mm."
+    )
     if len(figures.worst):  # none where the controller guides the tip in every block
         peak = figures.worst[0]
         alt += f" Largest {deviation.segment[peak]:.4g} mm at NC line {figures.program.line[peak]}."
     whose = "the tool tip" if figures.surface is None else "the ball's centre, which makes the surface,"
     caption = (
-        f"One step for each feed block: how far {whose} leaves the straight segment that the program commands. Nothing "
+        f"One step for each feed block: how far {whose} leaves the straight segment that the program "
+        "commands. Nothing "
         "leaves it by more than the proven bound. Rapids are left out."
     )
     return "along", "Deviation along the program", caption, alt
@@ -185,14 +195,22 @@ def _rates(figure: Any, figures: Figures) -> PlotText | None:
         if peak > 0.0:
             shown = thin(share[:, column], BINS // 6, least=False)
             label = f"{program.letters[column]} {peak:.0f} %"
-            axes.plot(x[rows[shown]], share[shown, column], color=colour, lw=1.2 if column > 2 else 0.8, label=label)
+            axes.plot(
+                x[rows[shown]], share[shown, column], color=colour, lw=1.2 if column > 2 else 0.8, label=label
+            )
             phrases.append(f"{program.letters[column]} {peak:.0f} %")
     axes.axhline(100.0, color=RED, ls="--", lw=1.1)
     axes.set(ylabel="share of the axis's maximum rate, %", ylim=(0.0, max(108.0, 1.05 * float(share.max()))))
     _lines(axes, figures.program, x)
     _legend(axes)
     caption = (
-        "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower over the part than "
+        "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower "
+        "over the part than "
         "programmed."
     )
-    return "rates", "How busy each axis is", caption, "Peak share of each axis's maximum rate: " + ", ".join(phrases) + "."
+    return (
+        "rates",
+        "How busy each axis is",
+        caption,
+        "Peak share of each axis's maximum rate: " + ", ".join(phrases) + ".",
+    )

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The second table of blocks, of audits: what each block asks for. One CSV row for every motion block, as in ``blocks_csv``.
+"""The second table of blocks, of audits: what each block asks for. One CSV row for every motion block, as in
+``blocks_csv``.
 
-The columns of the first table are fixed, for scripts outside; so what an audit adds stands in a table of its own.
+The columns of the first table are fixed, for scripts outside; so what an audit adds stands in a table of its
+own.
 
 seconds       what the F word means, 0 where no time is known; of rapids by the axes' maximum rates.
-tip_feed      mean speed of the tip over the part, mm/min; rate_X ... of each axis, mm/min and deg/min; rate_ratio the largest
-              share of an axis' maximum; 0 in rapids.
+tip_feed      mean speed of the tip over the part, mm/min; rate_X ... of each axis, mm/min and deg/min;
+              rate_ratio the largest share of an axis' maximum; 0 in rapids.
 excess        how far the end words lie beyond the machine's limits, mm or deg: the largest.
-off, off_bound   distance off the CL path, or depth of the ball in the part (below 0: clear), mm; 0 where neither is given.
+off, off_bound   distance off the CL path, or depth of the ball in the part (below 0: clear), mm; 0 where
+                 neither is given.
 """
 
 from __future__ import annotations
@@ -35,7 +38,15 @@ def rates_csv(kinematics: Chain, program: Program, audit: Audit, progress: Progr
     """The whole table as ASCII text, lines ending in a line feed."""
     order, (off, bound) = letter_order(program.letters), audit.off()
     rates = [audit.rates.rate[:, column] * DEGREES[column] for column in order]
-    numbers = [program.seconds, audit.rates.tip_feed, *rates, audit.rates.ratio, audit.limits.excess, off + 0.0, round_up(bound)]
+    numbers = [
+        program.seconds,
+        audit.rates.tip_feed,
+        *rates,
+        audit.rates.ratio,
+        audit.limits.excess,
+        off + 0.0,
+        round_up(bound),
+    ]
     parts: list[Part] = [
         Column(b"", np.arange(len(program.words))),
         Column(b",", program.line),

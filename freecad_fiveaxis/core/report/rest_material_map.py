@@ -3,8 +3,9 @@
 
 allowed   so much may stay on the part, mm: scallops and tolerance.
 neutral   the colour of what is within the tolerance below and what is allowed above.
-scale     from the borders of the neutral on the colours go on by powers of ten: a scallop and a corner that is left can both be
-          read. Rest material is blue, what is taken off too deep is red; colour-blind readers tell them apart too.
+scale     from the borders of the neutral on the colours go on by powers of ten: a scallop and a corner that
+          is left can both be read. Rest material is blue, what is taken off too deep is red; colour-blind
+          readers tell them apart too.
 """
 
 from __future__ import annotations
@@ -35,8 +36,8 @@ MARKS = (1.0, 2.0, 5.0)
 
 
 class HeightScale(NamedTuple):
-    """mm, all above 0: down to ``tolerance`` too deep and up to ``allowed`` above is neutral; ``deepest`` and ``highest``: where
-    the colours end."""
+    """mm, all above 0: down to ``tolerance`` too deep and up to ``allowed`` above is neutral; ``deepest`` and
+    ``highest``: where the colours end."""
 
     deepest: float
     tolerance: float
@@ -48,7 +49,10 @@ def height_scale(remainder: RestMaterial, tolerance: float, allowed: float) -> H
     """The scale that holds all heights; ``tolerance`` and ``allowed`` mm, above 0."""
     low, high = (float(side.max(initial=0.0)) for side in (-remainder.height, remainder.height))
     return HeightScale(
-        _rounded_up(max(low, LEAST_SPAN * tolerance)), tolerance, allowed, _rounded_up(max(high, LEAST_SPAN * allowed))
+        _rounded_up(max(low, LEAST_SPAN * tolerance)),
+        tolerance,
+        allowed,
+        _rounded_up(max(high, LEAST_SPAN * allowed)),
     )
 
 
@@ -83,7 +87,8 @@ def height_colours(height: Floats, scale: HeightScale) -> Floats:
 
 
 def scale_marks(scale: HeightScale) -> tuple[tuple[float, float], ...]:
-    """Level and height (mm) of the marks of a legend, deepest first: both ends, both borders of the neutral, round values."""
+    """Level and height (mm) of the marks of a legend, deepest first: both ends, both borders of the neutral,
+    round values."""
     up = [scale.allowed, *_powers(scale.allowed, scale.highest), scale.highest]
     down = [scale.tolerance, *_powers(scale.tolerance, scale.deepest), scale.deepest]
     height = np.array([*(-value for value in reversed(down)), *up])
@@ -92,7 +97,9 @@ def scale_marks(scale: HeightScale) -> tuple[tuple[float, float], ...]:
 
 def _powers(low: float, high: float) -> list[float]:
     """Powers of ten well between the two; where that is none, 1, 2 and 5 times them."""
-    return [value for value in round_values(low, high) if low * 100.0 > high or math.log10(value).is_integer()]
+    return [
+        value for value in round_values(low, high) if low * 100.0 > high or math.log10(value).is_integer()
+    ]
 
 
 def round_values(low: float, high: float, apart: float = 1.3) -> list[float]:
@@ -103,8 +110,9 @@ def round_values(low: float, high: float, apart: float = 1.3) -> list[float]:
 
 
 def facet_heights(remainder: RestMaterial, facets: int, tolerance: float, allowed: float) -> Floats:
-    """One height (f,) mm for each of so many facets: of its samples the one that stands farthest from the neutral, in shares of
-    ``tolerance`` and ``allowed`` mm. NaN where a facet has none (it is not machined)."""
+    """One height (f,) mm for each of so many facets: of its samples the one that stands farthest from the
+    neutral, in shares of ``tolerance`` and ``allowed`` mm. NaN where a facet has none (it is not
+    machined)."""
     share = np.where(remainder.height < 0.0, -remainder.height / tolerance, remainder.height / allowed)
     order = np.argsort(share, kind="stable")  # the worst is written last
     height = np.full(facets, np.nan)
@@ -113,7 +121,8 @@ def facet_heights(remainder: RestMaterial, facets: int, tolerance: float, allowe
 
 
 def rest_material_patches(mesh: Mesh, remainder: RestMaterial) -> Floats:
-    """The triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where those are large."""
+    """The triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where those
+    are large."""
     return surface_parts(mesh, remainder.spacing, machined(mesh, remainder))[0]
 
 

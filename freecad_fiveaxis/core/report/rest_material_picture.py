@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The map of rest material as an SVG picture: three views of the part, its histogram by area, and the scale of colours.
+"""The map of rest material as an SVG picture: three views of the part, its histogram by area, and the scale
+of colours.
 
 It needs no other library. The views are pixels inside the SVG, so that the finest mesh makes no larger file.
 """
@@ -65,16 +66,25 @@ def rest_svg(mesh: Mesh, rest: RestMaterial, tolerance: float, allowed: float) -
     panels.append(_histogram(rest, scale, min(height for _, height in panels[2:])))
     first, second = max(height for _, height in panels[:2]), max(height for _, height in panels[2:])
     places = ((0, 0), (PANEL + GAP, 0), (0, first + GAP), (PANEL + GAP, first + GAP))
-    drawn = [f'<g transform="translate({x} {y})">{part}</g>' for (x, y), (part, _) in zip(places, panels, strict=True)]
+    drawn = [
+        f'<g transform="translate({x} {y})">{part}</g>'
+        for (x, y), (part, _) in zip(places, panels, strict=True)
+    ]
     bottom = first + GAP + second + 30
     drawn.append(f'<g transform="translate(0 {bottom})">{_legend(scale)}</g>')
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="-10 -10 {WIDE + 20} {bottom + 80}" width="{WIDE + 20}" '
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="-10 -10 {WIDE + 20} {bottom + 80}" '
+        f'width="{WIDE + 20}" '
+    )
     head += f'height="{bottom + 80}" font-family="DejaVu Sans, sans-serif" font-size="13" fill="{INK}">'
     return (head + "\n".join(drawn) + "</svg>\n").encode()
 
 
 def _text(x: float, y: float, label: str, anchor: str = "start", fill: str = INK, size: int = 13) -> str:
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" font-size="{size}">{label}</text>'
+    return (
+        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{fill}" '
+        f'font-size="{size}">{label}</text>'
+    )
 
 
 def _coloured(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> tuple[Floats, Floats]:
@@ -85,7 +95,12 @@ def _coloured(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> tuple[Float
 
 
 def _view(
-    part: tuple[Floats, Floats], rest: RestMaterial, scale: HeightScale, name: str, azimuth: float, elevation: float
+    part: tuple[Floats, Floats],
+    rest: RestMaterial,
+    scale: HeightScale,
+    name: str,
+    azimuth: float,
+    elevation: float,
 ) -> tuple[str, int]:
     """A view in the picture's units from its upper left corner on, and how tall it is."""
     (corner, colour), view = part, view_from(azimuth, elevation)
@@ -108,7 +123,8 @@ def _view(
 
 
 def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
-    """The picture (height, width, 3): each triangle in its colour, a little darker where it turns away from the light."""
+    """The picture (height, width, 3): each triangle in its colour, a little darker where it turns away from
+    the light."""
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]) @ view.T
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-30)[:, None]
     lit = DARKEST + (1.0 - DARKEST) * np.clip(normal @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
@@ -119,7 +135,8 @@ def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
 
 
 def _marks(rest: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> list[str]:
-    """A ring about the most rest material and about the deepest place, where they are beyond what may be and can be seen."""
+    """A ring about the most rest material and about the deepest place, where they are beyond what may be and
+    can be seen."""
     drawn = []
     for row, beyond, ink in (
         (int(rest.height.argmax()), rest.height.max() > scale.allowed, BLUE),
@@ -133,7 +150,8 @@ def _marks(rest: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> lis
             drawn += [
                 f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="#fff" stroke-width="4"/>',
                 f'<circle cx="{x:.1f}" cy="{y:.1f}" r="6" fill="none" stroke="{ink}" stroke-width="2"/>',
-                f'<text x="{x + shift:.1f}" y="{y + 4:.1f}" text-anchor="{anchor}" fill="{ink}" stroke="#fff" stroke-width="3" '
+                f'<text x="{x + shift:.1f}" y="{y + 4:.1f}" text-anchor="{anchor}" fill="{ink}" '
+                'stroke="#fff" stroke-width="3" '
                 f'paint-order="stroke" font-weight="600">{label}</text>',
             ]
     return drawn
@@ -159,7 +177,10 @@ def _histogram(rest: RestMaterial, scale: HeightScale, tall: int) -> tuple[str, 
         y, wide = 28 + at * step, 200.0 * row["area"] / most
         drawn.append(_text(150, y + 0.72 * step, f"{row['from']:.3g} to {row['to']:.3g} mm", "end"))
         if row["area"] > 0.0:
-            bar = f'<rect x="160" y="{y + 0.1 * step:.1f}" width="{max(wide, 1.0):.1f}" height="{0.8 * step:.1f}" '
+            bar = (
+                f'<rect x="160" y="{y + 0.1 * step:.1f}" width="{max(wide, 1.0):.1f}" '
+                f'height="{0.8 * step:.1f}" '
+            )
             drawn.append(bar + f'fill="{_hex(colour)}" stroke="{LINE}" stroke-width="0.7"/>')
         label = f"{_area(row['area'])} mm2 ({_percent(row['area'] / whole)})" if row["area"] > 0.0 else "-"
         drawn.append(_text(160 + max(wide, 1.0) + 8, y + 0.7 * step, label, fill=SOFT))
@@ -195,7 +216,10 @@ def _legend(scale: HeightScale) -> str:
     for level, height in scale_marks(scale):
         x = x0 + (1.0 + level) * side + NEUTRAL_WIDE * (height > 0.0)
         drawn += [f'<path d="M{x:.1f} 16v5" stroke="{SOFT}"/>', _text(x, 35, f"{height:+.3g}", "middle")]
-    drawn += [_text(x0, 54, "cut too deep, mm", fill=RED), _text(WIDE - x0, 54, "left on the part, mm", "end", BLUE)]
+    drawn += [
+        _text(x0, 54, "cut too deep, mm", fill=RED),
+        _text(WIDE - x0, 54, "left on the part, mm", "end", BLUE),
+    ]
     return "".join([*drawn, _text(0.5 * WIDE, 54, "as it should be", "middle", SOFT)])
 
 

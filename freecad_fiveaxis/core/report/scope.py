@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a verdict rests on: what was proven of the program, what that takes for granted, and what nobody looked at.
+"""What a verdict rests on: what was proven of the program, what that takes for granted, and what nobody
+looked at.
 
-The light of a verdict is taken for more than it says. So each report, and the window, say in one box what stands behind it.
+The light of a verdict is taken for more than it says. So each report, and the window, say in one box what
+stands behind it.
 """
 
 from __future__ import annotations
@@ -19,7 +21,8 @@ from .verdict import ENTERS, is_checked
 
 
 class Scope(NamedTuple):
-    """Sentences: what is ``proven``, what is ``assumed`` for that, and what is ``unknown``, for it was not looked at."""
+    """Sentences: what is ``proven``, what is ``assumed`` for that, and what is ``unknown``, for it was not
+    looked at."""
 
     proven: tuple[Sentence, ...]
     assumed: tuple[Sentence, ...]
@@ -28,13 +31,19 @@ class Scope(NamedTuple):
     @property
     def named(self) -> tuple[tuple[Sentence, tuple[Sentence, ...]], ...]:
         """Each group with its heading; none that is empty."""
-        groups = ((say("Proven"), self.proven), (say("Assumed"), self.assumed), (say("Not known"), self.unknown))
+        groups = (
+            (say("Proven"), self.proven),
+            (say("Assumed"), self.assumed),
+            (say("Not known"), self.unknown),
+        )
         return tuple((name, texts) for name, texts in groups if texts)
 
 
 def scope(figures: Figures, numbers: Mapping[str, Any]) -> Scope:
     """Find what stands behind the verdict; ``numbers``: the summary."""
-    return Scope(tuple(_proven(figures, numbers)), tuple(_assumed(figures, numbers)), tuple(_unknown(figures)))
+    return Scope(
+        tuple(_proven(figures, numbers)), tuple(_assumed(figures, numbers)), tuple(_unknown(figures))
+    )
 
 
 def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
@@ -42,8 +51,10 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     if held := measured - numbers["over_tolerance"] - numbers["unproven"]:
         yield plural(
             held,
-            "in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the block's ends",
-            "in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between the blocks' ends",
+            "in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between "
+            "the block's ends",
+            "in {count} of {all} feed blocks {point} stays within {tolerance} of the straight way between "
+            "the blocks' ends",
             all=numbers["feed_blocks"],
             point=say("the tip") if figures.surface is None else say("the ball's centre"),
             tolerance=Length(figures.tolerance),
@@ -57,17 +68,24 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         yield say("the tool stays above the table's face, at Z {height}", height=Length(figures.table))
     names, codes = looked_at_bodies(figures), {one.code for one in figures.findings}
     if names and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
-        yield say("tool and spindle, as far as they are given, stay out of the machine's bodies: {names}", names=names)
+        yield say(
+            "tool and spindle, as far as they are given, stay out of the machine's bodies: {names}",
+            names=names,
+        )
     together = _looked_at_together(figures)
     if together and not codes & {Code.MACHINE_COLLISION, Code.MACHINE_UNPROVEN}:
         yield say(
-            "of the machine's bodies those that move against each other stay out of each other, and out of part and fixtures as "
+            "of the machine's bodies those that move against each other stay out of each other, and out of "
+            "part and fixtures as "
             "far as these are known, but for neighbours that touch with all axes at zero: {names}",
             names=together,
         )
     if figures.fixtures and not codes & {Code.FIXTURE_COLLISION, Code.FIXTURE_UNPROVEN}:
         names = ", ".join(figures.fixtures)
-        yield say("cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}", names=names)
+        yield say(
+            "cutter, shank and holder, as far as they are given, stay out of the fixtures: {names}",
+            names=names,
+        )
         near = figures.inputs.get("fixture_clearance")
         if isinstance(near, float) and near > figures.tolerance and Code.FIXTURE_NEAR not in codes:
             yield say("they keep {clearance} away from fixtures", clearance=Length(near))
@@ -78,19 +96,25 @@ def _proven(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
         and not codes & {Code.AVOIDED_FACES_NEAR, Code.AVOIDED_FACES_UNPROVEN}
     ):
         yield say(
-            "cutter, shank and holder, as far as they are given, keep {distance} off the faces to avoid", distance=Length(kept)
+            "cutter, shank and holder, as far as they are given, keep {distance} off the faces to avoid",
+            distance=Length(kept),
         )
 
 
 def _out_of_the_part(figures: Figures) -> Iterator[Sentence]:
     if _feeds_alone(figures):
-        yield say("the cutter's feed moves stay out of the part, but for {tolerance}", tolerance=Length(figures.tolerance))
+        yield say(
+            "the cutter's feed moves stay out of the part, but for {tolerance}",
+            tolerance=Length(figures.tolerance),
+        )
         return
     yield say(
         "{tool} out of the part on feed moves and rapids, but for {tolerance}", tool=_tool(figures),
         tolerance=Length(figures.tolerance),
     )  # fmt: skip
-    if figures.rapids not in ("", INTERPOLATED) and all(one.code != Code.RAPID_UNPROVEN for one in figures.findings):
+    if figures.rapids not in ("", INTERPOLATED) and all(
+        one.code != Code.RAPID_UNPROVEN for one in figures.findings
+    ):
         yield say("on rapids that holds for each rate at which the axes may run beside each other")
 
 
@@ -98,7 +122,13 @@ def _tool(figures: Figures) -> Sentence:
     shank, holder = (bool(figures.inputs.get(name)) for name in ("shank", "holder"))
     if shank and holder:
         return say("cutter, shank and holder stay")
-    return say("cutter and shank stay") if shank else say("cutter and holder stay") if holder else say("the cutter stays")
+    return (
+        say("cutter and shank stay")
+        if shank
+        else say("cutter and holder stay")
+        if holder
+        else say("the cutter stays")
+    )
 
 
 def _feeds_alone(figures: Figures) -> bool:
@@ -107,7 +137,8 @@ def _feeds_alone(figures: Figures) -> bool:
 
 def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     yield say(
-        "the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows it), and the part "
+        "the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows "
+        "it), and the part "
         "stands where the program takes it to stand",
         machine=figures.machine.name,
         signs=Task("prove-signs"),
@@ -121,7 +152,8 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
         yield say("in a feed block all axes run in proportion to each other")
     if numbers["guided_blocks"]:
         yield say(
-            "the controller guides the tip straight between the ends of {count} blocks (RTCP); their ends alone were verified",
+            "the controller guides the tip straight between the ends of {count} blocks (RTCP); their ends "
+            "alone were verified",
             count=numbers["guided_blocks"],
         )
     if is_checked(figures) and figures.rapids == INTERPOLATED:
@@ -129,13 +161,15 @@ def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]
 
 
 def looked_at_bodies(figures: Figures) -> str:
-    """Name the machine's bodies that tool and spindle were checked against, with commas; none where the tip is guided."""
+    """Name the machine's bodies that tool and spindle were checked against, with commas; none where the tip
+    is guided."""
     looked_at = figures.machine.bodies if figures.program.guided is None else ()
     return ", ".join(body.name for body in looked_at if body.carrier != SPINDLE)
 
 
 def _looked_at_together(figures: Figures) -> str:
-    """Name all bodies of a machine, with commas, where some move against others; none where the tip is guided."""
+    """Name all bodies of a machine, with commas, where some move against others; none where the tip is
+    guided."""
     bodies = figures.machine.bodies if figures.program.guided is None else ()
     return ", ".join(body.name for body in bodies) if len({body.carrier for body in bodies}) > 1 else ""
 

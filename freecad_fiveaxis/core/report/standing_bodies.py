@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The bodies of a machine's file as a picture shows them: each on the axis that carries it, beside what is left of the sketch.
+"""The bodies of a machine's file as a picture shows them: each on the axis that carries it, beside what is
+left of the sketch.
 
-frame     as in :mod:`.playback`: parallel to the machine's, its zero where the work zero stands while all words are 0. A file
-          gives its bodies at all *joints* zero; from there each is moved back to where its axis has it while all words are 0.
-place     ``base``, ``spindle``, ``platter`` (on the table axis next to the work) or ``cradle`` (on one of the others, those of
-          the head among them).
+frame     as in :mod:`.playback`: parallel to the machine's, its zero where the work zero stands while all
+          words are 0. A file gives its bodies at all *joints* zero; from there each is moved back to where
+          its axis has it while all words are 0.
+place     ``base``, ``spindle``, ``platter`` (on the table axis next to the work) or ``cradle`` (on one of the
+          others, those of the head among them).
 """
 
 from __future__ import annotations
@@ -28,7 +30,8 @@ from .playback import placements, rigid_inverse, sides
 
 PLATTER, CRADLE = "platter", "cradle"
 SHARP = 0.9
-"""Cosine of 26 deg: facets that meet at more than that meet in an edge that is drawn; the sides of a round body meet at less."""
+"""Cosine of 26 deg: facets that meet at more than that meet in an edge that is drawn; the sides of a round
+body meet at less."""
 ON_TABLE = ("platter", "riser", "table", "cradle", "base")
 ON_HEAD = ("spindle", "fork", "ram")
 """Of the sketch."""
@@ -36,8 +39,8 @@ ON_HEAD = ("spindle", "fork", "ram")
 
 @dataclass(frozen=True, eq=False)
 class StandingBody:
-    """``mesh``, mm, as it stands while all words are 0; ``carrier``: the column (0 to 4) of the words whose axis moves it, None
-    for what stands still; ``place`` as at the head of the module."""
+    """``mesh``, mm, as it stands while all words are 0; ``carrier``: the column (0 to 4) of the words whose
+    axis moves it, None for what stands still; ``place`` as at the head of the module."""
 
     name: str
     place: str
@@ -48,8 +51,8 @@ class StandingBody:
 def stand_bodies(
     machine: Machine, setup: Setup, kinematics: Chain, length: float | None, progress: Progress = silent
 ) -> tuple[StandingBody, ...]:
-    """Stand up the bodies of a machine. ``length`` mm, gauge point to the driven point; None: not known, and what depends on it
-    is left out. Raises FiveAxisError for the file of a body that cannot be used."""
+    """Stand up the bodies of a machine. ``length`` mm, gauge point to the driven point; None: not known, and
+    what depends on it is left out. Raises FiveAxisError for the file of a body that cannot be used."""
     known = [body for body in machine.bodies if length is not None or not needs_length(machine, body)]
     if not known:
         return ()
@@ -72,9 +75,11 @@ def stand_bodies(
     return tuple(found)
 
 
-def leave_out(sketched: Sequence[Body], standing: Sequence[StandingBody], kinematics: Chain) -> tuple[Body, ...]:
-    """Leave out of a sketch what stands where bodies of the machine's file do: on an axis or base that carries some, and where
-    they are the spindle's."""
+def leave_out(
+    sketched: Sequence[Body], standing: Sequence[StandingBody], kinematics: Chain
+) -> tuple[Body, ...]:
+    """Leave out of a sketch what stands where bodies of the machine's file do: on an axis or base that
+    carries some, and where they are the spindle's."""
     taken = {one.carrier for one in standing if one.place != SPINDLE}
     spindle, head = any(one.place == SPINDLE for one in standing), _last_of_head(kinematics)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The report for the terminal: the verdict and its grounds, the figures, the worst blocks first, the findings in full."""
+"""The report for the terminal: the verdict and its grounds, the figures, the worst blocks first, the findings
+in full."""
 
 from __future__ import annotations
 
@@ -65,9 +66,14 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
         return f"{share} the commanded path by more than {limit}; the worst, {worst}."
     if guided := numbers["guided_blocks"]:
         which = f"all {feeds}" if guided == feeds else f"{guided} of {feeds}"
-        rest = "" if guided == feeds else f" The other {feeds - guided} were not found to leave theirs by more than {limit}."
+        rest = (
+            ""
+            if guided == feeds
+            else f" The other {feeds - guided} were not found to leave theirs by more than {limit}."
+        )
         return (
-            f"Only block end points are verified in {which} feed blocks: the path between them is under RTCP, so the controller "
+            f"Only block end points are verified in {which} feed blocks: the path between them is under "
+            "RTCP, so the controller "
             f"answers for it.{rest}"
         )
     if numbers["unproven"]:
@@ -75,7 +81,11 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
             f"Not proven: no block was found to leave its commanded segment by more than {limit}, but for "
             f"{numbers['unproven']} of {feeds} feed blocks the proven bound does not exclude it."
         )
-    whole = "The one feed block does not leave its" if feeds == 1 else f"None of the {feeds} feed blocks leaves its"
+    whole = (
+        "The one feed block does not leave its"
+        if feeds == 1
+        else f"None of the {feeds} feed blocks leaves its"
+    )
     deviation, bound = judged_largest(numbers)
     whose = "" if numbers["max_surface_deviation"] is None else " of the ball's centre"
     largest = f"largest deviation{whose} {deviation:.4g} mm, proven bound {bound:.4g} mm"
@@ -100,17 +110,27 @@ def duration(seconds: float) -> str:
 
 def number(value: float | None, decimals: int) -> str:
     """A fixed-point number, or "-" where there is none or no limit."""
-    return f"{round(value, decimals) + 0.0:.{decimals}f}" if value is not None and math.isfinite(value) else "-"
+    return (
+        f"{round(value, decimals) + 0.0:.{decimals}f}" if value is not None and math.isfinite(value) else "-"
+    )
 
 
 def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
     """The summary as pairs of name and value with unit, the most wanted first."""
     turned = ", ".join(f"{letter} {value:.1f} deg" for letter, value in numbers["rotary_travel_deg"].items())
-    guided = [("blocks whose tip the controller guides", f"{numbers['guided_blocks']}")] if numbers["guided_blocks"] else []
+    guided = (
+        [("blocks whose tip the controller guides", f"{numbers['guided_blocks']}")]
+        if numbers["guided_blocks"]
+        else []
+    )
     return [
         *guided,
         ("tolerance", f"{numbers['tolerance']:g} mm"),
-        *(_not_measured() if numbers["guided_blocks"] == numbers["feed_blocks"] > 0 else _deviations(numbers)),
+        *(
+            _not_measured()
+            if numbers["guided_blocks"] == numbers["feed_blocks"] > 0
+            else _deviations(numbers)
+        ),
         ("largest deviation of a rapid", f"{numbers['max_rapid_deviation']:.4f} mm"),
         ("blocks near the pole", f"{numbers['singular_blocks']}"),
         ("blocks", f"{numbers['blocks']}, of them {numbers['feed_blocks']} at feed"),
@@ -125,7 +145,12 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
 
 def _not_measured() -> list[tuple[str, str]]:
     """The same where the controller guides the tip in all feed blocks: a zero would be taken for a proof."""
-    return [("largest deviation from the segment", "- (the controller guides the tip: only block ends are verified)")]
+    return [
+        (
+            "largest deviation from the segment",
+            "- (the controller guides the tip: only block ends are verified)",
+        )
+    ]
 
 
 def _deviations(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
@@ -180,9 +205,14 @@ def _worst_lines(figures: Figures) -> list[str]:
         values = [number(row[name], 6) for name in names]
         turns = [number(row["turn_deg"][letter], 3) for letter in letters]
         near = "yes" if row["singular"] else "no"
-        table.append([str(row["line"]), row["motion"], *values, number(row["axis_deviation_deg"], 4), *turns, near])
+        table.append(
+            [str(row["line"]), row["motion"], *values, number(row["axis_deviation_deg"], 4), *turns, near]
+        )
     whose = " of the ball's centre" if ball else ""
-    return [f"Worst blocks, the largest deviation{whose} from the commanded segment first (mm, deg):", *_columns(table)]
+    return [
+        f"Worst blocks, the largest deviation{whose} from the commanded segment first (mm, deg):",
+        *_columns(table),
+    ]
 
 
 def _axis_lines(axes: Mapping[str, Mapping[str, Any]]) -> list[str]:
@@ -197,7 +227,9 @@ def _axis_lines(axes: Mapping[str, Mapping[str, Any]]) -> list[str]:
 def _columns(table: Sequence[Sequence[str]]) -> list[str]:
     """Right-aligned columns."""
     wide = [max(len(cell) for cell in column) for column in zip(*table, strict=True)]
-    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, wide, strict=True)) for row in table]
+    return [
+        "  " + "  ".join(cell.rjust(width) for cell, width in zip(row, wide, strict=True)) for row in table
+    ]
 
 
 def _finding_lines(findings: Sequence[Finding]) -> list[str]:

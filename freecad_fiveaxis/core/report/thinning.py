@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fewer passes for a small picture: which strokes are left out where passes would stand nearer together than can be told apart.
+"""Fewer passes for a small picture: which strokes are left out where passes would stand nearer together than
+can be told apart.
 
-coat      all strokes that are left at one distance: its passes stand at least that far apart over most of their length. Coats
-          are nested: what a wide one keeps, all narrower ones keep.
-run       strokes that follow one another; one that is longer than the part is cut, for a spiral is a single run.
+coat      all strokes that are left at one distance: its passes stand at least that far apart over most of
+          their length. Coats are nested: what a wide one keeps, all narrower ones keep.
+run       strokes that follow one another; one that is longer than the part is cut, for a spiral is a single
+          run.
 """
 
 from __future__ import annotations
@@ -29,7 +31,8 @@ def distances(diagonal: float) -> Floats:
 
 
 def coats(start: Floats, end: Floats, diagonal: float) -> Ints:
-    """The widest coat (k,) that each stroke from ``start`` to ``end`` (k, 3) mm belongs to, 0 to COATS; 0: none."""
+    """The widest coat (k,) that each stroke from ``start`` to ``end`` (k, 3) mm belongs to, 0 to COATS; 0:
+    none."""
     widest = np.zeros(len(start), np.int64)
     if not len(start) or not diagonal > 0.0:
         return widest

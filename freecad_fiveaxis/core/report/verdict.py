@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The one verdict over everything that is known of a program: a traffic light and one sentence.
 
-red     there is a finding of severity ERROR: part or machine will be spoiled. What enters the part comes first.
-amber   nothing says so, but something is to be looked at (a warning), or was not looked at: blocks whose bound is not proven,
-        or the part, where gouges were not checked.
+red     there is a finding of severity ERROR: part or machine will be spoiled. What enters the part comes
+        first.
+amber   nothing says so, but something is to be looked at (a warning), or was not looked at: blocks whose
+        bound is not proven, or the part, where gouges were not checked.
 green   the tolerance is proven for every feed block, and the tool was seen to stay out of the part.
 """
 
@@ -62,10 +63,15 @@ class Verdict:
 
     @property
     def text(self) -> Sentence:
-        """The verdict in one sentence, as "NOT SAFE: enters the part at 203 places, 5 mm deep (NC line 17)."."""
+        """The verdict in one sentence, as "NOT SAFE: enters the part at 203 places, 5 mm deep (NC line
+        17)."."""
         more = len(self.reasons) - NAMED
         others = [say("and {count} more", count=more)] if more > 0 else []
-        return say("{light}: {reasons}.", light=HEAD[self.light], reasons=joined([*self.reasons[:NAMED], *others], "; "))
+        return say(
+            "{light}: {reasons}.",
+            light=HEAD[self.light],
+            reasons=joined([*self.reasons[:NAMED], *others], "; "),
+        )
 
 
 def verdict(figures: Figures, numbers: Mapping[str, Any]) -> Verdict:
@@ -93,14 +99,21 @@ def is_checked(figures: Figures) -> bool:
 
 def _stays_out(figures: Figures) -> Sentence:
     above = is_checked(figures) and any(figures.inputs.get(name) for name in ("shank", "holder"))
-    return say("the tool stays out of the part") if above else say("the cutter stays out of the part (no shank or holder given)")
+    return (
+        say("the tool stays out of the part")
+        if above
+        else say("the cutter stays out of the part (no shank or holder given)")
+    )
 
 
 def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Finding, ...]]:
     """The findings of that severity by their codes, in the order in which they came."""
     found = [one for one in figures.findings if one.severity is severity]
     order = {code: at for at, code in enumerate(dict.fromkeys(one.code for one in found))}
-    return {code: tuple(some) for code, some in groupby(sorted(found, key=lambda one: order[one.code]), lambda one: one.code)}
+    return {
+        code: tuple(some)
+        for code, some in groupby(sorted(found, key=lambda one: order[one.code]), lambda one: one.code)
+    }
 
 
 def judged_largest(numbers: Mapping[str, Any]) -> tuple[float, float]:
@@ -147,7 +160,9 @@ def _where(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) ->
     else:
         places = numbers.get(f"{code.replace('-', '_')}_places", len(found))
         depth_text = Length(depth, ".3g")
-        clause = plural(places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text)
+        clause = plural(
+            places, " at {count} place, {depth} deep", " at {count} places, {depth} deep", depth=depth_text
+        )
     return clause if worst.line is None else clause + say(" (NC line {line})", line=worst.line)
 
 
@@ -161,15 +176,19 @@ def _meaning(worst: Finding) -> Sentence:
         return clause if worst.line is None else clause + say(" (NC line {line})", line=worst.line)
     value = measure(worst.value, worst.unit, ".4g")
     return clause + (
-        say(" ({value})", value=value) if worst.line is None else say(" ({value}, NC line {line})", value=value, line=worst.line)
+        say(" ({value})", value=value)
+        if worst.line is None
+        else say(" ({value}, NC line {line})", value=value, line=worst.line)
     )
 
 
 def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
     return plural(
         numbers["over_tolerance"],
-        "{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line {line})",
-        "{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line {line})",
+        "{count} of {all} feed blocks leaves the path by up to {deviation}, {tolerance} allowed (NC line "
+        "{line})",
+        "{count} of {all} feed blocks leave the path by up to {deviation}, {tolerance} allowed (NC line "
+        "{line})",
         all=numbers["feed_blocks"],
         deviation=Length(judged_largest(numbers)[0], ".3g"),
         tolerance=Length(figures.tolerance),
@@ -183,16 +202,23 @@ def _leaves_path(figures: Figures, numbers: Mapping[str, Any]) -> Sentence:
 def _open(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     feeds = numbers["feed_blocks"]
     if figures.unfinished >= NOTABLE_SHARE:
-        yield say("{share} % of the surface to be milled stays unfinished", share=Number(100.0 * figures.unfinished, ".2g"))
+        yield say(
+            "{share} % of the surface to be milled stays unfinished",
+            share=Number(100.0 * figures.unfinished, ".2g"),
+        )
     if not feeds:
         yield say("the program has no feed blocks, so nothing is proven")
     if not is_checked(figures):
         yield say("not checked against the part")
     elif figures.inputs.get("gouge") == "off":
-        yield say("only the cutter's own feed moves were checked against the part ({off})", off=Choice("gouge", ("off",)))
+        yield say(
+            "only the cutter's own feed moves were checked against the part ({off})",
+            off=Choice("gouge", ("off",)),
+        )
     if guided := numbers["guided_blocks"]:
         yield say(
-            "only the end points of {guided} of {all} feed blocks are verified: the path between them is under RTCP",
+            "only the end points of {guided} of {all} feed blocks are verified: the path between them is "
+            "under RTCP",
             guided=guided,
             all=feeds,
         )
@@ -213,7 +239,9 @@ WARNED: Mapping[str, Template] = {
     Code.LIFTED: Template("the tool is lifted out of the part by up to {value}, what it leaves stays uncut"),
     Code.LEFT_OUT: Template("{value} of the passes are left out"),
     Code.UNCUT: Template("more than scallops stays uncut on {value}"),
-    Code.NEAR_AVOIDED_FACES: Template("{value} beside the faces to avoid stay uncut for the allowance on these"),
+    Code.NEAR_AVOIDED_FACES: Template(
+        "{value} beside the faces to avoid stay uncut for the allowance on these"
+    ),
     Code.FACETS_NEAR_AVOIDED: Template("{value} lie too near to the faces to avoid and are left out"),
     Code.FACETS_BEYOND_AXIS_ANGLE: Template("{value} are too steep for the largest axis angle and left out"),
     Code.FACETS_BEYOND_MACHINE: Template("{value} are beyond the machine's limits and left out"),
@@ -225,10 +253,21 @@ def _warning(code: str, found: tuple[Finding, ...], numbers: Mapping[str, Any]) 
     worst = found[0]
     if code == Code.SIDE_NOT_MACHINED:
         area = Area(sum(one.value or 0.0 for one in found), ".4g")
-        return plural(len(found), "a side is not machined ({area})", "{count} sides are not machined ({area})", area=area)
+        return plural(
+            len(found),
+            "a side is not machined ({area})",
+            "{count} sides are not machined ({area})",
+            area=area,
+        )
     if code == Code.SINGULAR_BLOCK:
-        return plural(numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole")
+        return plural(
+            numbers["singular_blocks"], "{count} block near the pole", "{count} blocks near the pole"
+        )
     clause = WARNED.get(code)
-    if clause is None or (worst.value is None and "{" in clause) or (code == Code.UNCUT and worst.unit != "mm2"):
+    if (
+        clause is None
+        or (worst.value is None and "{" in clause)
+        or (code == Code.UNCUT and worst.unit != "mm2")
+    ):
         return _meaning(worst)
     return clause.say(value=measure(worst.value or 0.0, worst.unit, ".3g" if code == Code.LIFTED else ".4g"))

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two views of the tool: the worst block's real curve beside its chord, and the tool axis on the orientation sphere.
+"""Two views of the tool: the worst block's real curve beside its chord, and the tool axis on the orientation
+sphere.
 
 chord   the straight segment that the block commands.
-map     the orientation sphere seen from the pole: distance from the middle is the angle to the pole in degrees, and the
-        direction is that of the tool's lean.
+map     the orientation sphere seen from the pole: distance from the middle is the angle to the pole in
+        degrees, and the direction is that of the tool's lean.
 """
 
 from __future__ import annotations
@@ -33,11 +34,14 @@ VIEW = (math.radians(-60.0), math.radians(28.0))
 
 
 def worst_block(figure: Any, figures: Figures) -> PlotText | None:
-    """The block of the largest deviation, seen on the plane through the chord in which its curve spreads most."""
+    """The block of the largest deviation, seen on the plane through the chord in which its curve spreads
+    most."""
     row = int(figures.worst[0])
     value, u = float(figures.judged.segment[row]), float(figures.judged.u_segment[row])
     steps = np.append(np.linspace(0.0, 1.0, SAMPLES), u)
-    kinematics, (start, end) = figures.judged.measured(figures.kinematics, figures.program.words[row - 1 : row + 1])
+    kinematics, (start, end) = figures.judged.measured(
+        figures.kinematics, figures.program.words[row - 1 : row + 1]
+    )
     curve = _driven(kinematics, start, end, steps)
     flat, chord = _on_plane(curve)
     spread = np.ptp(flat, axis=0)
@@ -52,11 +56,14 @@ def worst_block(figure: Any, figures: Figures) -> PlotText | None:
     scale = "True scale." if stretch == 1.0 else f"Drawn {stretch:g} times too large across the chord."
     whose = "the tip" if figures.surface is None else "the ball's centre"
     caption = (
-        f"NC line {line}: the program commands the straight chord, {whose} drives the curve while the axes move evenly. Dots "
-        f"are tenths of the block's time. {scale} Seen on the plane through the chord in which the curve spreads most."
+        f"NC line {line}: the program commands the straight chord, {whose} drives the curve while the axes "
+        "move evenly. Dots "
+        f"are tenths of the block's time. {scale} Seen on the plane through the chord in which the curve "
+        "spreads most."
     )
     alt = (
-        f"Real path of {whose} in NC line {line} beside its chord of {chord:.4g} mm; largest distance {value:.4g} mm at "
+        f"Real path of {whose} in NC line {line} beside its chord of {chord:.4g} mm; largest distance "
+        f"{value:.4g} mm at "
         f"u = {u:.4f}."
     )
     return "worst", f"The worst block: NC line {line}", caption, alt
@@ -68,7 +75,8 @@ def _driven(kinematics: Chain, start: Floats, end: Floats, u: Floats) -> Floats:
 
 
 def _on_plane(curve: Floats) -> tuple[Floats, float]:
-    """The curve (k, 2) in the plane of its chord (along x, from 0) and its widest spread (y), and the chord's length."""
+    """The curve (k, 2) in the plane of its chord (along x, from 0) and its widest spread (y), and the chord's
+    length."""
     rest = curve - curve[0]
     along = rest[SAMPLES - 1]
     chord = float(np.linalg.norm(along))
@@ -95,7 +103,9 @@ def _to_segment(point: Floats, start: Floats, end: Floats) -> Floats:
     return np.asarray(np.linalg.norm(point - start - foot[:, None] * along, axis=1))
 
 
-def _draw_curve(axes: Any, figures: Figures, flat: Floats, chord: float, value: float, stretch: float) -> None:
+def _draw_curve(
+    axes: Any, figures: Figures, flat: Floats, chord: float, value: float, stretch: float
+) -> None:
     x, y = flat[:SAMPLES].T
     peak = flat[-1]
     foot = (min(max(float(peak[0]), 0.0), chord), 0.0)
@@ -106,7 +116,9 @@ def _draw_curve(axes: Any, figures: Figures, flat: Floats, chord: float, value: 
     axes.plot(*peak, "o", color=RED, ms=5)
     for name, at in (("start", 0.0), ("end", chord)):
         axes.plot(at, 0.0, "s", color=GREEN, ms=6)
-        axes.annotate(name, (at, 0.0), (0, -7), textcoords="offset points", ha="center", va="top", color=GREEN)
+        axes.annotate(
+            name, (at, 0.0), (0, -7), textcoords="offset points", ha="center", va="top", color=GREEN
+        )
     axes.set_aspect(stretch, adjustable="datalim")
     axes.margins(0.12)
     times = "" if stretch == 1.0 else f" (drawn {stretch:g} times too large)"
@@ -124,7 +136,8 @@ def _draw_profile(axes: Any, figures: Figures, u: Floats, off: Floats, row: int)
 
 
 def sphere(figure: Any, figures: Figures) -> PlotText | None:
-    """The tool axis over the whole program: as a map seen from the pole, and on the sphere; None where the tool cannot turn."""
+    """The tool axis over the whole program: as a map seen from the pole, and on the sphere; None where the
+    tool cannot turn."""
     if not fitted_columns(figures.program.letters)[3:]:
         return None
     pole, first, second = _frame(figures)
@@ -136,24 +149,30 @@ def sphere(figure: Any, figures: Figures) -> PlotText | None:
     figure.set_size_inches(WIDE, 4.2)
     figure.set_layout_engine("none")
     _draw_map(figure.add_axes((0.055, 0.07, 0.43, 0.86), projection="polar"), local, spots, cone)
-    figure.axes[0].set_thetagrids((0, 90, 180, 270), [_named(way) for way in (first, second, -first, -second)])
+    figure.axes[0].set_thetagrids(
+        (0, 90, 180, 270), [_named(way) for way in (first, second, -first, -second)]
+    )
     _draw_sphere(figure.add_axes((0.535, 0.02, 0.45, 0.96)), local, spots, cone, figures.program.letters[3])
     tilt = np.degrees(np.arccos(np.clip(local[:, 2], -1.0, 1.0)))
     letter, low, high = figures.program.letters[3], float(np.nanmin(tilt)), float(np.nanmax(tilt))
     caption = (
-        f"The pole is the direction of the {letter} axis. In the shaded cone of {math.degrees(cone):g} deg around it {letter} "
-        "must turn far to lean the tool a little: a path round the cone is calm, a path across it is not. Red: the blocks near "
+        f"The pole is the direction of the {letter} axis. In the shaded cone of {math.degrees(cone):g} deg "
+        f"around it {letter} "
+        "must turn far to lean the tool a little: a path round the cone is calm, a path across it is not. "
+        "Red: the blocks near "
         "the pole. Left, the map seen from the pole, in degrees from it; right, the same on the sphere."
     )
     alt = (
-        f"Tool axis on the orientation sphere: between {low:.2f} and {high:.1f} deg from the pole; {len(near)} blocks near the "
+        f"Tool axis on the orientation sphere: between {low:.2f} and {high:.1f} deg from the pole; "
+        f"{len(near)} blocks near the "
         f"pole, where the shaded cone has a half angle of {math.degrees(cone):g} deg."
     )
     return "sphere", "Where the tool points", caption, alt
 
 
 def _frame(figures: Figures) -> tuple[Floats, Floats, Floats]:
-    """The pole (that end of the first rotary axis which the tool is nearer to) and two directions across it, unit."""
+    """The pole (that end of the first rotary axis which the tool is nearer to) and two directions across it,
+    unit."""
     pole = figures.kinematics.direction[3]
     pole = pole if float((figures.axis @ pole).sum()) >= 0.0 else -pole
     guide = np.eye(3)[int(np.argmin(np.abs(pole)))] if abs(pole[0]) > 0.9 else np.array((1.0, 0.0, 0.0))
@@ -171,8 +190,8 @@ def _named(way: Floats) -> str:
 def _axis_paths(figures: Figures) -> Floats:
     """The tool axis along the feed blocks (k, 3); a NaN row ends each run.
 
-    A short program is drawn with the real axis inside each block; a long one by an even choice of block ends, and inside its
-    blocks nearest to the pole.
+    A short program is drawn with the real axis inside each block; a long one by an even choice of block ends,
+    and inside its blocks nearest to the pole.
     """
     rows = figures.feeds
     if len(rows) <= 4 * BINS:
@@ -257,7 +276,9 @@ def _seen(points: Floats) -> tuple[Floats, Bools]:
 
 def _ring(tilt: float) -> Floats:
     turn = np.linspace(0.0, 2.0 * np.pi, 121)
-    return np.column_stack([np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.full(121, np.cos(tilt))])
+    return np.column_stack(
+        [np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.full(121, np.cos(tilt))]
+    )
 
 
 def _graticule() -> list[Floats]:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The cures there are, in one table: ``compare`` puts each of them into its columns.
 
-To add one: a line in CURES. It makes the cure (see :mod:`.compare`) for what ``job.make`` has made, so it has the settings at
-hand. A cure that divides blocks starts from :func:`~.compare.solved`; those that turn the tool axes are the corrections of
-``core.orientation.axis_corrections``. A cure is a function of a module with what it needs put in first (``partial``), so that it
-can be sent to another process.
+To add one: a line in CURES. It makes the cure (see :mod:`.compare`) for what ``job.make`` has made, so it has
+the settings at hand. A cure that divides blocks starts from :func:`~.compare.solved`; those that turn the
+tool axes are the corrections of ``core.orientation.axis_corrections``. A cure is a function of a module with
+what it needs put in first (``partial``), so that it can be sent to another process.
 """
 
 from __future__ import annotations
@@ -40,24 +40,32 @@ def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
     """These names; without any, all there are. Raises SettingsError for a name that is not known."""
     for name in names:
         if name not in CURES:
-            raise SettingsError(say("unknown correction {name}; known: {cures}", name=repr(name), cures=", ".join(CURES)), name)
+            raise SettingsError(
+                say("unknown correction {name}; known: {cures}", name=repr(name), cures=", ".join(CURES)),
+                name,
+            )
     return tuple(names) or tuple(CURES)
 
 
 def cures(draft: PostedProgram, names: Sequence[str] = ()) -> dict[str, Cure]:
-    """The cures of these names (without any: all) for what was made. Raises SettingsError for a name that is not known."""
+    """The cures of these names (without any: all) for what was made. Raises SettingsError for a name that is
+    not known."""
     return {name: CURES[name](draft) for name in known_cures(names)}
 
 
 def leading(correction: AxisCorrection, draft: PostedProgram) -> Cure:
-    """The cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a path that was made from a
-    solid."""
+    """The cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a path that
+    was made from a solid."""
     return partial(_corrected, correction, draft)
 
 
-def _corrected(correction: AxisCorrection, draft: PostedProgram, path: CLPath, where: Station, progress: Progress) -> JointPath:
+def _corrected(
+    correction: AxisCorrection, draft: PostedProgram, path: CLPath, where: Station, progress: Progress
+) -> JointPath:
     if not isinstance(draft, MilledProgram):
-        text = say("this correction turns the tool axes over the part's facets; give it the STL, not a CL file")
+        text = say(
+            "this correction turns the tool axes over the part's facets; give it the STL, not a CL file"
+        )
         raise SettingsError(text, draft.settings.source)
     context = draft.context(progress)
     options = axis_corrections(context)

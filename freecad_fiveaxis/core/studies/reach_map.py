@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The reach map: where on the part the tool gets at all, before any pass is computed, and what is in the way elsewhere.
+"""The reach map: where on the part the tool gets at all, before any pass is computed, and what is in the way
+elsewhere.
 
-place     the surface is divided into triangles no larger than a spacing; each stands for its middle with its facet's normal.
-          There the cutter is set on the part with many axes, the facet's normal first, then ever farther from it.
-obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the machine's limits, the tool
-          then above the table, then cutter, shank and holder out of the part, then bodies of the machine out of the way.
+place     the surface is divided into triangles no larger than a spacing; each stands for its middle with its
+          facet's normal. There the cutter is set on the part with many axes, the facet's normal first, then
+          ever farther from it.
+obstacle  what ends the tries: the one that the luckiest axis met. An axis first has to be within the
+          machine's limits, the tool then above the table, then cutter, shank and holder out of the part, then
+          bodies of the machine out of the way.
 
-It is as fine as its places and axes: what it calls reachable is (that axis was tried), what it does not may still be, under an
-axis between those tried.
+It is as fine as its places and axes: what it calls reachable is (that axis was tried), what it does not may
+still be, under an axis between those tried.
 """
 
 from __future__ import annotations
@@ -42,7 +45,8 @@ SPOKES = 8
 """Ways to either side of each tilt."""
 
 PLACES = 10_000
-"""Squares of the spacing into which the surface is divided, about; each holds two or three of the triangles."""
+"""Squares of the spacing into which the surface is divided, about; each holds two or three of the
+triangles."""
 
 FINEST = 0.1
 """Of the cutter's radius: places are not laid closer than that, whatever the part's size."""
@@ -68,9 +72,10 @@ LONGER = (5.0, 10.0, 20.0, 40.0, 80.0)
 
 @dataclass(frozen=True, eq=False)
 class ReachMap:
-    """Of each of k places: ``point`` (k, 3) mm, ``facet`` (k,), ``area`` (k,) mm2; ``obstacle`` (k,) of :class:`Obstacle`;
-    ``tilt`` (k,) rad and unit ``axis`` (k, 3) of the first axis that is free, NaN where there is none. ``longer``: mm that the
-    tool would have to stick out farther, and mm2 that it reaches then besides; ``spacing`` mm."""
+    """Of each of k places: ``point`` (k, 3) mm, ``facet`` (k,), ``area`` (k,) mm2; ``obstacle`` (k,) of
+    :class:`Obstacle`; ``tilt`` (k,) rad and unit ``axis`` (k, 3) of the first axis that is free, NaN where
+    there is none. ``longer``: mm that the tool would have to stick out farther, and mm2 that it reaches then
+    besides; ``spacing`` mm."""
 
     point: Floats
     facet: Ints
@@ -87,13 +92,15 @@ class ReachMap:
 
 
 def reach_map(
-    mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent, fixtures: Sequence[Fixture] = (),
+    mesh: Mesh, reacher: Reacher, facets: Bools | None = None, progress: Progress = silent,
+    fixtures: Sequence[Fixture] = (),
     executor: Executor | None = None, keep_off: KeepOff | None = None,
 ) -> ReachMap:  # fmt: skip
-    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as the part is.
-    ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot touch for it are not in the map.
-    ``executor``: whose workers do a portion of the places each, with the same result to the last bit; None: all is done here,
-    which is quicker for a part of a few thousand places. Raises SettingsError for sizes that no tool has."""
+    """Where the tool gets on these ``facets`` (f,), None: on all; ``fixtures``, work frame, are in its way as
+    the part is. ``keep_off``: faces to avoid on which there is an allowance; places that the cutter cannot
+    touch for it are not in the map. ``executor``: whose workers do a portion of the places each, with the
+    same result to the last bit; None: all is done here, which is quicker for a part of a few thousand places.
+    Raises SettingsError for sizes that no tool has."""
     spacing = _spacing(mesh, reacher.cutter, facets)
     point, facet, area = surface_samples(mesh, spacing, facets)
     joined = join_obstacles(mesh, fixtures)
@@ -102,7 +109,9 @@ def reach_map(
         point, facet, area = point[some], facet[some], area[some]
     ground, normal, tilts = Ground(reacher, joined), mesh.normal[facet], len(TILTS) / (len(TILTS) + 1)
     parts = list(_split_places(point, normal, BATCH if executor else len(point)))
-    tried = spread(_try_all, ground, parts, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in parts])
+    tried = spread(
+        _try_all, ground, parts, executor, _scaled(progress, 0.0, tilts), "reach", [len(one) for one in parts]
+    )
     obstacle, tilt, axis = map(np.concatenate, zip(*tried, strict=True))
     held = np.flatnonzero((obstacle == Obstacle.HOLDER) | (obstacle == Obstacle.MACHINE))
     rows = held[:: max(1, len(held) // TRIED)]
@@ -119,7 +128,8 @@ def _scaled(progress: Progress, first: float, last: float) -> Progress:
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """What all places have in common: the tool, and what is in its way. The tree is not sent: it is four times as large."""
+    """What all places have in common: the tool, and what is in its way. The tree is not sent: it is four
+    times as large."""
 
     reacher: Reacher
     mesh: Mesh
@@ -164,7 +174,8 @@ def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
 
 
 def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
-    """The first of LONGER (k,) by which the tool has to stick out farther to get there; len(LONGER) where it never does."""
+    """The first of LONGER (k,) by which the tool has to stick out farther to get there; len(LONGER) where it
+    never does."""
     reacher, step, none = ground.reacher, np.full(len(places), len(LONGER)), len(LONGER)
     for k, more in enumerate(LONGER):
         rows = np.flatnonzero(step == none)
@@ -175,8 +186,8 @@ def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
 
 
 def _set_on(reacher: Reacher, tree: FacetTree, places: Places, open_: Ints, progress: Progress) -> Met:
-    """Set the tool on the ``open_`` places with all axes of each tilt, the least first, until one is free. The others stay as
-    they are before any try."""
+    """Set the tool on the ``open_`` places with all axes of each tilt, the least first, until one is free.
+    The others stay as they are before any try."""
     obstacle, tilt = np.full(len(places), int(Obstacle.LIMITS)), np.full(len(places), np.nan)
     axis = np.full((len(places), 3), np.nan)
     tilts = (*TILTS, *(tilt for tilt in UNDERCUTS if tilt < 0.5 * math.pi + reacher.cutter.undercut))
@@ -194,7 +205,8 @@ def _spacing(mesh: Mesh, cutter: Cutter, facets: Bools | None) -> float:
 
 
 def _too_tight(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats) -> Bools:
-    """Whether (k,) a ball end itself enters the part: no axis helps. Of other cutters nothing is known beforehand."""
+    """Whether (k,) a ball end itself enters the part: no axis helps. Of other cutters nothing is known
+    beforehand."""
     cutter = reacher.cutter
     if cutter.ring > 0.0:
         return np.zeros(len(point), np.bool_)
@@ -203,10 +215,12 @@ def _too_tight(reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats)
 
 
 def _try(
-    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, angle: float, open_: Ints, obstacle: Ints, tilt: Floats,
+    reacher: Reacher, tree: FacetTree, point: Floats, normal: Floats, angle: float, open_: Ints,
+    obstacle: Ints, tilt: Floats,
     axis: Floats,
 ) -> None:  # fmt: skip
-    """Set the tool on the ``open_`` places (k,) with all axes of that angle; what is found goes into obstacle, tilt and axis."""
+    """Set the tool on the ``open_`` places (k,) with all axes of that angle; what is found goes into
+    obstacle, tilt and axis."""
     turned = tried_axes(normal[open_], angle, reacher.cutter.ring)
     ways = turned.shape[1]
     place, turned = np.repeat(open_, ways), turned.reshape(-1, 3)
@@ -220,8 +234,8 @@ def _try(
 
 
 def tried_axes(normal: Floats, angle: float, ring: float) -> Floats:
-    """Unit axes (n, ways, 3) of that angle (rad) to unit ``normal`` (n, 3). Upright, a bottom with a ``ring`` (mm) may touch with
-    its middle or with its edge on any side."""
+    """Unit axes (n, ways, 3) of that angle (rad) to unit ``normal`` (n, 3). Upright, a bottom with a ``ring``
+    (mm) may touch with its middle or with its edge on any side."""
     if angle > 0.0:
         return tilted_axes(normal, angle, SPOKES)
     edges = [tilted_axes(normal, UPRIGHT, SPOKES)] if ring > 0.0 else []
@@ -240,9 +254,10 @@ def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
 
 
 def _reached(area: Floats, held: Ints, rows: Ints, step: Ints) -> Iterator[tuple[float, float]]:
-    """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of the places ``held``, where
-    only holder or machine are in the way: an estimate from ``rows``, of which ``step`` is the first of LONGER that helps. A shank
-    as wide as the one there is, or as the cutter, fills the gap."""
+    """How far the tool would have to stick out at most, mm, and the area, mm2, that it reaches then of the
+    places ``held``, where only holder or machine are in the way: an estimate from ``rows``, of which ``step``
+    is the first of LONGER that helps. A shank as wide as the one there is, or as the cutter, fills the
+    gap."""
     each, reached = float(area[held].sum()) / max(float(area[rows].sum()), 1e-30), 0.0
     for k, more in enumerate(LONGER):
         free = rows[step == k]

@@ -27,8 +27,10 @@ KEYS = {
 }  # fmt: skip
 
 NOTE = (
-    "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called reachable is, with the "
-    "axis tried; what is not may still be, between those axes. Limits are those of the rotary axes; the table counts where its "
+    "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called "
+    "reachable is, with the "
+    "axis tried; what is not may still be, between those axes. Limits are those of the rotary axes; the "
+    "table counts where its "
     "height is known, the machine where its file names bodies. A part of the tool may enter by the tolerance."
 )
 
@@ -56,14 +58,19 @@ def verdict(found: ReachMap) -> Sentence:
     worst = max(KEYS, key=found.area_of)
     return say(
         "The tool gets to {share} % of the surface, {reached} of {area}; most of the rest is {reason}.",
-        share=f"{100.0 * reached / whole:.1f}", reached=Area(reached, ".5g"), area=Area(whole, ".5g"), reason=reason(worst),
+        share=f"{100.0 * reached / whole:.1f}", reached=Area(reached, ".5g"), area=Area(whole, ".5g"),
+        reason=reason(worst),
     )  # fmt: skip
 
 
 def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
     """What a tool that sticks out farther would reach besides."""
     return tuple(
-        say("Let the tool stick out {step} farther and it reaches {area} more.", step=Length(step), area=Area(area, ".3g"))
+        say(
+            "Let the tool stick out {step} farther and it reaches {area} more.",
+            step=Length(step),
+            area=Area(area, ".3g"),
+        )
         for step, area in found.longer
     )
 
@@ -94,10 +101,13 @@ def reach_text(found: ReachMap, findings: Sequence[Finding] = ()) -> str:
     return "\n".join([*lines, *findings_text(findings), *textwrap.wrap(NOTE, WIDTH)]) + "\n"
 
 
-def reach_json(found: ReachMap, inputs: Mapping[str, object] | None = None, findings: Sequence[Finding] = ()) -> str:
+def reach_json(
+    found: ReachMap, inputs: Mapping[str, object] | None = None, findings: Sequence[Finding] = ()
+) -> str:
     """For scripts: areas in mm2, angles in degrees; ``inputs``: a job file."""
     summary = {
-        "area": float(found.area.sum()), "reachable_area": found.area_of(Obstacle.NONE), "reachable_share": share_reached(found),
+        "area": float(found.area.sum()), "reachable_area": found.area_of(Obstacle.NONE),
+        "reachable_share": share_reached(found),
         "by_reason": {key: found.area_of(obstacle) for obstacle, key in KEYS.items()},
         "by_tilt": [{"above": low, "up_to": high, "area": area} for low, high, area in _tilts(found)],
         "stick_out": [{"longer": step, "area": area} for step, area in found.longer],
@@ -113,4 +123,10 @@ def reach_html(found: ReachMap, title: str = "", findings: Sequence[Finding] = (
         section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>'),
         section("Findings", findings_list(findings)),
     ]
-    return page("What the tool reaches", title, verdict(found), "good" if share_reached(found) > 1.0 - 1e-9 else "open", body)
+    return page(
+        "What the tool reaches",
+        title,
+        verdict(found),
+        "good" if share_reached(found) > 1.0 - 1e-9 else "open",
+        body,
+    )

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How small a ball would have to be where a reach map says that the cutter is too large.
 
-Only the ball itself is set on the place, so that no axis counts; a smaller ball of the same tool may still meet shank or holder.
+Only the ball itself is set on the place, so that no axis counts; a smaller ball of the same tool may still
+meet shank or holder.
 """
 
 from __future__ import annotations
@@ -24,10 +25,16 @@ SMALLER = tuple(0.1 * k for k in range(9, 0, -1))
 
 
 def smaller_ball(
-    mesh: Mesh, reacher: Reacher, found: ReachMap, share: float, fixtures: Sequence[Fixture] = (), progress: Progress = silent
+    mesh: Mesh,
+    reacher: Reacher,
+    found: ReachMap,
+    share: float,
+    fixtures: Sequence[Fixture] = (),
+    progress: Progress = silent,
 ) -> float | None:
-    """The largest radius tried, mm, of a ball that is free on a ``share`` of the area where the cutter is too large; 0.0: none,
-    None where the cutter is no ball or nowhere too large. An estimate from about TRIED of those places."""
+    """The largest radius tried, mm, of a ball that is free on a ``share`` of the area where the cutter is too
+    large; 0.0: none, None where the cutter is no ball or nowhere too large. An estimate from about TRIED of
+    those places."""
     tight = np.flatnonzero(found.obstacle == Obstacle.CUTTER)
     if not reacher.cutter.touches_as_ball or not len(tight):
         return None

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Three tasks that write no program: ``setup``, where the part should stand; ``compare``, which machine and which cure;
-``reach``, where the tool gets at all.
+"""Three tasks that write no program: ``setup``, where the part should stand; ``compare``, which machine and
+which cure; ``reach``, where the tool gets at all.
 
-trial     a program that is made only to know what it costs. Both tasks make the CL path once, as ``mill`` and ``post`` do, and
-          try it many times; no program is written. What is chosen is then given to ``mill`` or ``post``.
+trial     a program that is made only to know what it costs. Both tasks make the CL path once, as ``mill`` and
+          ``post`` do, and try it many times; no program is written. What is chosen is then given to ``mill``
+          or ``post``.
 solid     a source that ends in .stl; any other is a CL file.
 """
 
@@ -73,7 +74,8 @@ class SetupTrial:
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """``draft``: the program on the first machine; ``rows``: one for each machine, cure and kind of control."""
+    """``draft``: the program on the first machine; ``rows``: one for each machine, cure and kind of
+    control."""
 
     settings: Settings
     draft: PostedProgram
@@ -95,8 +97,9 @@ Trial = SetupTrial | Comparison | ReachTrial
 
 
 def run(settings: Settings, progress: Progress = silent, executor: Executor | None = None) -> Trial:
-    """Do the task that the settings name. ``executor``: whose workers make the trials, with the same result to the last bit;
-    None: they are made here. Raises FiveAxisError for input that cannot be used; writes nothing."""
+    """Do the task that the settings name. ``executor``: whose workers make the trials, with the same result
+    to the last bit; None: they are made here. Raises FiveAxisError for input that cannot be used; writes
+    nothing."""
     if settings.task == REACH:
         return try_reach(settings, progress, executor=executor)
     if settings.task == SETUP:
@@ -108,8 +111,8 @@ def try_reach(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     fixtures: Sequence[Fixture] = (), most: float = math.pi, executor: Executor | None = None,
 ) -> ReachTrial:  # fmt: skip
-    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its way too; ``most``
-    rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
+    """Where the tool gets on the part. ``mesh``, ``faces``: as in :func:`~.job.make`; ``fixtures`` are in its
+    way too; ``most`` rad from +Z it may lean; ``executor``: as in :func:`run`. Raises FiveAxisError."""
     machine, setup, _ = resolve_setup(settings, load_machine(settings.machine.machine))
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     if not is_part(settings.source) and mesh is None:
@@ -132,13 +135,14 @@ def try_reach(
 
 
 def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:
-    """The height of the table's face in the work frame, mm; None where it is not known, or cannot be right because the part would
-    lie in the table: that is said."""
+    """The height of the table's face in the work frame, mm; None where it is not known, or cannot be right
+    because the part would lie in the table: that is said."""
     lowest = float(mesh.box[0][2])
     if table is None or lowest >= table - IN_TABLE:
         return table, ()
     text = say(
-        "The part's lowest place would be {depth} below the table: the table is not looked at. Give the work zero with {origin}, "
+        "The part's lowest place would be {depth} below the table: the table is not looked at. Give the work "
+        "zero with {origin}, "
         "or the table's height with {table_height}.",
         depth=Length(table - lowest), origin=Option("origin"), table_height=Option("table_height"),
     )  # fmt: skip
@@ -149,19 +153,24 @@ def try_setups(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     executor: Executor | None = None,
 ) -> SetupTrial:  # fmt: skip
-    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`; ``executor``: as in :func:`run`.
+    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`; ``executor``: as in
+    :func:`run`.
 
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
     job = suit_tool_axis(_job_settings(settings), load_machine(settings.machine.machine))
-    machine, base, dialect = clamped(replace(job, task=SETUP))  # and what makes no sense for a setup is refused
+    machine, base, dialect = clamped(
+        replace(job, task=SETUP)
+    )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
     program = _posted(job, progress, mesh, faces)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
     collide = _collide(job, machine, dialect, progress)
-    chart = setup_map(program.path, machine, base, region, posting, enough, progress, table, executor, collide)
+    chart = setup_map(
+        program.path, machine, base, region, posting, enough, progress, table, executor, collide
+    )
     if chart.best is None:
         _refuse(chart)
     return SetupTrial(settings, program, chart, chart.findings)
@@ -171,11 +180,11 @@ def try_machines(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     executor: Executor | None = None,
 ) -> Comparison:  # fmt: skip
-    """The same path on every machine that the settings name, with each cure. The path is made for the first of them that can
-    cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
+    """The same path on every machine that the settings name, with each cure. The path is made for the first
+    of them that can cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
 
-    Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long work; and what the
-    first machine says where none can cut the path.
+    Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long
+    work; and what the first machine says where none can cut the path.
     """
     names, wanted = settings.compare.machines, known_cures(settings.compare.cures)
     if not names:
@@ -184,7 +193,9 @@ def try_machines(
     suited = suit_tool_axis(settings, max(machines, key=lambda machine: machine.rotaries))
     each_settings = [_job_settings(suited, name) for name in names]
     stands = [resolve_setup(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
-    refused = [what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)]
+    refused = [
+        what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)
+    ]
     program = _draft_for_first(each_settings, refused, progress, mesh, faces)
     stations = [
         station(machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text)
@@ -195,11 +206,12 @@ def try_machines(
 
 
 def _draft_for_first(
-    each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress, mesh: Mesh | None,
+    each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress,
+    mesh: Mesh | None,
     faces: Bools | None,
 ) -> PostedProgram:  # fmt: skip
-    """The path and its program on the first machine that can take up all of its axes. Raises what the first machine says where
-    there is none."""
+    """The path and its program on the first machine that can take up all of its axes. Raises what the first
+    machine says where there is none."""
     problems: list[FiveAxisError] = []
     for job, why in zip(each_settings, refused, strict=True):
         try:
@@ -223,13 +235,15 @@ def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools |
         job = replace(job, task=MILL)
     program = make(job, progress, mesh, faces)
     if not isinstance(program, PostedProgram):
-        raise SettingsError(say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source)
+        raise SettingsError(
+            say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source
+        )
     return program
 
 
 def _collide(settings: Settings, machine: Machine, dialect: Dialect, progress: Progress) -> Collide | None:
-    """What tool and spindle hit of the machine in a setup; None where its file names no bodies. What the spindle hits of the part
-    it hits in every setup: the program's own check tells that."""
+    """What tool and spindle hit of the machine in a setup; None where its file names no bodies. What the
+    spindle hits of the part it hits in every setup: the program's own check tells that."""
     if not machine.bodies:
         return None
 
@@ -248,13 +262,18 @@ def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Po
     part = program.mesh.vertex if isinstance(program, MilledProgram) else None
     inverse_time = settings.feeds.feed_mode == "g93"
     return Posting(
-        dialect, inverse_time, settings.links.clearance, settings.cutter.cutter.radius, part, driven_to_surface(program.settings)
+        dialect,
+        inverse_time,
+        settings.links.clearance,
+        settings.cutter.cutter.radius,
+        part,
+        driven_to_surface(program.settings),
     )
 
 
 def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:
-    """The region about the present work zero, with as many places as are asked for, or as ``rows`` of the path leave time for.
-    Where nobody says how high the ``table`` is, Z of the usual region stays where it is.
+    """The region about the present work zero, with as many places as are asked for, or as ``rows`` of the
+    path leave time for. Where nobody says how high the ``table`` is, Z of the usual region stays where it is.
 
     Raises SettingsError where there is nothing to choose from.
     """
@@ -262,7 +281,8 @@ def _region(settings: Settings, centre: Vector, rows: int, table: float | None) 
     half = (half[0], half[1], 0.0) if table is None and half == USUAL_REGION else half
     if not any(half) and turns == 1:
         text = say(
-            "region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or {turns} above 1",
+            "region 0,0,0 with 1 turn has one setup only; give {region} a way to go along X, Y or Z, or "
+            "{turns} above 1",
             region=Option("region"),
             turns=Option("turns"),
         )
@@ -270,7 +290,9 @@ def _region(settings: Settings, centre: Vector, rows: int, table: float | None) 
     able = [count for count in GRIDS if _places(half, count, turns) * rows <= WORK] or [GRIDS[-1]]
     x, y, z = able[0] if grid is None else (int(count) for count in grid)
     count = (x if half[0] else 1, y if half[1] else 1, z if half[2] else 1)
-    low, high = ((centre[0] + s * half[0], centre[1] + s * half[1], centre[2] + s * half[2]) for s in (-1.0, 1.0))
+    low, high = (
+        (centre[0] + s * half[0], centre[1] + s * half[1], centre[2] + s * half[2]) for s in (-1.0, 1.0)
+    )
     return Region(low, high, count, tuple(2.0 * math.pi * turn / turns for turn in range(turns)))
 
 
@@ -281,17 +303,21 @@ def _places(half: Vector, count: tuple[int, int, int], turns: int) -> int:
 def _refuse(chart: SetupMap) -> None:
     low, high = chart.region.low, chart.region.high
     sides = zip("XYZ", low, high, strict=True)
-    box = joined((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True), high=Length(b, bare=letter != "Z"))
+    box = joined((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True),
+        high=Length(b, bare=letter != "Z"))
                   for letter, a, b in sides), ", ")  # fmt: skip
     why = next(
-        (one.text for one in chart.findings if one.severity is Severity.ERROR), say("the axes leave their limits everywhere")
+        (one.text for one in chart.findings if one.severity is Severity.ERROR),
+        say("the axes leave their limits everywhere"),
     )
     raise SettingsError(say("setup region {box}: {why}", box=box, why=why), (low, high))
 
 
 def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
     grave = Severity.ERROR if all(row.problem for row in rows) else Severity.WARNING
-    for machine, cure, problem in dict.fromkeys((row.machine, row.cure, row.problem) for row in rows if row.problem):
+    for machine, cure, problem in dict.fromkeys(
+        (row.machine, row.cure, row.problem) for row in rows if row.problem
+    ):
         text = say(
             "On {machine} with correction {cure} the path cannot be driven: {problem}",
             machine=machine,
@@ -316,7 +342,9 @@ def as_json(trial: Trial) -> str:
     inputs = flat_options(trial.settings)
     if isinstance(trial, ReachTrial):
         return reach_json(trial.found, inputs, trial.findings)
-    return setup_json(trial.chart, inputs) if isinstance(trial, SetupTrial) else compare_json(trial.rows, inputs)
+    return (
+        setup_json(trial.chart, inputs) if isinstance(trial, SetupTrial) else compare_json(trial.rows, inputs)
+    )
 
 
 def as_html(trial: Trial) -> str:
@@ -335,6 +363,9 @@ REPORTS = {".json": as_json, ".html": as_html, ".htm": as_html, ".txt": as_text}
 def write_outputs(trial: Trial) -> list[str]:
     """Write the reports that the settings name, all or none; returns their names. Raises FileError."""
     reports = trial.settings.output.report
-    files = {path: REPORTS[Path(path).suffix.lower()](trial).encode("utf-8", "backslashreplace") for path in reports}
+    files = {
+        path: REPORTS[Path(path).suffix.lower()](trial).encode("utf-8", "backslashreplace")
+        for path in reports
+    }
     write_all(files)
     return list(files)

@@ -2,15 +2,18 @@
 """What must not enter the part: cutter, shank and holder as one body of revolution about the tool axis.
 
 body      a stack of convex pieces; heights are counted from the tip along the axis, towards the spindle, mm.
-core      of a piece: a disc, a frustum, or a stretch of the axis; all points between the disc of ``low_radius`` at height
-          ``low`` and the disc of ``high_radius`` at height ``high``.
-bulge     of a core: its side is no straight line but an arc of that radius, which ends parallel to the axis at the high disc's
-          radius and goes on as a cylinder to its height. With the round it is a barrel cutter, to the last bit, not in facets.
-piece     all points within ``round`` of its core: a ball is a core of one point, a corner of a bull nose a rounded disc.
+core      of a piece: a disc, a frustum, or a stretch of the axis; all points between the disc of
+          ``low_radius`` at height ``low`` and the disc of ``high_radius`` at height ``high``.
+bulge     of a core: its side is no straight line but an arc of that radius, which ends parallel to the axis
+          at the high disc's radius and goes on as a cylinder to its height. With the round it is a barrel
+          cutter, to the last bit, not in facets.
+piece     all points within ``round`` of its core: a ball is a core of one point, a corner of a bull nose a
+          rounded disc.
 depth     of a point in the body: how far it is inside, mm; the largest over the pieces. Negative outside.
 support   of a piece in a unit direction g: the largest ``g . x`` of its points x, here from a tip at 0.
 
-Depth changes no faster than the body moves, and each piece is convex: its signed distance is a convex function.
+Depth changes no faster than the body moves, and each piece is convex: its signed distance is a convex
+function.
 """
 
 from __future__ import annotations
@@ -40,8 +43,9 @@ UNDIRECTED_MM = 1e-30
 
 
 class Piece(NamedTuple):
-    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK, HOLDER or SPINDLE; ``bulge``: radius of
-    the arc between the discs, which begins on the axis (``low_radius`` 0) and is above ``high_radius``; 0: there is none."""
+    """A convex piece, mm: the core's two discs and ``round``; ``part``: CUTTER, SHANK, HOLDER or SPINDLE;
+    ``bulge``: radius of the arc between the discs, which begins on the axis (``low_radius`` 0) and is above
+    ``high_radius``; 0: there is none."""
 
     low: float
     low_radius: float
@@ -59,8 +63,8 @@ class Piece(NamedTuple):
 
     @property
     def reach(self) -> float:
-        """No point of the core lies farther from the tip than this; a turn of the axis by t moves none of them by more than t
-        times as much."""
+        """No point of the core lies farther from the tip than this; a turn of the axis by t moves none of
+        them by more than t times as much."""
         return float(max(np.hypot(self.low, self.low_radius), np.hypot(self.high, self.high_radius)))
 
     @property
@@ -96,8 +100,8 @@ def grow_body(body: Body, by: float) -> Body:
 
 
 def extend_way_out(body: Body, far: float) -> Body:
-    """Put the body in all places at once that it takes while it is drawn out along its axis by ``far`` mm: above every piece that
-    is wider than those below a cylinder stands, from where the piece is widest."""
+    """Put the body in all places at once that it takes while it is drawn out along its axis by ``far`` mm:
+    above every piece that is wider than those below a cylinder stands, from where the piece is widest."""
     pieces, widest = list[Piece](), 0.0
     for piece in sorted(body.pieces, key=lambda piece: piece.low - piece.round):
         start = piece.high if piece.high_radius >= piece.low_radius else piece.low
@@ -109,18 +113,24 @@ def extend_way_out(body: Body, far: float) -> Body:
 
 
 def round_piece(ring: float, corner: float, height: float, part: int = CUTTER) -> Piece:
-    """The points within ``corner`` of a disc of radius ``ring`` at ``height``, mm: a ball where ``ring`` is 0."""
+    """The points within ``corner`` of a disc of radius ``ring`` at ``height``, mm: a ball where ``ring`` is
+    0."""
     return _checked(Piece(height, ring, height, ring, corner, part))
 
 
-def frustum_piece(low: float, low_radius: float, high: float, high_radius: float, part: int = CUTTER) -> Piece:
+def frustum_piece(
+    low: float, low_radius: float, high: float, high_radius: float, part: int = CUTTER
+) -> Piece:
     """A cylinder or a cone frustum from height ``low`` to ``high``, mm."""
     return _checked(Piece(low, low_radius, high, high_radius, 0.0, part))
 
 
 def _checked(piece: Piece) -> Piece:
     sizes = (*piece[:5], piece.bulge)
-    if not all(0.0 <= abs(size) <= LARGEST for size in sizes) or min(piece.low_radius, piece.high_radius, piece.round) < 0.0:
+    if (
+        not all(0.0 <= abs(size) <= LARGEST for size in sizes)
+        or min(piece.low_radius, piece.high_radius, piece.round) < 0.0
+    ):
         raise SettingsError(
             say(
                 "a piece of the tool has sizes {sizes}; give radii of at least 0, up to {largest}",
@@ -142,11 +152,15 @@ def _checked(piece: Piece) -> Piece:
 
 
 def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
-    """The support (n,) mm in unit directions that have ``along`` (n,) of the axis in them, where the axis may be off by a vector
-    as long as ``loose`` (n,)."""
+    """The support (n,) mm in unit directions that have ``along`` (n,) of the axis in them, where the axis may
+    be off by a vector as long as ``loose`` (n,)."""
     low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
-    across = np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
-    most = [_plus(z * along, r * across, (abs(z) + r) * loose) for z, r in ([low] if low == high else [low, high])]
+    across = (
+        np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
+    )
+    most = [
+        _plus(z * along, r * across, (abs(z) + r) * loose) for z, r in ([low] if low == high else [low, high])
+    ]
     reached = most[0] if len(most) == 1 else np.maximum(*most)
     if piece.bulge > 0.0:
         reached = np.maximum(reached, _bulge_support(piece, along, across, loose))
@@ -154,7 +168,8 @@ def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
 
 
 def _bulge_support(piece: Piece, along: Floats, across: Floats | float, loose: Floats | float) -> Floats:
-    """The support (n,) mm of a bulge's arc from a tip at 0; -inf in directions in which none of its points is the farthest."""
+    """The support (n,) mm of a bulge's arc from a tip at 0; -inf in directions in which none of its points is
+    the farthest."""
     middle, height = piece.arc
     reached = middle * across + piece.bulge + height * along + (abs(height) + piece.high_radius) * loose
     return np.where((along <= 0.0) & (along * piece.bulge >= piece.low - height), reached, -np.inf)
@@ -169,31 +184,41 @@ def _plus(column: Floats, *more: Floats | float) -> Floats:
 
 
 def seen_from(body: Body, height: float) -> Body:
-    """Count the heights of the body from ``height`` mm above the tip: its supports are then from the point there."""
-    return Body(tuple(piece._replace(low=piece.low - height, high=piece.high - height) for piece in body.pieces))
+    """Count the heights of the body from ``height`` mm above the tip: its supports are then from the point
+    there."""
+    return Body(
+        tuple(piece._replace(low=piece.low - height, high=piece.high - height) for piece in body.pieces)
+    )
 
 
 def body_support(body: Body, along: Floats) -> Floats:
-    """The support mm of the body in unit directions that have ``along`` (any shape) of the axis in them, in the same shape."""
+    """The support mm of the body in unit directions that have ``along`` (any shape) of the axis in them, in
+    the same shape."""
     return np.asarray(np.max([support(piece, along) for piece in body.pieces], axis=0))
 
 
 def swing_support(body: Body, most: Floats) -> Floats:
-    """The largest support (n,) mm of the body over all directions that have at most ``most`` (n,) of the axis in them: of each
-    disc it is a sine of the angle, whose top counts where it is within."""
+    """The largest support (n,) mm of the body over all directions that have at most ``most`` (n,) of the axis
+    in them: of each disc it is a sine of the angle, whose top counts where it is within."""
     discs = {(z, r, piece.round) for piece in body.pieces for z, r in (piece[:2], piece[2:4])}
     along = [np.minimum(z / max(math.hypot(z, r), UNDIRECTED_MM), most) for z, r, _ in discs]
-    reach = [z * a + r * np.sqrt(np.maximum(1.0 - a * a, 0.0)) + c for (z, r, c), a in zip(discs, along, strict=True)]
+    reach = [
+        z * a + r * np.sqrt(np.maximum(1.0 - a * a, 0.0)) + c
+        for (z, r, c), a in zip(discs, along, strict=True)
+    ]
     level = np.minimum(most, 0.0)  # on a bulge, all of which is above the tip, the more along the farther
     reach += [support(piece, level) for piece in body.pieces if piece.bulge > 0.0]
     return np.asarray(np.max(reach, axis=0))
 
 
-def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()) -> Body:
-    """The body of a cutter up to its length, then shank and holder, after those that the cutter brings itself.
+def body_of(
+    cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()
+) -> Body:
+    """The body of a cutter up to its length, then shank and holder, after those that the cutter brings
+    itself.
 
-    ``shank``, ``holder``: (diameter, length) mm of stacked cylinders, from the cutter upwards. Raises SettingsError for sizes
-    that no tool has.
+    ``shank``, ``holder``: (diameter, length) mm of stacked cylinders, from the cutter upwards. Raises
+    SettingsError for sizes that no tool has.
     """
     pieces = [*_cutter_pieces(cutter), *(frustum_piece(*row, HOLDER) for row in cutter.holder)]
     top = max(cutter.length, cutter.corner)
@@ -205,12 +230,16 @@ def body_of(cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: I
 
 
 def _cutter_pieces(cutter: Cutter) -> list[Piece]:
-    """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all points within the corner
-    radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone (tapered); and its end, which that rounds off, with
-    so much below it that its own lower border does not count. Of a lollipop the ball, and its neck, which does not cut, as a
-    shank; of a barrel all points within the corner radius of a bulge, and its end."""
+    """One piece from the bottom up, so that no inner border makes a point seem less deep than it is: all
+    points within the corner radius of a stretch of the axis (ball), a cylinder (bull nose) or a cone
+    (tapered); and its end, which that rounds off, with so much below it that its own lower border does not
+    count. Of a lollipop the ball, and its neck, which does not cut, as a shank; of a barrel all points within
+    the corner radius of a bulge, and its end."""
     if cutter.stem:
-        return [round_piece(cutter.ring, cutter.corner, cutter.corner), *(frustum_piece(*row, SHANK) for row in cutter.stem)]
+        return [
+            round_piece(cutter.ring, cutter.corner, cutter.corner),
+            *(frustum_piece(*row, SHANK) for row in cutter.stem),
+        ]
     if (barrel := cutter.barrel) is not None:
         return _barrel_pieces(cutter, barrel)
     corner, slope = cutter.corner, math.tan(cutter.taper)
@@ -219,7 +248,9 @@ def _cutter_pieces(cutter: Cutter) -> list[Piece]:
     pieces = [_checked(Piece(corner, cutter.ring, last, cutter.ring + (last - corner) * slope, corner))]
     if top > last:
         start = max(last - corner, min(corner, last))
-        pieces.append(frustum_piece(start, cutter.top_radius - (cutter.length - start) * slope, top, cutter.top_radius))
+        pieces.append(
+            frustum_piece(start, cutter.top_radius - (cutter.length - start) * slope, top, cutter.top_radius)
+        )
     return pieces
 
 
@@ -231,12 +262,12 @@ def _barrel_pieces(cutter: Cutter, barrel: Flank) -> list[Piece]:
     return [core, *([frustum_piece(start, wide, top, wide)] if top > start else [])]
 
 
-# ------------------------------------------------------------------------------------------------ the meridian plane
+# ----------------------------------------------------------------------------------------- the meridian plane
 
 
 class Off(NamedTuple):
-    """``distance`` (n,) mm from the piece, negative inside; ``along`` and ``across`` (n,): its gradient along the axis and away
-    from it, of length 1."""
+    """``distance`` (n,) mm from the piece, negative inside; ``along`` and ``across`` (n,): its gradient along
+    the axis and away from it, of length 1."""
 
     distance: Floats
     along: Floats
@@ -244,7 +275,8 @@ class Off(NamedTuple):
 
 
 def off_piece(piece: Piece, radius: Floats, height: Floats) -> Off:
-    """Signed distance and its gradient at points ``radius`` (n,) from the axis and ``height`` (n,) above the tip, mm."""
+    """Signed distance and its gradient at points ``radius`` (n,) from the axis and ``height`` (n,) above the
+    tip, mm."""
     if piece.low == piece.high or (piece.low_radius == 0.0 and piece.high_radius == 0.0):
         near_radius = np.minimum(radius, piece.low_radius)
         near_height = np.clip(height, piece.low, piece.high)
@@ -303,8 +335,9 @@ def _off_frustum(piece: Piece, radius: Floats, height: Floats) -> Off:
 
 
 def _off_bulge(piece: Piece, radius: Floats, height: Floats) -> Off:
-    """Of a core with a bulge: from its lowest point, its arc, its side or its top. No point of it is below the line from the
-    middle of its arc to its lowest point, so inside only the arc, the side and the top are near."""
+    """Of a core with a bulge: from its lowest point, its arc, its side or its top. No point of it is below
+    the line from the middle of its arc to its lowest point, so inside only the arc, the side and the top are
+    near."""
     middle, crest = piece.arc
     dr, dz = radius - middle, height - crest
     far = np.maximum(np.sqrt(dr * dr + dz * dz), UNDIRECTED_MM)
@@ -315,13 +348,16 @@ def _off_bulge(piece: Piece, radius: Floats, height: Floats) -> Off:
     corner = _from_point(np.maximum(radius - piece.high_radius, 0.0), np.maximum(along, 0.0))
     tip = _from_point(radius, height - piece.low)
     by_top = along > across
-    side = Off(np.where(by_top, along, across), np.where(by_top, 1.0, out_along), np.where(by_top, 0.0, out_across))
+    side = Off(
+        np.where(by_top, along, across), np.where(by_top, 1.0, out_along), np.where(by_top, 0.0, out_across)
+    )
     side = Off(*(np.where(along > 0.0, one, two) for one, two in zip(corner, side, strict=True)))
     return Off(*(np.where(below, one, two) for one, two in zip(tip, side, strict=True)))
 
 
 def depth_of(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
-    """How deep points (n, 3) lie in the body whose tip (n, 3) mm and unit axis (n, 3), or (3,) each, are given: (n,) mm."""
+    """How deep points (n, 3) lie in the body whose tip (n, 3) mm and unit axis (n, 3), or (3,) each, are
+    given: (n,) mm."""
     arm = np.asarray(point, float) - tip
     height = (arm * axis).sum(axis=-1)
     radius = np.linalg.norm(arm - height[..., None] * axis, axis=-1)
@@ -330,9 +366,9 @@ def depth_of(body: Body, tip: Floats, axis: Floats, point: Floats) -> Floats:
 
 
 def way_out(body: Body, tip: Floats, axis: Floats, point: Floats, more: Floats | float = 0.0) -> Floats:
-    """How far (n,) mm bodies at tips and axes (n, 3) must go along their axes until points (n, 3) are below them: what a drop
-    cutter calls the contact with a point. 0 where a point is below already, or beside the body all the way up. ``more`` (n,) mm:
-    by which the body is grown all round."""
+    """How far (n,) mm bodies at tips and axes (n, 3) must go along their axes until points (n, 3) are below
+    them: what a drop cutter calls the contact with a point. 0 where a point is below already, or beside the
+    body all the way up. ``more`` (n,) mm: by which the body is grown all round."""
     arm = point - tip
     height = (arm * axis).sum(axis=-1)
     radius = np.linalg.norm(arm - height[..., None] * axis, axis=-1)

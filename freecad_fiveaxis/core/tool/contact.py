@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which way from its contact the middle of a cutter lies.
 
-out       unit vector perpendicular to the axis, from the contact's side of the ring towards the hub: hub = contact + corner x
-          normal + ring x out. It is the part of the normal across the axis, made unit.
-square    the axis along the normal: every point of a level bottom touches, and out is not defined. There the contact is the
-          foremost point of the bottom, out = against the feed, which is the limit of a small positive lead.
+out       unit vector perpendicular to the axis, from the contact's side of the ring towards the hub: hub =
+          contact + corner x normal + ring x out. It is the part of the normal across the axis, made unit.
+square    the axis along the normal: every point of a level bottom touches, and out is not defined. There the
+          contact is the foremost point of the bottom, out = against the feed, which is the limit of a small
+          positive lead.
 """
 
 from __future__ import annotations
@@ -15,15 +16,16 @@ from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.vectors import NO_DIRECTION
 
 SLIP = 5e-5
-"""mm; the axis counts as square where the bottom, whichever way out points, dips below the plane by no more than this: half of
-a word's last digit, and half of what may be between the cutter and its contact."""
+"""mm; the axis counts as square where the bottom, whichever way out points, dips below the plane by no more
+than this: half of a word's last digit, and half of what may be between the cutter and its contact."""
 
 
 def ring_direction(normal: Floats, axis: Floats, feed: Floats, ring: float) -> Floats:
     """Out (n, 3) for unit ``normal``, ``axis`` and ``feed`` (n, 3) and a ring of radius ``ring`` mm.
 
-    With out off by any angle the bottom dips by ``ring (sine - out . normal) <= 2 ring sine``, sine that of the angle between
-    normal and axis: that is what SLIP bounds. A feed along the axis, where it is needed, is replaced by any perpendicular.
+    With out off by any angle the bottom dips by ``ring (sine - out . normal) <= 2 ring sine``, sine that of
+    the angle between normal and axis: that is what SLIP bounds. A feed along the axis, where it is needed, is
+    replaced by any perpendicular.
     """
     out = _across(normal, axis)
     sine = np.sqrt(np.einsum("ij,ij->i", out, out))

@@ -3,18 +3,25 @@
 
 contact   where the cutter touches the part (CC).       tip     the lowest point of the cutter, on its axis.
 axis      unit vector from the tip to the holder.       ball    a cutter whose corner radius is its radius.
-corner    radius of the rounding between bottom and flank: the centres of its circles make a ring about the axis.
+corner    radius of the rounding between bottom and flank: the centres of its circles make a ring about the
+          axis.
 ring      radius of that ring: diameter / 2 - corner. A ball has none (0); a flat has no corner (0).
-hub       the middle of the ring, on the axis, one corner radius above the tip. Of a ball it is the ball's centre.
-taper     angle of the flank with the axis: above the corner the cutter widens as a cone that touches the corner circles.
+hub       the middle of the ring, on the axis, one corner radius above the tip. Of a ball it is the ball's
+          centre.
+taper     angle of the flank with the axis: above the corner the cutter widens as a cone that touches the
+          corner circles.
 rim       the upper end of the flank, at the height ``length`` above the tip.
-flank     of a barrel: an arc of large radius between the ball at its tip and its largest diameter (:mod:`.barrel`).
-neck      of a lollipop: a cylinder thinner than the ball that rises from it to the height ``length``. It does not cut.
-undercut  angle by which the axis may lean below the surface while the ball, and not its neck, is what touches it there.
+flank     of a barrel: an arc of large radius between the ball at its tip and its largest diameter
+          (:mod:`.barrel`).
+neck      of a lollipop: a cylinder thinner than the ball that rises from it to the height ``length``. It does
+          not cut.
+undercut  angle by which the axis may lean below the surface while the ball, and not its neck, is what touches
+          it there.
 
-The parameters are those of APT's ``CUTTER/d,r,e,f,a,b,h`` with a level bottom: r the corner radius, e the ring, f = r, a = 0, b
-the taper, h the length. The diameter here is that of the rounded end, 2 (e + r), which is APT's d only where there is no
-taper; of a barrel it is the largest one, and its hub is the centre of the ball at its tip.
+The parameters are those of APT's ``CUTTER/d,r,e,f,a,b,h`` with a level bottom: r the corner radius, e the
+ring, f = r, a = 0, b the taper, h the length. The diameter here is that of the rounded end, 2 (e + r), which
+is APT's d only where there is no taper; of a barrel it is the largest one, and its hub is the centre of the
+ball at its tip.
 """
 
 from __future__ import annotations
@@ -47,16 +54,18 @@ ANY = (-2.0, 2.0)
 """Parts along the axis of all unit directions, whatever their rounding."""
 
 CHORDS = 32
-"""Of a barrel's flank where it is given as frusta: they leave 23 mm of an arc of 85 mm by less than 1 micrometre."""
+"""Of a barrel's flank where it is given as frusta: they leave 23 mm of an arc of 85 mm by less than 1
+micrometre."""
 
 Frustum = tuple[float, float, float, float]
-"""A cone frustum about the axis: z0, r0, z1, r1: heights above the tip and the radii there, mm; z0 below z1."""
+"""A cone frustum about the axis: z0, r0, z1, r1: heights above the tip and the radii there, mm; z0 below
+z1."""
 
 
 class Profile(NamedTuple):
-    """What the body is made of, mm. ``rounds`` (k, 3): all points within ``corner`` of a disc, rows of ring (the disc's radius),
-    corner, height of the disc above the tip. ``flanks`` and ``holder`` (m, 4) rows of frusta z0, r0, z1, r1: what cuts, and what
-    does not."""
+    """What the body is made of, mm. ``rounds`` (k, 3): all points within ``corner`` of a disc, rows of ring
+    (the disc's radius), corner, height of the disc above the tip. ``flanks`` and ``holder`` (m, 4) rows of
+    frusta z0, r0, z1, r1: what cuts, and what does not."""
 
     rounds: Floats
     flanks: Floats
@@ -65,11 +74,12 @@ class Profile(NamedTuple):
 
 @dataclass(frozen=True)
 class Cutter:
-    """A cutter, mm and rad: ``diameter`` of its rounded end, ``length`` (cutting edge, tip upwards), each from LEAST to MOST;
-    ``corner`` from 0 (flat) to half the diameter (ball, where it is not given); ``taper`` of the flank, 0 to MOST_TAPER;
-    ``holder``: shank and holder as frusta above the tip; ``neck``: diameter of a lollipop's neck, from LEAST to less than the
-    ball's; None: there is no neck. ``flank``: radius of a barrel's flank, more than half the diameter; its ``corner`` is the
-    radius of the ball at its tip. None: it is no barrel.
+    """A cutter, mm and rad: ``diameter`` of its rounded end, ``length`` (cutting edge, tip upwards), each
+    from LEAST to MOST; ``corner`` from 0 (flat) to half the diameter (ball, where it is not given); ``taper``
+    of the flank, 0 to MOST_TAPER; ``holder``: shank and holder as frusta above the tip; ``neck``: diameter of
+    a lollipop's neck, from LEAST to less than the ball's; None: there is no neck. ``flank``: radius of a
+    barrel's flank, more than half the diameter; its ``corner`` is the radius of the ball at its tip. None: it
+    is no barrel.
 
     Raises SettingsError for a cutter that cannot be.
     """
@@ -110,12 +120,14 @@ class Cutter:
 
     @property
     def radius(self) -> float:
-        """Radius of the rounded end, mm: from the hub no point of it lies farther. Of a barrel half its largest diameter."""
+        """Radius of the rounded end, mm: from the hub no point of it lies farther. Of a barrel half its
+        largest diameter."""
         return self.diameter / 2.0
 
     @property
     def ring(self) -> float:
-        """Radius of the ring on which the corner circles' centres lie, mm; 0 for a ball, and for the ball at a barrel's tip."""
+        """Radius of the ring on which the corner circles' centres lie, mm; 0 for a ball, and for the ball at
+        a barrel's tip."""
         return self.radius - self.corner if self.flank is None else 0.0
 
     @property
@@ -129,7 +141,8 @@ class Cutter:
 
     @property
     def touches_as_ball(self) -> bool:
-        """Whether it touches with one ball about its hub however it leans, so that the hub does not depend on the axis."""
+        """Whether it touches with one ball about its hub however it leans, so that the hub does not depend on
+        the axis."""
         return self.ring == 0.0 and self.flank is None
 
     @property
@@ -149,33 +162,43 @@ class Cutter:
 
     @property
     def undercut(self) -> float:
-        """Undercut, rad: 0 for all that is as wide above its rounded end; of a lollipop less than a right angle."""
+        """Undercut, rad: 0 for all that is as wide above its rounded end; of a lollipop less than a right
+        angle."""
         return 0.0 if self.neck is None else math.acos(self.neck / self.diameter)
 
     @property
     def stem(self) -> tuple[Frustum, ...]:
-        """What of the cutter itself does not cut, as frusta above the tip: a lollipop's neck, from where it leaves the ball."""
-        return () if self.neck is None else ((_neck_begins(self), self.top_radius, self.length, self.top_radius),)
+        """What of the cutter itself does not cut, as frusta above the tip: a lollipop's neck, from where it
+        leaves the ball."""
+        return (
+            ()
+            if self.neck is None
+            else ((_neck_begins(self), self.top_radius, self.length, self.top_radius),)
+        )
 
     def scaled(self, share: float) -> Cutter:
         """The cutter with its end, and its neck, ``share`` times as large, and as long as before."""
         neck, flank = (None if size is None else share * size for size in (self.neck, self.flank))
-        return replace(self, diameter=share * self.diameter, corner=share * self.corner, neck=neck, flank=flank)
+        return replace(
+            self, diameter=share * self.diameter, corner=share * self.corner, neck=neck, flank=flank
+        )
 
     def thickened(self, margin: float) -> Cutter:
-        """The cutter with its neck ``margin`` mm thicker all round, where there is one, and at most half as far from the ball."""
+        """The cutter with its neck ``margin`` mm thicker all round, where there is one, and at most half as
+        far from the ball."""
         if self.neck is None:
             return self
         return replace(self, neck=min(self.neck + 2.0 * margin, 0.5 * (self.neck + self.diameter)))
 
     def tip_at(self, hub: Floats, axis: Floats) -> Floats:
-        """The tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit ``axis`` (n, 3) points."""
+        """The tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit ``axis`` (n,
+        3) points."""
         return hub - self.corner * axis
 
     def hub_shift(self, normal: Floats, axis: Floats, feed: Floats) -> Floats | float:
-        """How far (n, 3) mm the hub lies from the centre of the corner circle that would touch at the contact alone, ``contact +
-        corner x normal``; 0.0 of a cutter that touches as a ball. Unit ``normal``, ``axis`` and ``feed`` (n, 3); the feed only
-        counts where a level bottom lies on the surface."""
+        """How far (n, 3) mm the hub lies from the centre of the corner circle that would touch at the contact
+        alone, ``contact + corner x normal``; 0.0 of a cutter that touches as a ball. Unit ``normal``,
+        ``axis`` and ``feed`` (n, 3); the feed only counts where a level bottom lies on the surface."""
         from .contact import ring_direction
 
         if (barrel := self.barrel) is not None:
@@ -183,12 +206,14 @@ class Cutter:
         return 0.0 if self.ring == 0.0 else self.ring * ring_direction(normal, axis, feed, self.ring)
 
     def tip_from_contact(self, point: Floats, normal: Floats, axis: Floats, feed: Floats) -> Floats:
-        """The tip (n, 3) mm of the cutter that touches the plane through ``point`` with unit ``normal``, both (n, 3), from above.
+        """The tip (n, 3) mm of the cutter that touches the plane through ``point`` with unit ``normal``, both
+        (n, 3), from above.
 
-        ``axis`` and ``feed`` (n, 3) unit; the feed only chooses where the bottom of a flat or bull nose that stands square on
-        the plane touches it (:func:`~.contact.ring_direction`). Where the axis leans further than the flank allows, which is
-        no place to cut, the cutter touches with its rim. A lollipop that leans below the surface, within its undercut, touches
-        with its ball: the plane must end before its neck.
+        ``axis`` and ``feed`` (n, 3) unit; the feed only chooses where the bottom of a flat or bull nose that
+        stands square on the plane touches it (:func:`~.contact.ring_direction`). Where the axis leans further
+        than the flank allows, which is no place to cut, the cutter touches with its rim. A lollipop that
+        leans below the surface, within its undercut, touches with its ball: the plane must end before its
+        neck.
         """
         import numpy as np
 
@@ -203,9 +228,11 @@ class Cutter:
         return np.asarray(tip)
 
     def effective_radius(self, normal: Floats, axis: Floats, direction: Floats) -> Floats:
-        """Radius (n,) mm of what the cutter sweeps, across its way at the contact: infinite where a level bottom lies there.
+        """Radius (n,) mm of what the cutter sweeps, across its way at the contact: infinite where a level
+        bottom lies there.
 
-        ``normal``, ``axis`` (n, 3) unit; ``direction`` (n, 3): across the way, any length, not along the normal."""
+        ``normal``, ``axis`` (n, 3) unit; ``direction`` (n, 3): across the way, any length, not along the
+        normal."""
         import numpy as np
 
         from .silhouette import effective_radius
@@ -216,11 +243,15 @@ class Cutter:
         by_flank = effective_radius(normal, axis, direction, barrel.ring, barrel.radius)
         return np.where(barrel.touches(normal, axis), by_flank, radius)
 
-    def equivalent_radius(self, normal: Floats, axis: Floats, direction: Floats, height: float, bend: float = 0.0) -> Floats:
-        """Radius (n,) mm of the ball that is as wide as what the cutter sweeps, ``height`` mm above the contact.
+    def equivalent_radius(
+        self, normal: Floats, axis: Floats, direction: Floats, height: float, bend: float = 0.0
+    ) -> Floats:
+        """Radius (n,) mm of the ball that is as wide as what the cutter sweeps, ``height`` mm above the
+        contact.
 
-        Up to there that ball lies within the sweep, so the ball's scallop is never below the cutter's. Other arguments as for the
-        effective radius; a ``height`` above 0; ``bend`` 1/mm as in :func:`~.silhouette.width_at`.
+        Up to there that ball lies within the sweep, so the ball's scallop is never below the cutter's. Other
+        arguments as for the effective radius; a ``height`` above 0; ``bend`` 1/mm as in
+        :func:`~.silhouette.width_at`.
         """
         import numpy as np
 
@@ -230,11 +261,15 @@ class Cutter:
         return np.asarray((0.25 * width * width + height * height) / (2.0 * height))
 
     def hub_discs(self) -> Floats:
-        """The discs (k, 5) whose hull is what cuts: rows of radius, rounding, and height over the hub, mm; and least and largest
-        part along the axis of the directions in which they support it. Of a barrel's flank the radius is negative."""
+        """The discs (k, 5) whose hull is what cuts: rows of radius, rounding, and height over the hub, mm;
+        and least and largest part along the axis of the directions in which they support it. Of a barrel's
+        flank the radius is negative."""
         import numpy as np
 
-        tip, top = (self.ring, self.corner, 0.0, *ANY), (self.top_radius, 0.0, max(self.length, self.corner) - self.corner, *ANY)
+        tip, top = (
+            (self.ring, self.corner, 0.0, *ANY),
+            (self.top_radius, 0.0, max(self.length, self.corner) - self.corner, *ANY),
+        )
         if self.stem:
             return np.array([tip])
         if (barrel := self.barrel) is not None:
@@ -276,7 +311,8 @@ def _check_corner(cutter: Cutter) -> None:
 
 
 def _check_neck(cutter: Cutter) -> None:
-    """A neck as wide as the ball is a ball end mill; one of a cutter that ends within its ball would never begin."""
+    """A neck as wide as the ball is a ball end mill; one of a cutter that ends within its ball would never
+    begin."""
     if cutter.neck is None:
         return
     if not LEAST <= cutter.neck < cutter.diameter:
@@ -289,7 +325,8 @@ def _check_neck(cutter: Cutter) -> None:
         raise SettingsError(text, cutter.neck)
     if cutter.ring > 0.0 or cutter.taper != 0.0 or cutter.flank is not None:
         raise SettingsError(
-            say("cutter neck: only a ball without a taper has one; leave corner radius and taper out"), cutter.neck
+            say("cutter neck: only a ball without a taper has one; leave corner radius and taper out"),
+            cutter.neck,
         )
     if not cutter.length > (begins := _neck_begins(cutter)):
         text = say(
@@ -306,12 +343,17 @@ def _neck_begins(cutter: Cutter) -> float:
 
 
 def _check_taper(cutter: Cutter) -> None:
-    """A taper that narrows upwards would end in nothing; one of a cutter shorter than its corner would never begin."""
+    """A taper that narrows upwards would end in nothing; one of a cutter shorter than its corner would never
+    begin."""
     taper = math.degrees(cutter.taper)
     if not 0.0 <= cutter.taper <= MOST_TAPER:
         least = math.degrees(MOST_TAPER)
         raise SettingsError(
-            say("cutter taper is {taper}; give 0 to {least}, from the axis to the flank", taper=Angle(taper), least=Angle(least)),
+            say(
+                "cutter taper is {taper}; give 0 to {least}, from the axis to the flank",
+                taper=Angle(taper),
+                least=Angle(least),
+            ),
             cutter.taper,
         )
     begins = cutter.corner * (1.0 - math.sin(cutter.taper))
@@ -332,8 +374,11 @@ def _check_taper(cutter: Cutter) -> None:
 
 
 def _check_frustum(row: Frustum) -> None:
-    if len(row) != 4 or not (0.0 <= row[0] < row[2] <= MOST and 0.0 <= row[1] <= MOST and 0.0 <= row[3] <= MOST):
+    if len(row) != 4 or not (
+        0.0 <= row[0] < row[2] <= MOST and 0.0 <= row[1] <= MOST and 0.0 <= row[3] <= MOST
+    ):
         text = say(
-            "holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 <= z0 < z1 and radii of at least 0", sizes=tuple(row)
+            "holder {sizes} is no cone; give z0, r0, z1, r1 in mm with 0 <= z0 < z1 and radii of at least 0",
+            sizes=tuple(row),
         )
         raise SettingsError(text, row)

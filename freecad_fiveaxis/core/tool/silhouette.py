@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How wide a cutter cuts: what it sweeps on its way, seen along the way.
 
-shadow    of the cutter along its way. A straight pass leaves just this section, so scallops stand between neighbouring shadows.
-support   of a convex body in a direction d: the largest d . x of its points. Seen along the way, the support in a direction
-          across it is that of the body itself: so a shadow needs no hidden line.
+shadow    of the cutter along its way. A straight pass leaves just this section, so scallops stand between
+          neighbouring shadows.
+support   of a convex body in a direction d: the largest d . x of its points. Seen along the way, the support
+          in a direction across it is that of the body itself: so a shadow needs no hidden line.
 
-With w the angle, at the contact, between the direction across and the plane of axis and normal, and t the sine of the angle
-between axis and normal, the shadow of a ring with a corner has at its contact the radius ``corner + ring sin(w)^2 / t``: the
-support function's second derivatives are the body's radii of curvature, corner in that plane and ring / t + corner square to it.
+With w the angle, at the contact, between the direction across and the plane of axis and normal, and t the
+sine of the angle between axis and normal, the shadow of a ring with a corner has at its contact the radius
+``corner + ring sin(w)^2 / t``: the support function's second derivatives are the body's radii of curvature,
+corner in that plane and ring / t + corner square to it.
 """
 
 from __future__ import annotations
@@ -21,7 +23,8 @@ LEVEL = 1e-12
 """Sine below which a level bottom lies on the surface."""
 
 STEPS = 360
-"""Directions of the shadow's outline on each side: its chords lie within it, by less than 1e-4 of its radius."""
+"""Directions of the shadow's outline on each side: its chords lie within it, by less than 1e-4 of its
+radius."""
 
 CHUNK = 256
 """Rows whose outlines are held at a time."""
@@ -38,18 +41,23 @@ def effective_radius(normal: Floats, axis: Floats, direction: Floats, ring: floa
     return np.asarray(corner + ring * np.where(level, np.inf if ring > 0.0 else 0.0, beside / cubed))
 
 
-def width_at(normal: Floats, axis: Floats, direction: Floats, height: float, discs: Floats, bend: float = 0.0) -> Floats:
+def width_at(
+    normal: Floats, axis: Floats, direction: Floats, height: float, discs: Floats, bend: float = 0.0
+) -> Floats:
     """Width (n,) mm of the shadow ``height`` mm above the contact.
 
-    ``discs`` (k, 5): radius, rounding and height along the axis of the discs whose hull the body is, and from which to which part
-    along the axis of a direction they support it. ``bend`` 1/mm: curvature of
-    the surface along the way, convex positive: what cuts a distance b before or behind the contact cuts ``bend b^2 / 2`` less.
+    ``discs`` (k, 5): radius, rounding and height along the axis of the discs whose hull the body is, and from
+    which to which part along the axis of a direction they support it. ``bend`` 1/mm: curvature of
+    the surface along the way, convex positive: what cuts a distance b before or behind the contact cuts
+    ``bend b^2 / 2`` less.
     """
     width = np.empty(len(normal))
     across = _tangent(direction, normal)
     for low in range(0, len(normal), CHUNK):
         rows = slice(low, low + CHUNK)
-        sides = (_reach(normal[rows], axis[rows], side * across[rows], height, discs, bend) for side in (1.0, -1.0))
+        sides = (
+            _reach(normal[rows], axis[rows], side * across[rows], height, discs, bend) for side in (1.0, -1.0)
+        )
         width[rows] = sum(sides)
     return width
 
@@ -68,9 +76,11 @@ def _reach(normal: Floats, axis: Floats, across: Floats, height: float, discs: F
     return np.asarray(x[row, last] + share * (x[row, last + 1] - x[row, last]))
 
 
-def _outline(normal: Floats, axis: Floats, across: Floats, angle: Floats, discs: Floats) -> tuple[Floats, Floats, Floats]:
-    """Places (n, m) across, above and along the way of the points that support the body in directions ``angle`` (m,) from
-    straight down."""
+def _outline(
+    normal: Floats, axis: Floats, across: Floats, angle: Floats, discs: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Places (n, m) across, above and along the way of the points that support the body in directions
+    ``angle`` (m,) from straight down."""
     down, aside = -np.cos(angle), np.sin(angle)
     up_axis, side_axis = row_dot(normal, axis)[:, None], row_dot(across, axis)[:, None]
     along = down * up_axis + aside * side_axis

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cutters as they are written: options, heads of NC files, and APT's CUTTER statement.
 
-kind      the first word of an option: ``ball:10``, ``flat:10``, ``bull:10:2`` (corner radius), ``taperball:6:5deg`` (taper),
-          ``taperbull:10:2:5deg`` (both), ``lollipop:10:6`` (diameter of the neck), ``barrel:10:85:2`` (radius of the flank, then
-          that of the ball at the tip). The length of the edge may follow each; of a lollipop that up to the end of its neck.
-APT       ``CUTTER/d,r,e,f,a,b,h``: d the diameter at which the bottom's and the flank's lines cross, r corner radius, e and f
-          place of the corner circle's centre from axis and tip, a the bottom's angle, b the flank's (deg), h the height. It has
-          no word for a neck, nor for a flank that is an arc: they are written behind it (see :mod:`~.toolpath.apt.writer`).
+kind      the first word of an option: ``ball:10``, ``flat:10``, ``bull:10:2`` (corner radius),
+          ``taperball:6:5deg`` (taper), ``taperbull:10:2:5deg`` (both), ``lollipop:10:6`` (diameter of the
+          neck), ``barrel:10:85:2`` (radius of the flank, then that of the ball at the tip). The length of the
+          edge may follow each; of a lollipop that up to the end of its neck.
+APT       ``CUTTER/d,r,e,f,a,b,h``: d the diameter at which the bottom's and the flank's lines cross, r corner
+          radius, e and f place of the corner circle's centre from axis and tip, a the bottom's angle, b the
+          flank's (deg), h the height. It has no word for a neck, nor for a flank that is an arc: they are
+          written behind it (see :mod:`~.toolpath.apt.writer`).
 """
 
 from __future__ import annotations
@@ -35,7 +37,15 @@ KINDS = {
 SIZES = ("diameter", "corner", "taper", "neck", "flank", "length")
 """All sizes that cutters have."""
 
-FORMS = ("ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "taperbull:10:1:5deg", "lollipop:10:6", "barrel:10:85:2")
+FORMS = (
+    "ball:10",
+    "flat:10",
+    "bull:10:2",
+    "taperball:6:5deg",
+    "taperbull:10:1:5deg",
+    "lollipop:10:6",
+    "barrel:10:85:2",
+)
 """An example of each."""
 
 EQUAL_SIZE = 1e-4
@@ -43,8 +53,8 @@ EQUAL_SIZE = 1e-4
 
 
 def parse_cutter(text: str) -> Cutter:
-    """The cutter written as its kind and sizes, as ``ball:10``, ``ball:0.5in:2in``, ``bull:10:2:60`` (lengths in mm, else with
-    their unit; angles in deg).
+    """The cutter written as its kind and sizes, as ``ball:10``, ``ball:0.5in:2in``, ``bull:10:2:60`` (lengths
+    in mm, else with their unit; angles in deg).
 
     Raises SettingsError that names the kinds on offer, or the quantity that cannot be read.
     """
@@ -54,8 +64,8 @@ def parse_cutter(text: str) -> Cutter:
 
 
 def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
-    """The kind of a cutter's text and the sizes that it gives, by the names of ``Cutter`` (mm, rad); whether a cutter can have
-    them is not looked at. Raises SettingsError as ``parse_cutter``."""
+    """The kind of a cutter's text and the sizes that it gives, by the names of ``Cutter`` (mm, rad); whether
+    a cutter can have them is not looked at. Raises SettingsError as ``parse_cutter``."""
     kind, _, rest = str(text).strip().partition(":")
     kind = kind.strip().lower()
     names = KINDS.get(kind)
@@ -100,14 +110,17 @@ def kind_of(cutter: Cutter) -> str:
 
 
 def cutter_text(cutter: Cutter) -> str:
-    """The cutter as an option that ``parse_cutter`` reads as the same one (mm, deg); its holder is not in it."""
+    """The cutter as an option that ``parse_cutter`` reads as the same one (mm, deg); its holder is not in
+    it."""
     kind = kind_of(cutter)
-    return sizes_text(kind, {name: getattr(cutter, name) for name in SIZES} | {"taper": math.degrees(cutter.taper)})
+    return sizes_text(
+        kind, {name: getattr(cutter, name) for name in SIZES} | {"taper": math.degrees(cutter.taper)}
+    )
 
 
 def sizes_text(kind: str, sizes: Mapping[str, float]) -> str:
-    """An option out of its kind and its sizes (SIZES), mm and **degrees**; those that the kind has not are left out. Whether
-    there can be such a cutter is not looked at."""
+    """An option out of its kind and its sizes (SIZES), mm and **degrees**; those that the kind has not are
+    left out. Whether there can be such a cutter is not looked at."""
     return ":".join([kind, *(_digits(name, sizes[name]) for name in (*KINDS[kind], "length"))])
 
 
@@ -127,9 +140,9 @@ def cutter_name(cutter: Cutter) -> str:
 
 
 def apt_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck or a flank,
-    else all seven. Whoever does not know of a barrel's flank has a bull nose of its diameter and the radius of its tip, out of
-    which nothing of it looks."""
+    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck or a
+    flank, else all seven. Whoever does not know of a barrel's flank has a bull nose of its diameter and the
+    radius of its tip, out of which nothing of it looks."""
     if cutter.taper == 0.0:
         return cutter.diameter, cutter.corner
     slope = math.degrees(cutter.taper)
@@ -142,7 +155,8 @@ def _apt_diameter(cutter: Cutter) -> float:
 
 
 def neck_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """What the CUTTER statement has no word for, mm: diameter and upper end of a lollipop's neck; of others nothing."""
+    """What the CUTTER statement has no word for, mm: diameter and upper end of a lollipop's neck; of others
+    nothing."""
     return () if cutter.neck is None else (cutter.neck, cutter.length)
 
 
@@ -154,11 +168,13 @@ def flank_numbers(cutter: Cutter) -> tuple[float, ...]:
 def cutter_from_apt(
     numbers: Sequence[float], scale: float = 1.0, neck: Sequence[float] = (), flank: Sequence[float] = ()
 ) -> Cutter | None:
-    """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit, ``neck`` as of
+    """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit, ``neck``
+    as of
     :func:`neck_numbers`, ``flank`` as of :func:`flank_numbers`, in that unit too.
 
-    None where d is all that is said, for then the shape is not; and for shapes that are not on offer: a bottom that is no plane
-    (a), a corner circle that does not touch it (f), a flank that narrows upwards (b), sizes that make no cutter.
+    None where d is all that is said, for then the shape is not; and for shapes that are not on offer: a
+    bottom that is no plane (a), a corner circle that does not touch it (f), a flank that narrows upwards (b),
+    sizes that make no cutter.
     """
     if len(numbers) < 2:
         return None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Passes cut where their contact, or the cutter's centre, crosses a boundary.
 
-Passes are cut once they are offset and closed: what stands outside still keeps the cutter off, as facets do that are not
-machined.
+Passes are cut once they are offset and closed: what stands outside still keeps the cutter off, as facets do
+that are not machined.
 
 move    from a row of a path to the next one of its polyline.
 node    a row of the path, or a place within a move where it crosses the boundary.
@@ -32,8 +32,9 @@ LEAST = 1e-6
 
 @dataclass(frozen=True)
 class Nodes:
-    """``row`` (k,) of the path that each node is, or to which the move leads that it lies in, at ``share`` (k,) of that move;
-    ``polyline`` (k,); ``arrives`` (k,) whether the move to it, from the node before, lies inside."""
+    """``row`` (k,) of the path that each node is, or to which the move leads that it lies in, at ``share``
+    (k,) of that move; ``polyline`` (k,); ``arrives`` (k,) whether the move to it, from the node before, lies
+    inside."""
 
     row: Ints
     share: Floats
@@ -48,11 +49,12 @@ class Nodes:
 def cut_at_boundary(
     path: OffsetPath, boundary: Boundary, by_centre: bool = False, axis: Floats | None = None
 ) -> tuple[OffsetPath, Floats | None]:
-    """Cut the passes where their contact crosses the boundary (``by_centre``: where the centre does), each piece inside a
-    polyline of its own; the path itself where all of it lies inside. ``axis`` (n, 3) of the rows, where it is known already.
+    """Cut the passes where their contact crosses the boundary (``by_centre``: where the centre does), each
+    piece inside a polyline of its own; the path itself where all of it lies inside. ``axis`` (n, 3) of the
+    rows, where it is known already.
 
-    The ends of a cut lie on the boundary but for rounding. A closed polyline that is cut goes on over its seam.
-    Raises SettingsError where nothing is left.
+    The ends of a cut lie on the boundary but for rounding. A closed polyline that is cut goes on over its
+    seam. Raises SettingsError where nothing is left.
     """
     if not len(path.point):
         raise SettingsError(nothing_inside(boundary), boundary.name)
@@ -64,8 +66,11 @@ def cut_at_boundary(
     return replace(cut, findings=(*path.findings, _report_cut(path, cut, boundary))), along
 
 
-def cut_at_nodes(path: OffsetPath, found: Nodes, by_centre: bool, axis: Floats | None) -> tuple[OffsetPath, Floats | None]:
-    """Give the pieces between the nodes ``found``, and their axes; the path itself where all of it is kept. May leave no rows."""
+def cut_at_nodes(
+    path: OffsetPath, found: Nodes, by_centre: bool, axis: Floats | None
+) -> tuple[OffsetPath, Floats | None]:
+    """Give the pieces between the nodes ``found``, and their axes; the path itself where all of it is kept.
+    May leave no rows."""
     nodes = _with_halves_joined(path, found)
     if nodes is found and nodes.arrives[goes_on(nodes.polyline)].all():
         return path, axis
@@ -79,7 +84,9 @@ def cut_at_nodes(path: OffsetPath, found: Nodes, by_centre: bool, axis: Floats |
     columns = {name: values[kept] for name, values in columns.items()}
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": columns["fill"] & ~begins}
     beside, wall = _still_beside(path, taken.taken(kept))
-    return OffsetPath(**columns, beside=beside, wall=wall, findings=path.findings), None if along is None else along[kept]
+    return OffsetPath(
+        **columns, beside=beside, wall=wall, findings=path.findings
+    ), None if along is None else along[kept]
 
 
 def goes_on(polyline: Ints) -> Bools:
@@ -88,7 +95,8 @@ def goes_on(polyline: Ints) -> Bools:
 
 
 def _find_nodes(path: OffsetPath, boundary: Boundary, by_centre: bool) -> Nodes:
-    """All rows and crossings in the order of the path. Moves that close a gap have no contact on their way."""
+    """All rows and crossings in the order of the path. Moves that close a gap have no contact on their
+    way."""
     place = boundary.seen(path.centre if by_centre else path.point)
     end = np.flatnonzero(goes_on(path.polyline))
     solid = end if by_centre else end[~path.fill[end]]
@@ -114,18 +122,22 @@ def without_touches(nodes: Nodes) -> Nodes:
 
 
 def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
-    """Closed passes from which facets were left out are two polylines, one that begins at their seam and one that ends there:
-    make them one."""
+    """Closed passes from which facets were left out are two polylines, one that begins at their seam and one
+    that ends there: make them one."""
     begin = np.flatnonzero(~goes_on(nodes.polyline))
     size = np.diff(begin, append=len(nodes.row))
     end = begin + size - 1
     pose = np.hstack([path.point, path.centre, path.pass_[:, None]])
-    place = np.unique(pose[nodes.row[np.concatenate([begin, end])]], axis=0, return_inverse=True)[1].reshape(2, -1)
+    place = np.unique(pose[nodes.row[np.concatenate([begin, end])]], axis=0, return_inverse=True)[1].reshape(
+        2, -1
+    )
     closed = place[0] == place[1]
     ends_at = np.full(place.max() + 1, -1)
     ends_at[place[1, ~closed]] = np.flatnonzero(~closed)
     before = np.where(closed, -1, ends_at[place[0]])
-    before[before >= 0] = np.where(before[before[before >= 0]] >= 0, -1, before[before >= 0])  # no more than two in a row
+    before[before >= 0] = np.where(
+        before[before[before >= 0]] >= 0, -1, before[before >= 0]
+    )  # no more than two in a row
     if (before < 0).all():
         return nodes
     line = np.where(before >= 0, before, np.arange(len(begin)))
@@ -137,8 +149,8 @@ def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
 
 
 def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
-    """Closed polylines that are cut begin behind a move that lies outside, so that no piece ends at a seam; of the two rows of
-    the seam the first goes."""
+    """Closed polylines that are cut begin behind a move that lies outside, so that no piece ends at a seam;
+    of the two rows of the seam the first goes."""
     first = np.flatnonzero(~goes_on(nodes.polyline))
     last = np.append(first[1:], len(nodes.row)) - 1
     one, two = nodes.row[first], nodes.row[last]
@@ -156,7 +168,9 @@ def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
     return nodes.taken(order[~(turned & (at == first[line]))[order]])
 
 
-def _columns(path: OffsetPath, nodes: Nodes, by_centre: bool, axis: Floats | None) -> tuple[dict[str, Any], Floats | None]:
+def _columns(
+    path: OffsetPath, nodes: Nodes, by_centre: bool, axis: Floats | None
+) -> tuple[dict[str, Any], Floats | None]:
     """The columns of the nodes' rows, and their axes."""
     row, share = nodes.row, nodes.share
     columns = {name: np.array(getattr(path, name)[row]) for name in ROW_COLUMNS}
@@ -174,8 +188,9 @@ def _columns(path: OffsetPath, nodes: Nodes, by_centre: bool, axis: Floats | Non
 def _between(path: OffsetPath, end: Ints, share: Floats, by_centre: bool, seated: bool) -> dict[str, Any]:
     """Columns of rows at ``share`` (k,) of the moves that lead to the rows ``end`` (k,).
 
-    On a facet a ball stands straight above its contact, as everywhere on that move; the normals beside the row turn evenly from
-    one end of the move to the other, so that no axis turns at once. ``seated``: the centres are those of a cutter on its axes.
+    On a facet a ball stands straight above its contact, as everywhere on that move; the normals beside the
+    row turn evenly from one end of the move to the other, so that no axis turns at once. ``seated``: the
+    centres are those of a cutter on its axes.
     """
     start, part = end - 1, share[:, None]
     point, centre = ((1.0 - part) * given[start] + part * given[end] for given in (path.point, path.centre))
@@ -192,7 +207,8 @@ def _between(path: OffsetPath, end: Ints, share: Floats, by_centre: bool, seated
     even = slerp(_mean(path, start), _mean(path, end), share)
     before, after = (np.where(fill[:, None], side, even) for side in (before, after))
     coedge = np.where(fill, path.coedge[end], -1)
-    return {"point": point, "centre": centre, "normal": normal, "before": before, "after": after, "step_before": step,
+    return {"point": point, "centre": centre, "normal": normal, "before": before, "after": after,
+        "step_before": step,
             "step_after": np.where(fill, path.step_after[end], step), "coedge": coedge}  # fmt: skip
 
 
@@ -209,7 +225,8 @@ def _foot(path: OffsetPath, end: Ints, place: Floats) -> Floats:
 
 
 def _foot_of_centre(path: OffsetPath, end: Ints, place: Floats) -> Floats:
-    """The centres (k, 3) nearest to places on those moves: beside a hollow the ball does not get everywhere."""
+    """The centres (k, 3) nearest to places on those moves: beside a hollow the ball does not get
+    everywhere."""
     return _on_way(path.centre[end - 1], path.centre[end], place)
 
 
@@ -231,7 +248,8 @@ def _report_cut(path: OffsetPath, cut: OffsetPath, boundary: Boundary) -> Findin
     """What of the passes is left."""
     left, whole = _length(cut), _length(path)
     text = say(
-        "The passes end at boundary {name}: {left} of {whole} lie inside.", name=boundary.name, left=Length(left, ".6g"),
+        "The passes end at boundary {name}: {left} of {whole} lie inside.", name=boundary.name,
+        left=Length(left, ".6g"),
         whole=Length(whole, ".6g"),
     )  # fmt: skip
     return report_finding(Code.CUT_AT_BOUNDARY, text, left)

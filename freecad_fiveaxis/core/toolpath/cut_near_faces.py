@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Passes cut where the cutter's corner ball comes nearer to faces to avoid than their allowance.
 
-Like a boundary (:mod:`.cut_at_boundary`) this cuts passes that are offset and closed, exactly where the ball is as near as it may
-be; what the rest of the tool needs is asked later, once its axes are known.
+Like a boundary (:mod:`.cut_at_boundary`) this cuts passes that are offset and closed, exactly where the ball
+is as near as it may be; what the rest of the tool needs is asked later, once its axes are known.
 """
 
 from __future__ import annotations
@@ -16,14 +16,15 @@ from .coedge import OffsetPath
 from .cut_at_boundary import Nodes, cut_at_nodes, goes_on, without_touches
 
 STEP = 0.1
-"""Of the least distance: so far apart a move is looked at. What dips in between is less than what later stages see."""
+"""Of the least distance: so far apart a move is looked at. What dips in between is less than what later
+stages see."""
 
 BISECTIONS = 40
 
 
 def cut_near_faces(path: OffsetPath, keep_off: KeepOff) -> OffsetPath:
-    """Cut the passes where the corner ball comes too near, each piece that keeps off a polyline of its own; the path itself where
-    all of it does. May leave no rows."""
+    """Cut the passes where the corner ball comes too near, each piece that keeps off a polyline of its own;
+    the path itself where all of it does. May leave no rows."""
     if not len(path.point):
         return path
     return cut_at_nodes(path, _find_nodes(path, keep_off), True, None)[0]
@@ -38,15 +39,19 @@ def _find_nodes(path: OffsetPath, keep_off: KeepOff) -> Nodes:
     order = np.lexsort((share, row))
     row, share = row[order], share[order]
     start = path.centre[np.maximum(row - 1, 0)]
-    where = np.where((share < 1.0)[:, None], start + share[:, None] * (path.centre[row] - start), path.centre[row])
+    where = np.where(
+        (share < 1.0)[:, None], start + share[:, None] * (path.centre[row] - start), path.centre[row]
+    )
     arrives = np.append(False, keep_off.room(0.5 * (where[:-1] + where[1:])) >= -TOUCHING)
-    arrives[1:] &= (keep_off.room(where[:-1]) >= -2.0 * TOUCHING) & (keep_off.room(where[1:]) >= -2.0 * TOUCHING)
+    arrives[1:] &= (keep_off.room(where[:-1]) >= -2.0 * TOUCHING) & (
+        keep_off.room(where[1:]) >= -2.0 * TOUCHING
+    )
     return without_touches(Nodes(row, share, path.polyline[row], arrives & goes_on(path.polyline[row])))
 
 
 def _crossings(start: Floats, end: Floats, keep_off: KeepOff) -> tuple[Ints, Floats]:
-    """The moves (k,) in which straight ways from ``start`` to ``end`` (m, 3) mm begin or end to be too near, and where (k,), 0 to
-    1."""
+    """The moves (k,) in which straight ways from ``start`` to ``end`` (m, 3) mm begin or end to be too near,
+    and where (k,), 0 to 1."""
     length = np.linalg.norm(end - start, axis=1)
     near = np.flatnonzero(keep_off.room(0.5 * (start + end)) < 0.5 * length)
     parts = np.maximum(np.ceil(length[near] / (STEP * keep_off.least)), 1).astype(np.int64)

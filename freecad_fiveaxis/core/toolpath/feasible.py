@@ -3,9 +3,10 @@
 
 leaning in   the axis points below the surface at the contact: the shank would stand in the part.
 undercut     of a lollipop: so far the axis may point below the surface, where its neck has been asked for.
-flank        the cone of a tapered cutter would stand in the part: the axis leans further from the normal than 90 deg - taper.
-beyond       no branch of the machine takes up the axis within its rotary limits (lead and tilt may lead there, though the
-             facet's own normal is within reach).
+flank        the cone of a tapered cutter would stand in the part: the axis leans further from the normal than
+             90 deg - taper.
+beyond       no branch of the machine takes up the axis within its rotary limits (lead and tilt may lead
+             there, though the facet's own normal is within reach).
 """
 
 from __future__ import annotations
@@ -29,15 +30,18 @@ LEAN = 1e-6
 
 
 _LEANING = Template(
-    "The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose another tool "
+    "The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose "
+    "another tool "
     "axis, lead or tilt, or cut these places in another set-up."
 )
 _FLANK = Template(
-    "The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; they are left "
+    "The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; "
+    "they are left "
     "out. Choose another tool axis, lead or tilt, or a cutter of less taper."
 )
 _BEYOND = Template(
-    "The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left out. Use "
+    "The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left "
+    "out. Use "
     "less lead or tilt, clamp the part in another position, or take another machine."
 )
 
@@ -45,20 +49,24 @@ _BEYOND = Template(
 def feasible_rows(
     path: OffsetPath, axis: Floats, kinematics: Chain, taper: float = 0.0, undercut: float = 0.0
 ) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left out. ``taper`` rad of
-    the cutter's flank; ``undercut`` rad by which the axis may lean below the surface."""
+    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left
+    out. ``taper`` rad of the cutter's flank; ``undercut`` rad by which the axis may lean below the
+    surface."""
     rise = np.empty(len(axis))
     in_threads(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), chunks(len(axis)))
     lowest = -np.sin(undercut) - LEAN
     leaning = rise < lowest
-    leaning[path.beside] |= (path.wall * axis[path.beside]).sum(axis=1) < lowest  # it would retract through that wall
+    leaning[path.beside] |= (path.wall * axis[path.beside]).sum(
+        axis=1
+    ) < lowest  # it would retract through that wall
     flank = ~leaning & (rise < (np.sin(taper) - LEAN if taper > 0.0 else lowest))
     beyond = ~(leaning | flank) & ~axes_within_limits(kinematics, axis)
     out = leaning | flank | beyond
     if not out.any():
         return path, axis
     found = (
-        _left_out(path, leaning, Code.AXIS_INTO_PART, _LEANING), _left_out(path, flank, Code.FLANK_INTO_PART, _FLANK),
+        _left_out(path, leaning, Code.AXIS_INTO_PART, _LEANING),
+        _left_out(path, flank, Code.FLANK_INTO_PART, _FLANK),
         _left_out(path, beyond, Code.AXIS_BEYOND_LIMITS, _BEYOND),
     )  # fmt: skip
     rows = lasting_rows(path, np.flatnonzero(~out))

@@ -19,10 +19,10 @@ SHORT = 1e-9
 def feed_direction(path: OffsetPath, axis: Floats) -> Floats:
     """Unit direction of travel (n, 3) at every row, perpendicular to ``axis`` (n, 3).
 
-    The mean of the last cutting step before the row and the first one after it, so that all rows of one contact point
-    share it; moves that close gaps do not count. A closed polyline goes on over its seam. Where there is no such direction
-    (a single point, a reversal, travel along the axis) the step before alone is taken, then the direction of the row before,
-    and at last any perpendicular.
+    The mean of the last cutting step before the row and the first one after it, so that all rows of one
+    contact point share it; moves that close gaps do not count. A closed polyline goes on over its seam. Where
+    there is no such direction (a single point, a reversal, travel along the axis) the step before alone is
+    taken, then the direction of the row before, and at last any perpendicular.
     """
     behind, ahead = _steps(path)
     feed = across(behind + ahead, axis)
@@ -73,7 +73,9 @@ def _carried_on(feed: Floats, axis: Floats) -> Floats:
     feed[lost] = np.where((source >= 0)[:, None], across(feed[np.maximum(source, 0)], axis[lost]), 0.0)
     lost = lost[is_zero(feed[lost])]
     flat = np.hypot(axis[lost, 0], axis[lost, 1]) > OPPOSED
-    feed[lost] = across(np.where(flat[:, None], np.cross((0.0, 0.0, 1.0), axis[lost]), (1.0, 0.0, 0.0)), axis[lost])
+    feed[lost] = across(
+        np.where(flat[:, None], np.cross((0.0, 0.0, 1.0), axis[lost]), (1.0, 0.0, 0.0)), axis[lost]
+    )
     return feed
 
 

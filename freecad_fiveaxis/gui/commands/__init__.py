@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of menu and toolbar, one file each, in the order of the work. To add one, write its file and list it here."""
+"""The commands of menu and toolbar, one file each, in the order of the work. To add one, write its file and
+list it here."""
 
 from __future__ import annotations
 

@@ -19,7 +19,8 @@ class Annotate:
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Annotate", "Annotate"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "FiveAxis_Annotate",
-                "Mark the singular blocks of a path and those over tolerance, and label the largest deviation",
+                "Mark the singular blocks of a path and those over tolerance, and label the largest "
+                "deviation",
             ),
         }
 
@@ -38,5 +39,9 @@ class Annotate:
         if path is None:
             warn(translate("FiveAxis", "There are several paths: select the one to mark."))
             return
-        with telling(), transaction(path.Document, translate("FiveAxis", "Annotate")), waiting(translate("FiveAxis", "Annotate")):
+        with (
+            telling(),
+            transaction(path.Document, translate("FiveAxis", "Annotate")),
+            waiting(translate("FiveAxis", "Annotate")),
+        ):
             app.annotate(path)

@@ -18,7 +18,8 @@ class Audit:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Audit", "Audit an NC file…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Audit", "Read a finished NC file of any origin and prove its deviations on a machine"
+                "FiveAxis_Audit",
+                "Read a finished NC file of any origin and prove its deviations on a machine",
             ),
         }
 

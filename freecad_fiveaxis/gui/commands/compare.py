@@ -34,6 +34,8 @@ class Compare:
 
         path = selected.selected_path(selected.TOOLPATH)
         if path is None:
-            warn(translate("FiveAxis", "There are several tool paths: select the one to compare machines on."))
+            warn(
+                translate("FiveAxis", "There are several tool paths: select the one to compare machines on.")
+            )
         else:
             compare.create(path)

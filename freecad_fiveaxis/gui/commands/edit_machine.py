@@ -18,7 +18,8 @@ class EditMachine:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_EditMachine", "Edit a machine…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_EditMachine", "Describe your own machine: its axes, limits, rates and bodies, from one that is known"
+                "FiveAxis_EditMachine",
+                "Describe your own machine: its axes, limits, rates and bodies, from one that is known",
             ),
         }
 

@@ -18,7 +18,8 @@ class JobSetup:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_JobSetup", "Setup…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_JobSetup", "Choose machine, controller and work zero once for all tool paths of the document"
+                "FiveAxis_JobSetup",
+                "Choose machine, controller and work zero once for all tool paths of the document",
             ),
         }
 

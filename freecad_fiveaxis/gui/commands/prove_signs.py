@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Prove the signs: opens the panel that makes a short safe program and the sheet for whoever stands at the machine."""
+"""Prove the signs: opens the panel that makes a short safe program and the sheet for whoever stands at the
+machine."""
 
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ class ProveSigns:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_ProveSigns", "Prove the signs…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_ProveSigns", "Make a short safe program and a sheet that show a wrong sign or letter before it cuts"
+                "FiveAxis_ProveSigns",
+                "Make a short safe program and a sheet that show a wrong sign or letter before it cuts",
             ),
         }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reach map: opens the panel that colours a part by where a tool gets at all, and by what is in the way elsewhere."""
+"""Reach map: opens the panel that colours a part by where a tool gets at all, and by what is in the way
+elsewhere."""
 
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ class Reach:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Reach", "Reach map…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Reach", "Colour the part by where the tool gets at all, and by what is in the way elsewhere"
+                "FiveAxis_Reach",
+                "Colour the part by where the tool gets at all, and by what is in the way elsewhere",
             ),
         }
 

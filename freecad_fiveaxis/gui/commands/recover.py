@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recover: opens the panel that finds a machine from a CL file and the program made of it, and writes its file."""
+"""Recover: opens the panel that finds a machine from a CL file and the program made of it, and writes its
+file."""
 
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ class Recover:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Recover", "Recover a machine from a program…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Recover", "Find the machine that a post had in mind, from a CL file and the NC file made of it"
+                "FiveAxis_Recover",
+                "Find the machine that a post had in mind, from a CL file and the NC file made of it",
             ),
         }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rest material: the machined surface in the 3D view, coloured by what the cutter leaves on it and takes too much of it."""
+"""Rest material: the machined surface in the 3D view, coloured by what the cutter leaves on it and takes too
+much of it."""
 
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ class Rest:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Left", "What is left"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Left", "Colour the machined surface by what the cutter leaves on it, and by where it cuts too deep"
+                "FiveAxis_Left",
+                "Colour the machined surface by what the cutter leaves on it, and by where it cuts too deep",
             ),
         }
 

@@ -18,7 +18,9 @@ class Setup:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Setup", "Where to clamp…"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Setup", "Try where on the machine's table the part should stand, and show the deviation of each place"
+                "FiveAxis_Setup",
+                "Try where on the machine's table the part should stand, and show the deviation of each "
+                "place",
             ),
         }
 

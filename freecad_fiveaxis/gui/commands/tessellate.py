@@ -18,7 +18,8 @@ class Tessellate:
             "Pixmap": icon(self.NAME),
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Tessellate", "Tessellate"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "FiveAxis_Tessellate", "Make a mesh of the selected solid, body or compound, as fine as tool paths need it"
+                "FiveAxis_Tessellate",
+                "Make a mesh of the selected solid, body or compound, as fine as tool paths need it",
             ),
         }
 
@@ -35,5 +36,8 @@ class Tessellate:
 
         with telling():
             base, faces = selected.part()
-            with transaction(base.Document, translate("FiveAxis", "Tessellate")), waiting(translate("FiveAxis", "Tessellate")):
+            with (
+                transaction(base.Document, translate("FiveAxis", "Tessellate")),
+                waiting(translate("FiveAxis", "Tessellate")),
+            ):
                 app.tessellate(base, faces=faces)

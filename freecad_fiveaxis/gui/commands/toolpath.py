@@ -19,7 +19,8 @@ class Toolpath:
             "MenuText": QT_TRANSLATE_NOOP("FiveAxis_Toolpath", "Tool path…"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "FiveAxis_Toolpath",
-                "Plan five-axis passes over the selected solid, its selected faces, a mesh, or the model of a CAM Job",
+                "Plan five-axis passes over the selected solid, its selected faces, a mesh, or the model of "
+                "a CAM Job",
             ),
         }
 

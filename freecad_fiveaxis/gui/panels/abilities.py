@@ -19,8 +19,14 @@ LACKING = {"rtcp": "off", "high_speed": "off"}
 def reasons(dialect: Any) -> dict[str, str]:
     """Why an option cannot be chosen on a controller, by its name."""
     texts = {
-        "rtcp": (not dialect.guides, translate("FiveAxis", "{controller} does not guide the tip itself: divide blocks instead.")),
-        "high_speed": (not dialect.high_speed[0], translate("FiveAxis", "{controller} has no high-speed mode to switch.")),
+        "rtcp": (
+            not dialect.guides,
+            translate("FiveAxis", "{controller} does not guide the tip itself: divide blocks instead."),
+        ),
+        "high_speed": (
+            not dialect.high_speed[0],
+            translate("FiveAxis", "{controller} has no high-speed mode to switch."),
+        ),
         "feed_mode": (
             not dialect.inverse_time,
             translate("FiveAxis", "{controller} has no inverse time: F is in mm/min."),
@@ -38,10 +44,13 @@ def unknown_choices(dialect: Any) -> dict[str, set[str]]:
 
 
 def check_guide(dialect: Any, options: Mapping[str, Any]) -> None:
-    """Raises SettingsError where the controller does not guide the tip as it is asked to, or misses what it needs for it."""
+    """Raises SettingsError where the controller does not guide the tip as it is asked to, or misses what it
+    needs for it."""
     from freecad_fiveaxis.core.base.errors import SettingsError
 
     how = options.get("rtcp", "off")
     if how != "off" and dialect.guided(how).guide.needs_tool and not options.get("tool"):
-        text = translate("FiveAxis", "{controller} needs the number of the tool for it: give it in the group Tool.")
+        text = translate(
+            "FiveAxis", "{controller} needs the number of the tool for it: give it in the group Tool."
+        )
         raise SettingsError(text.format(controller=controller_label(dialect.name)), how)

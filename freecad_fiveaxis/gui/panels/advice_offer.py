@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A button that tries what would finish more of the part, and one that takes it over; seen where something stays unfinished."""
+"""A button that tries what would finish more of the part, and one that takes it over; seen where something
+stays unfinished."""
 
 from __future__ import annotations
 
@@ -10,7 +11,8 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, translate
 
 
 class AdviceOffer(QtWidgets.QWidget):
-    """``requested``: the user wants to know; ``chosen`` tells that the settings in ``changes`` are to be used."""
+    """``requested``: the user wants to know; ``chosen`` tells that the settings in ``changes`` are to be
+    used."""
 
     requested, chosen = QtCore.Signal(), QtCore.Signal()
 
@@ -19,7 +21,11 @@ class AdviceOffer(QtWidgets.QWidget):
         self.changes: Mapping[str, Any] = {}
         self.ask = QtWidgets.QPushButton(translate("FiveAxis", "What would finish more?"))
         self.ask.setToolTip(
-            translate("FiveAxis", "Try other passes, free tool axes and smaller balls on this part; takes as long as some paths")
+            translate(
+                "FiveAxis",
+                "Try other passes, free tool axes and smaller balls on this part; takes as long as some "
+                "paths",
+            )
         )
         self.line = QtWidgets.QLabel()
         self.line.setWordWrap(True)
@@ -34,13 +40,16 @@ class AdviceOffer(QtWidgets.QWidget):
         self.show_for(None)
 
     def show_for(self, obj: Any) -> None:
-        """Offer it where the last result of ``obj`` (None: there is none) leaves something; what was said is forgotten."""
+        """Offer it where the last result of ``obj`` (None: there is none) leaves something; what was said is
+        forgotten."""
         self.show_advice("", {})
         last = getattr(getattr(obj, "Proxy", None), "last", None)
         if last is None:
             self.hide()
             return
-        from freecad_fiveaxis.app import advising  # here, for it brings the whole pipeline: a panel opens without
+        from freecad_fiveaxis.app import (
+            advising,
+        )  # here, for it brings the whole pipeline: a panel opens without
 
         self.setVisible(advising.leaves_something(last.figures))
 

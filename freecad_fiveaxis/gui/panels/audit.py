@@ -23,11 +23,17 @@ class AuditPanel(PathPanel):
     CREATES_PROGRAM = False
 
     def __init__(self, doc: Any, obj: Any = None) -> None:
-        title, missing = translate("FiveAxis", "Choose an NC file"), translate("FiveAxis", "Choose the NC file to audit.")
+        title, missing = (
+            translate("FiveAxis", "Choose an NC file"),
+            translate("FiveAxis", "Choose the NC file to audit."),
+        )
         self.file = FileField("nc_file", title, nc_files(), missing=missing)
-        zero = PointField("work_zero", translate("FiveAxis", "Where the program's zero is drawn in the document"))
+        zero = PointField(
+            "work_zero", translate("FiveAxis", "Where the program's zero is drawn in the document")
+        )
         hint = translate(
-            "App::Property", "Solids and meshes of the document that hold the part: the tool is checked against them"
+            "App::Property",
+            "Solids and meshes of the document that hold the part: the tool is checked against them",
         )
         extras = [self.file, PartField(doc), FixturesField(doc, None, hint), zero]
         super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), extras), obj)
@@ -40,7 +46,11 @@ class AuditPanel(PathPanel):
         empty = not self.doc.Objects
         settings = self.options.read_values()
         path = settings.pop("nc_file")
-        audited = changes.change_audit(self.obj, path, settings) if self.obj else app.audit(self.doc, path, **settings)
+        audited = (
+            changes.change_audit(self.obj, path, settings)
+            if self.obj
+            else app.audit(self.doc, path, **settings)
+        )
         if empty:  # nobody has chosen a view yet
             QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
         return audited
@@ -53,7 +63,8 @@ class AuditPanel(PathPanel):
 
 
 class PartField(ChoiceField):
-    """The solids and meshes of the document, to compare with; without one of them the file below counts, if any is named."""
+    """The solids and meshes of the document, to compare with; without one of them the file below counts, if
+    any is named."""
 
     def __init__(self, doc: Any) -> None:
         from freecad_fiveaxis.app import compared
@@ -84,12 +95,16 @@ PART = "The solid or mesh of the document that the program is compared with"
 
 
 def create(doc: Any, chosen: Collection[Any] = ()) -> AuditPanel:
-    """Open the panel for a new audit; its first values are those of what was posted from the document, of the ``chosen`` objects
-    where they say which, else the user's preferences."""
+    """Open the panel for a new audit; its first values are those of what was posted from the document, of the
+    ``chosen`` objects where they say which, else the user's preferences."""
     from freecad_fiveaxis.app import changes, preferences, proposing
 
     panel = AuditPanel(doc)
-    preferred = {"machine": preferences.machine(), "controller": preferences.controller(), "tolerance": preferences.tolerance()}
+    preferred = {
+        "machine": preferences.machine(),
+        "controller": preferences.controller(),
+        "tolerance": preferences.tolerance(),
+    }
     panel.fill(changes.default_options("audit") | preferred | proposing.proposed(doc, chosen))
     return show(panel)
 
@@ -99,7 +114,12 @@ def edit(obj: Any) -> AuditPanel:
     from freecad_fiveaxis.app import changes
 
     panel = AuditPanel(obj.Document, obj)
-    extras = {"nc_file": obj.NCFile, "part": obj.Part, "fixtures": obj.Fixtures, "work_zero": tuple(obj.WorkZero)}
+    extras = {
+        "nc_file": obj.NCFile,
+        "part": obj.Part,
+        "fixtures": obj.Fixtures,
+        "work_zero": tuple(obj.WorkZero),
+    }
     panel.fill(changes.shown_options(obj, "audit") | extras)
     return show(panel)
 

@@ -19,8 +19,8 @@ ROWS = 4
 
 
 class AvoidField(Field):
-    """A list of names of faces of the solid ``base``; one button takes those selected in the 3D view into it, another takes rows
-    out. Over a mesh, whose faces have no names, it is idle and says so."""
+    """A list of names of faces of the solid ``base``; one button takes those selected in the 3D view into it,
+    another takes rows out. Over a mesh, whose faces have no names, it is idle and says so."""
 
     def __init__(self, base: Any) -> None:
         hint = translate("App::Property", "Faces of the base that are left alone: they are not milled")
@@ -38,11 +38,17 @@ class AvoidField(Field):
         self._fit()
 
     def _lay_out(self) -> None:
-        for widget, name in ((self.list, "avoid_list"), (self.add, "avoid_add"), (self.remove, "avoid_remove")):
+        for widget, name in (
+            (self.list, "avoid_list"),
+            (self.add, "avoid_add"),
+            (self.remove, "avoid_remove"),
+        ):
             widget.setObjectName(name)
         self.list.setAccessibleName(self.label)
         self.list.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
-        self.add.setToolTip(translate("FiveAxis", "Click faces of the part in the 3D view first, several with Ctrl"))
+        self.add.setToolTip(
+            translate("FiveAxis", "Click faces of the part in the 3D view first, several with Ctrl")
+        )
         column = QtWidgets.QVBoxLayout(self.editor)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
@@ -55,7 +61,10 @@ class AvoidField(Field):
         if self.base is None:
             self.show_note(_gone())
         elif is_mesh(self.base):
-            text = translate("FiveAxis", "The faces of a mesh have no names: choose a solid, or {option} on the command line.")
+            text = translate(
+                "FiveAxis",
+                "The faces of a mesh have no names: choose a solid, or {option} on the command line.",
+            )
             self.show_note(text.format(option="--avoid"))
 
     def _fit(self) -> None:
@@ -73,7 +82,8 @@ class AvoidField(Field):
         return WIDE
 
     def _add(self) -> None:
-        """Take the faces that are selected in the 3D view into the list; say what to select where there are none."""
+        """Take the faces that are selected in the 3D view into the list; say what to select where there are
+        none."""
         from freecad_fiveaxis.app import selection, wording
 
         self.show_error("")
@@ -97,7 +107,11 @@ class AvoidField(Field):
         try:
             for item in self.list.selectedItems():
                 FreeCADGui.Selection.addSelection(self.base.Document.Name, self.base.Name, item.text())
-        except (ReferenceError, RuntimeError, ValueError):  # the part is gone, or that face of it: Calculate says so
+        except (
+            ReferenceError,
+            RuntimeError,
+            ValueError,
+        ):  # the part is gone, or that face of it: Calculate says so
             return
 
     def _take(self, names: Sequence[str]) -> None:
@@ -110,7 +124,11 @@ class AvoidField(Field):
 
     def words(self) -> str:
         """That they are left out."""
-        return translate("FiveAxis", "without {faces}").format(faces=", ".join(self.value())) if self.value() else ""
+        return (
+            translate("FiveAxis", "without {faces}").format(faces=", ".join(self.value()))
+            if self.value()
+            else ""
+        )
 
     def show_value(self, value: Sequence[str] | None) -> None:
         """These names and no others."""

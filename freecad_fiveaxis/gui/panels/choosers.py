@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fields that choose among what there is: the machine, the controller, the cutter, and scallop or stepover."""
+"""Fields that choose among what there is: the machine, the controller, the cutter, and scallop or
+stepover."""
 
 from __future__ import annotations
 
@@ -65,7 +66,8 @@ def has_head(machine: str) -> bool:
 
 
 class SpacingField(Field):
-    """The distance of the passes: by the scallop they leave, or constant. Its values are ``scallop`` and ``stepover``."""
+    """The distance of the passes: by the scallop they leave, or constant. Its values are ``scallop`` and
+    ``stepover``."""
 
     KINDS = ("scallop", "stepover")
     has_own_labels = True
@@ -118,7 +120,8 @@ CUTTER_SIZES = {
 
 
 class ToolList(QtCore.QObject):
-    """A list of tools under a ``title``, shown while there are any. ``chosen`` tells of one, a JobTool; the title comes back."""
+    """A list of tools under a ``title``, shown while there are any. ``chosen`` tells of one, a JobTool; the
+    title comes back."""
 
     chosen = QtCore.Signal(object)
 
@@ -154,8 +157,8 @@ def _tools_of_jobs(doc: Any) -> list[Any]:
 
 
 class CutterField(Field):
-    """A cutter: its kind and the sizes that it has, by hand, from a tool bit's file, or from a tool of a CAM Job or
-    of the path's setup."""
+    """A cutter: its kind and the sizes that it has, by hand, from a tool bit's file, or from a tool of a CAM
+    Job or of the path's setup."""
 
     has_own_labels = True
 
@@ -165,7 +168,9 @@ class CutterField(Field):
 
         super().__init__(name, Rows(indent=0), hint)
         hints = {one.name: translate("App::Property", one.text) for one in CUTTER}
-        self.kind = ChoiceField("cutter_kind", [(kind, choice_label(kind)) for kind in KINDS], hints["CutterKind"])
+        self.kind = ChoiceField(
+            "cutter_kind", [(kind, choice_label(kind)) for kind in KINDS], hints["CutterKind"]
+        )
         self.sizes = {
             size: QuantityField("cutter_" + size, kind, hints["Cutter" + size.capitalize()])
             for size, kind in CUTTER_SIZES.items()
@@ -208,7 +213,10 @@ class CutterField(Field):
             self._take(tool.cutter)
 
     def _from_file(self, *_: Any) -> None:
-        title, kinds = translate("FiveAxis", "Choose a tool file (.fctb)"), translate("FiveAxis", "Tool files (*.fctb)")
+        title, kinds = (
+            translate("FiveAxis", "Choose a tool file (.fctb)"),
+            translate("FiveAxis", "Tool files (*.fctb)"),
+        )
         path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, title, "", kinds)
         if path:
             self.read_file(path)
@@ -228,10 +236,13 @@ class CutterField(Field):
         self.edited.emit()
 
     def value(self) -> str:
-        """As job files write it, ``ball:10.0:50.0``, mm and degrees; whether there can be such a cutter is the core's to say."""
+        """As job files write it, ``ball:10.0:50.0``, mm and degrees; whether there can be such a cutter is
+        the core's to say."""
         from freecad_fiveaxis.core.tool import sizes_text
 
-        return sizes_text(self.kind.value(), {size: field.value() or 0.0 for size, field in self.sizes.items()})
+        return sizes_text(
+            self.kind.value(), {size: field.value() or 0.0 for size, field in self.sizes.items()}
+        )
 
     def words(self) -> str:
         """Kind and diameter."""
@@ -249,7 +260,8 @@ class CutterField(Field):
 
 
 def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
-    """The controllers; the first item leaves it to the machine, and where a text is read, to the text before that."""
+    """The controllers; the first item leaves it to the machine, and where a text is read, to the text before
+    that."""
     from freecad_fiveaxis.core.controllers import DIALECTS
 
     own = translate("FiveAxis", "by the text itself") if reads else translate("FiveAxis", "the machine's own")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that compares machines on one tool path. Its table stands in a window below the view (``comparison_table``)."""
+"""The panel that compares machines on one tool path. Its table stands in a window below the view
+(``comparison_table``)."""
 
 from __future__ import annotations
 
@@ -47,12 +48,17 @@ class ComparePanel:
     def _widget(self) -> Any:
         widget = QtWidgets.QWidget()
         widget.setObjectName("FiveAxisPanel")
-        widget.setWindowTitle(translate("FiveAxis", "Compare machines on {label}").format(label=self.path.Label))
+        widget.setWindowTitle(
+            translate("FiveAxis", "Compare machines on {label}").format(label=self.path.Label)
+        )
         length = QtWidgets.QHBoxLayout()
         length.addWidget(QtWidgets.QLabel(translate("FiveAxis", "Tool length")))
         length.addWidget(self.length.editor)
         note = QtWidgets.QLabel(
-            translate("FiveAxis", "On each machine the work zero stands where its file says. The document stays as it is.")
+            translate(
+                "FiveAxis",
+                "On each machine the work zero stands where its file says. The document stays as it is.",
+            )
         )
         note.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(widget)
@@ -86,7 +92,9 @@ class ComparePanel:
             self.show_error(translate("FiveAxis", "Tick at least one machine and one correction."))
             return False
         if self.length.value() is None and any(map(has_head, machines)):
-            self.show_error(translate("FiveAxis", "The head of a machine that is ticked turns: give the tool length."))
+            self.show_error(
+                translate("FiveAxis", "The head of a machine that is ticked turns: give the tool length.")
+            )
             return False
         try:
             with waiting(self.title):
@@ -128,7 +136,8 @@ def chosen(box: Any) -> list[str]:
 
 
 def _list(name: str, choices: list[tuple[str, str]], ticked: set[str]) -> Any:
-    """A list whose lines can be ticked; what is ticked but not among the choices joins them under its own name."""
+    """A list whose lines can be ticked; what is ticked but not among the choices joins them under its own
+    name."""
     box = QtWidgets.QListWidget()
     box.setObjectName(name)
     known = {value for value, _ in choices}

@@ -55,15 +55,22 @@ DEPENDS: tuple[tuple[str, Callable[[Any], bool], Sequence[str], Sequence[str]], 
     ("against", _is_part, ("cutter", "gouge"), ()),
     ("part", _is_there, ("cutter", "gouge"), ("against", "axis_tolerance")),
 )
-"""A choice and what is asked of it; the options that count only if that holds (of several such lines: any), and those that do
-not count then."""
+"""A choice and what is asked of it; the options that count only if that holds (of several such lines: any),
+and those that do not count then."""
 
 
 def idle_options(fields: Mapping[str, Field]) -> set[str]:
-    """The options that count for nothing as the choices stand: they are not shown, not checked and not given."""
-    choices = [(choice, holds(fields[choice].value()), only, never) for choice, holds, only, never in DEPENDS if choice in fields]
+    """The options that count for nothing as the choices stand: they are not shown, not checked and not
+    given."""
+    choices = [
+        (choice, holds(fields[choice].value()), only, never)
+        for choice, holds, only, never in DEPENDS
+        if choice in fields
+    ]
     idle = _idle(choices)  # a choice that is idle itself asks for nothing
-    return _idle([(choice, true and choice not in idle, only, never) for choice, true, only, never in choices])
+    return _idle(
+        [(choice, true and choice not in idle, only, never) for choice, true, only, never in choices]
+    )
 
 
 def _idle(choices: Sequence[tuple[str, bool, Sequence[str], Sequence[str]]]) -> set[str]:

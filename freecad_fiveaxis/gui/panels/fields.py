@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fields of a task panel: one option of the core's settings each, in the user's units, with its error in place.
+"""Fields of a task panel: one option of the core's settings each, in the user's units, with its error in
+place.
 
 field     an editor that holds one value as job files write it: mm, degrees, mm/min, a name, three numbers.
-given     the value that the field was shown. Until the user edits the field, it gives that very number back, so that what
-          the user's units round away is not lost.
+given     the value that the field was shown. Until the user edits the field, it gives that very number back,
+          so that what the user's units round away is not lost.
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ UNITS = {"length": "mm", "angle": "deg"}
 DIGITS = 6
 
 FLAGS, CHOSEN = int(QtCore.Qt.UserRole) - 1, 33
-"""The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one that can be chosen:
-selectable (1) and enabled (32)."""
+"""The role under which a list's items keep their flags (as QStandardItem.setFlags does), and those of one
+that can be chosen: selectable (1) and enabled (32)."""
 
 
 LINES = {"error": error_line, "warning": warning_line, "note": note_line}
@@ -38,9 +39,11 @@ ARROW = 30
 
 
 class Field(QtCore.QObject):
-    """An editor and lines for its error, a warning and a note. ``edited`` tells that the user, or a program, changed the value.
+    """An editor and lines for its error, a warning and a note. ``edited`` tells that the user, or a program,
+    changed the value.
 
-    ``label`` is what the field is called, on the screen and for screen readers; ``has_own_labels``: its parts bear their own.
+    ``label`` is what the field is called, on the screen and for screen readers; ``has_own_labels``: its parts
+    bear their own.
     """
 
     edited = QtCore.Signal()
@@ -58,8 +61,8 @@ class Field(QtCore.QObject):
         self.place_line: Callable[[str, Any], Any] = lambda kind, line: None
 
     def line_of(self, kind: str) -> Any:
-        """The label of that kind, one of LINES, made and placed when it is asked for first: most fields never say anything, and
-        a panel of sixty fields opens in half the time without their lines."""
+        """The label of that kind, one of LINES, made and placed when it is asked for first: most fields never
+        say anything, and a panel of sixty fields opens in half the time without their lines."""
         if kind not in self.lines:
             self.lines[kind] = LINES[kind](f"{self.name}_{kind}")
             self.place_line(kind, self.lines[kind])
@@ -103,11 +106,13 @@ class Field(QtCore.QObject):
         return ""
 
     def show_warning(self, text: str) -> None:
-        """What to think of before the value is used, in amber under the editor; an empty text takes it away."""
+        """What to think of before the value is used, in amber under the editor; an empty text takes it
+        away."""
         self._say("warning", text)
 
     def show_note(self, text: str) -> None:
-        """Why the field counts for nothing, in small letters under the editor, which is then idle; an empty text: it counts."""
+        """Why the field counts for nothing, in small letters under the editor, which is then idle; an empty
+        text: it counts."""
         self._say("note", text)
         self.editor.setEnabled(not text)
 
@@ -119,7 +124,8 @@ class Field(QtCore.QObject):
         """The user has asked for the result: what he has not given yet is missing from now on."""
 
     def check(self) -> None:
-        """Raises FiveAxisError for a value that cannot be used, where the core's settings do not know of it."""
+        """Raises FiveAxisError for a value that cannot be used, where the core's settings do not know of
+        it."""
 
     def value(self) -> Any:
         """The option's value as job files write it; None: not given."""
@@ -171,7 +177,9 @@ class QuantityField(Field):
         value = self.value()
         if not value:
             return ""
-        return f"{self.label} {length_text(value, DIGITS) if self.unit == 'mm' else angle_text(value, DIGITS)}"
+        return (
+            f"{self.label} {length_text(value, DIGITS) if self.unit == 'mm' else angle_text(value, DIGITS)}"
+        )
 
 
 def _word_for_none(name: str) -> str:
@@ -234,7 +242,9 @@ class ChoiceField(Field):
 
     def offer(self, unknown: Collection[Any]) -> None:
         """These values cannot be chosen for now, all others can."""
-        model = self.editor.model()  # by indexes: PySide keeps what it hands out of Qt's own items longer than Qt has them
+        model = (
+            self.editor.model()
+        )  # by indexes: PySide keeps what it hands out of Qt's own items longer than Qt has them
         for at in range(self.editor.count()):
             on = self.editor.itemData(at) not in unknown
             model.setData(model.index(at, 0), CHOSEN if on else 0, FLAGS)

@@ -13,8 +13,9 @@ from .fields import TextField
 
 
 class FileField(TextField):
-    """A file to read, and a button that chooses it. ``title`` of the dialog, ``kinds`` of files as Qt filters them; ``missing``:
-    what to do while none is named, empty where none is needed: a hint in the box, and an error once the file is ``wanted``."""
+    """A file to read, and a button that chooses it. ``title`` of the dialog, ``kinds`` of files as Qt filters
+    them; ``missing``: what to do while none is named, empty where none is needed: a hint in the box, and an
+    error once the file is ``wanted``."""
 
     wanted = False
 
@@ -49,13 +50,15 @@ class FileField(TextField):
 
 
 class SaveField(FileField):
-    """A file to write. ``endings``: those that its name may have, none: any; ``new``: it must not be there yet.
+    """A file to write. ``endings``: those that its name may have, none: any; ``new``: it must not be there
+    yet.
 
     ``propose`` shows a name until the user gives one.
     """
 
     def __init__(
-        self, name: str, title: str, kinds: str, hint: str = "", missing: str = "", endings: tuple[str, ...] = (),
+        self, name: str, title: str, kinds: str, hint: str = "", missing: str = "",
+        endings: tuple[str, ...] = (),
         new: bool = False,
     ) -> None:  # fmt: skip
         super().__init__(name, title, kinds, hint, missing)
@@ -72,7 +75,8 @@ class SaveField(FileField):
         return os.path.abspath(os.path.expanduser(super().value())) if super().value() else ""
 
     def check(self) -> None:
-        """Raises FileError for a file that is not named, has no known ending, or is there although it may not."""
+        """Raises FileError for a file that is not named, has no known ending, or is there although it may
+        not."""
         from freecad_fiveaxis.app.machines import is_new_folder
         from freecad_fiveaxis.core.base.errors import FileError
         from freecad_fiveaxis.core.base.files import check_writable
@@ -92,7 +96,9 @@ class SaveField(FileField):
 
     def _browse(self, *_: Any) -> None:
         options = QtWidgets.QFileDialog.DontConfirmOverwrite
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(self.editor, self.title, self.value(), self.kinds, "", options)
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self.editor, self.title, self.value(), self.kinds, "", options
+        )
         if path:
             self.show_value(path)
 
@@ -104,7 +110,9 @@ def all_files() -> str:
 
 def cl_files() -> str:
     """The kinds of CL files, as Qt filters them."""
-    return ";;".join([translate("FiveAxis", "CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)"), all_files()])
+    return ";;".join(
+        [translate("FiveAxis", "CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)"), all_files()]
+    )
 
 
 def machine_files() -> str:
@@ -121,6 +129,7 @@ def new_machine() -> SaveField:
     """The field of a machine file to write, which is never one that is there."""
     return SaveField(
         "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
-        translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then on."),
+        translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then "
+                              "on."),
         translate("FiveAxis", "Name the machine file."), (".fcm",), new=True,
     )  # fmt: skip

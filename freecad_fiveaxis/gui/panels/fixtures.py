@@ -15,8 +15,8 @@ ROWS = 4
 
 
 class FixturesField(Field):
-    """A list of the solids and meshes of ``doc`` but for the part that is milled (``part``), each to be ticked; ``hint`` as the
-    property's help says."""
+    """A list of the solids and meshes of ``doc`` but for the part that is milled (``part``), each to be
+    ticked; ``hint`` as the property's help says."""
 
     def __init__(self, doc: Any, part: Any, hint: str) -> None:
         from freecad_fiveaxis.app import compared
@@ -28,7 +28,9 @@ class FixturesField(Field):
                 self._add(one)
         if self.editor.count() == 0:
             self.show_note(translate("FiveAxis", "There is no other solid in the document."))
-        self.editor.setMaximumHeight(self.editor.fontMetrics().height() * 3 // 2 * min(max(self.editor.count(), 1), ROWS) + 6)
+        self.editor.setMaximumHeight(
+            self.editor.fontMetrics().height() * 3 // 2 * min(max(self.editor.count(), 1), ROWS) + 6
+        )
         self.editor.itemChanged.connect(self._changed)
 
     def _add(self, one: Any) -> None:
@@ -56,4 +58,6 @@ class FixturesField(Field):
         names = {one.Name for one in value or ()}
         for row in range(self.editor.count()):
             item = self.editor.item(row)
-            item.setCheckState(QtCore.Qt.Checked if item.data(QtCore.Qt.UserRole) in names else QtCore.Qt.Unchecked)
+            item.setCheckState(
+                QtCore.Qt.Checked if item.data(QtCore.Qt.UserRole) in names else QtCore.Qt.Unchecked
+            )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A group of fields that folds: a header with an arrow, a title and what the group says in a few words.
 
-state     what stands behind the title, so that a folded group need not be opened to be read. Where the panel is narrow it is
-          cut with dots; the tool tip says all of it.
+state     what stands behind the title, so that a folded group need not be opened to be read. Where the panel
+          is narrow it is cut with dots; the tool tip says all of it.
 kept      which groups are open is kept in the preferences: a panel opens as it was left.
 """
 
@@ -19,11 +19,12 @@ ARROW = 30
 STYLE = """
 QToolButton { border: 1px solid transparent; border-radius: 2px; padding: 2px; background: rgba(128, 128, 128, 45) }
 QToolButton:hover, QToolButton:focus { border-color: palette(highlight) }
-"""
+"""  # noqa: E501
 
 
 class FoldingGroup(QtWidgets.QWidget):
-    """A header and a ``body`` of rows. ``key``: under which the preferences keep whether it is open; ``opened`` until they do."""
+    """A header and a ``body`` of rows. ``key``: under which the preferences keep whether it is open;
+    ``opened`` until they do."""
 
     def __init__(self, name: str, title: str, key: str, opened: bool = True) -> None:
         from freecad_fiveaxis.app import preferences
@@ -74,7 +75,9 @@ class FoldingGroup(QtWidgets.QWidget):
     def _write(self) -> None:
         text = f"{self.title} — {self.state}" if self.state else self.title
         metrics = self.header.fontMetrics()
-        self.header.setText(metrics.elidedText(text.replace("&", "&&"), QtCore.Qt.ElideRight, max(self.width() - ARROW, 0)))
+        self.header.setText(
+            metrics.elidedText(text.replace("&", "&&"), QtCore.Qt.ElideRight, max(self.width() - ARROW, 0))
+        )
         self.header.setToolTip(text)
         self.header.setAccessibleDescription(self.state)
 

@@ -3,8 +3,8 @@
 
 section   a group of fields that folds. MORE is the last one: every option that no other section names.
 options   what the form says, flat, as job files write it; an option that is not given is not in it.
-idle      an option that counts for nothing as the choices stand: hidden where another choice says so, shown with the reason
-          where the controller does not know it.
+idle      an option that counts for nothing as the choices stand: hidden where another choice says so, shown
+          with the reason where the controller does not know it.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ MORE = "more"
 
 
 class Section(NamedTuple):
-    """``names`` of the fields in their order; ``in_title``: of those whose words stand in the title; ``opened`` until the user
-    folds it; ``about``: words before them."""
+    """``names`` of the fields in their order; ``in_title``: of those whose words stand in the title;
+    ``opened`` until the user folds it; ``about``: words before them."""
 
     name: str
     title: str
@@ -51,8 +51,8 @@ ANY_MACHINE = ("recover",)
 
 
 def group_sections(task: str, less: Sequence[str] = ()) -> list[tuple[str, str, list[str]]]:
-    """Name, title and options of each group of a task's settings, so that options that are added appear by themselves; but
-    for those in ``less``, which are left to MORE."""
+    """Name, title and options of each group of a task's settings, so that options that are added appear by
+    themselves; but for those in ``less``, which are left to MORE."""
     from freecad_fiveaxis.app.properties import group_of, shown_options
 
     groups: dict[str, list[str]] = {}
@@ -71,8 +71,9 @@ class Form(QtCore.QObject):
         self, task: str, doc: Any, sections: Sequence[Any], extras: Sequence[Field] = (), group: str = "",
         given: Mapping[str, Any] | None = None, only: Sequence[str] = (),
     ) -> None:  # fmt: skip
-        """``sections``: Sections, or plain tuples of their first fields; ``group``: the settings class whose options alone are
-        asked for, ``only``: the options that alone are; ``given``: options that are settled elsewhere."""
+        """``sections``: Sections, or plain tuples of their first fields; ``group``: the settings class whose
+        options alone are asked for, ``only``: the options that alone are; ``given``: options that are settled
+        elsewhere."""
         super().__init__()
         from freecad_fiveaxis.app.properties import shown_options
 
@@ -92,7 +93,9 @@ class Form(QtCore.QObject):
         for field in self.fields.values():
             field.edited.connect(self._changed)
         if self.task == "audit" and "gouge" in self.fields:  # which changes no pass
-            self.fields["gouge"].offer({choice for choice in self.leaves["gouge"].metadata["choices"] if choice not in CHECKS})
+            self.fields["gouge"].offer(
+                {choice for choice in self.leaves["gouge"].metadata["choices"] if choice not in CHECKS}
+            )
         self._depend()
 
     def _option_fields(self, doc: Any) -> dict[str, Field]:
@@ -108,7 +111,9 @@ class Form(QtCore.QObject):
             if name not in SpacingField.KINDS and name not in self.extras:
                 fields[name] = special.get(name, _plain)(leaf)
         if SpacingField.KINDS[0] in self.leaves:
-            fields[SPACING] = SpacingField({kind: option_hint(self.leaves[kind]) for kind in SpacingField.KINDS})
+            fields[SPACING] = SpacingField(
+                {kind: option_hint(self.leaves[kind]) for kind in SpacingField.KINDS}
+            )
         return fields
 
     def _no_machine(self) -> str:
@@ -118,7 +123,10 @@ class Form(QtCore.QObject):
         """The sections, and one with the fields that none of them names."""
         named = {name for section in sections for name in section.names}
         rest = [name for name in self.fields if name not in named]
-        return [*sections, *([Section(MORE, translate("FiveAxis", "More settings"), rest, opened=False)] if rest else [])]
+        return [
+            *sections,
+            *([Section(MORE, translate("FiveAxis", "More settings"), rest, opened=False)] if rest else []),
+        ]
 
     def _lay_out(self) -> None:
         column = QtWidgets.QVBoxLayout(self.widget)
@@ -153,7 +161,8 @@ class Form(QtCore.QObject):
             self.edited.emit()
 
     def _depend(self) -> None:
-        """Show only the fields that count for the machine and the choices made; those that its controller lacks are idle."""
+        """Show only the fields that count for the machine and the choices made; those that its controller
+        lacks are idle."""
         if "tool_length" in self.rows and "machine" in self.fields and self.task not in ANY_MACHINE:
             self._show_row("tool_length", self.fields["machine"].has_head())
         self._lack()
@@ -164,7 +173,8 @@ class Form(QtCore.QObject):
         self._tell()
 
     def dialect(self) -> Any:
-        """The core's table of the controller that is chosen, or of the machine's own; None where that is not known."""
+        """The core's table of the controller that is chosen, or of the machine's own; None where that is not
+        known."""
         if not {"machine", "controller"} <= set(self.fields):
             return None
         from freecad_fiveaxis.app.controllers import dialect_of
@@ -172,7 +182,8 @@ class Form(QtCore.QObject):
         return dialect_of(self.fields["controller"].value(), self.fields["machine"].value())
 
     def _lack(self) -> None:
-        """What the controller does not know cannot be chosen; what was chosen before comes back with a controller that does."""
+        """What the controller does not know cannot be chosen; what was chosen before comes back with a
+        controller that does."""
         dialect = self.dialect()
         if dialect is None:
             return
@@ -205,16 +216,27 @@ class Form(QtCore.QObject):
             if name in self.leaves or name == SPACING:
                 values.update(field.value() if name == SPACING else {name: field.value()})
         idle = idle_options(self.fields)
-        return {name: value for name, value in values.items() if value is not None and value != "" and name not in idle}
+        return {
+            name: value
+            for name, value in values.items()
+            if value is not None and value != "" and name not in idle
+        }
 
     def read_values(self) -> dict[str, Any]:
         """The options and the extras."""
-        values = self.options() | {name: field.value() for name, field in self.extras.items() if name not in self.leaves}
+        values = self.options() | {
+            name: field.value() for name, field in self.extras.items() if name not in self.leaves
+        }
         links = {name: field.link for name, field in self.fields.items() if hasattr(field, "link")}
-        return values | ({"picked": {name: link for name, link in links.items() if link and name in values}} if links else {})
+        return values | (
+            {"picked": {name: link for name, link in links.items() if link and name in values}}
+            if links
+            else {}
+        )
 
     def show_options(self, options: Mapping[str, Any]) -> None:
-        """Fill the fields; one that the options do not name keeps what it shows. ``edited`` tells of it once, at the end."""
+        """Fill the fields; one that the options do not name keeps what it shows. ``edited`` tells of it once,
+        at the end."""
         self.filling = True
         for name, field in self.fields.items():
             if name == SPACING:
@@ -249,8 +271,11 @@ class Form(QtCore.QObject):
         return all(good)
 
     def _lacks_file(self) -> bool:
-        """Whether an option names a file that is needed and not named yet: nobody has done anything wrong so far."""
-        files: list[Any] = [field for name, field in self.fields.items() if name in self.leaves and hasattr(field, "missing")]
+        """Whether an option names a file that is needed and not named yet: nobody has done anything wrong so
+        far."""
+        files: list[Any] = [
+            field for name, field in self.fields.items() if name in self.leaves and hasattr(field, "missing")
+        ]
         return any(field.missing and not field.value() and not field.wanted for field in files)
 
     def check_together(self, options: Mapping[str, Any]) -> None:
@@ -286,13 +311,21 @@ class Form(QtCore.QObject):
             load_machine(options.get(name, ""))
         if name == "rtcp" and (dialect := self.dialect()) is not None:
             check_guide(dialect, options)
-        if name == "tool_length" and name not in options and self.task not in ANY_MACHINE and self.fields["machine"].has_head():
+        if (
+            name == "tool_length"
+            and name not in options
+            and self.task not in ANY_MACHINE
+            and self.fields["machine"].has_head()
+        ):
             raise SettingsError(
-                translate("FiveAxis", "This machine's head turns: give the length from the gauge point to the tip.")
+                translate(
+                    "FiveAxis", "This machine's head turns: give the length from the gauge point to the tip."
+                )
             )
 
     def show_error(self, text: str) -> None:
-        """What is wrong with the values together; an empty text takes it away. The panel places the line ``error``."""
+        """What is wrong with the values together; an empty text takes it away. The panel places the line
+        ``error``."""
         self.error.setText(text)
         self.error.setVisible(bool(text))
 

@@ -21,7 +21,8 @@ from .picking import Pick
 from .triple import LAST, TripleField
 
 APART, LEAST = 4, 30
-"""Pixels between a line and the button for its file, and the least width of such a line: what stands there is long anyway."""
+"""Pixels between a line and the button for its file, and the least width of such a line: what stands there is
+long anyway."""
 Zero = Callable[[], Sequence[float]]
 """Gives the work zero, mm, document."""
 Link = tuple[Any, str]
@@ -42,7 +43,8 @@ class ElementPick(Pick):
 
 
 class Picker(QtCore.QObject):
-    """The button beside a field, and the link that was picked with it. ``show`` gets what the link says now, as the option."""
+    """The button beside a field, and the link that was picked with it. ``show`` gets what the link says now,
+    as the option."""
 
     def __init__(self, field: Field, zero: Zero, wanted: str, show: Callable[[Any], None]) -> None:
         super().__init__()
@@ -125,7 +127,9 @@ class PlaceField(TextField):
 
     def _choose_file(self) -> None:
         kinds = ";;".join([translate("FiveAxis", "Curves (*.csv)"), all_files()])
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(self.editor, translate("FiveAxis", "Choose a file"), "", kinds)
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(
+            self.editor, translate("FiveAxis", "Choose a file"), "", kinds
+        )
         if path:
             self.show_value(path)
             self.edited.emit()
@@ -149,7 +153,9 @@ class PlaceField(TextField):
 
     def room(self) -> int:
         """The name of what is picked may be long."""
-        return width_of(self.line, "0" * 12) + (0 if self.file is None else self.file.sizeHint().width() + APART)
+        return width_of(self.line, "0" * 12) + (
+            0 if self.file is None else self.file.sizeHint().width() + APART
+        )
 
     def value(self) -> str:
         """The text."""
@@ -180,7 +186,9 @@ class AxisField(TripleField):
     def __init__(self, zero: Zero) -> None:
         super().__init__("pass_axis", "vector", _hint("pass_axis"))
         wanted = translate(
-            "FiveAxis", "Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc stops it"
+            "FiveAxis",
+            "Then click a straight or circular edge, or a cylindrical or conical face, in the 3D view; Esc "
+            "stops it",
         )
         self.picker = Picker(self, zero, wanted, self._show)
         self.pick = self.picker.pick
@@ -219,7 +227,9 @@ def _wanted(name: str) -> str:
     if name == "pass_centre":
         return translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
     if name == "boundary":
-        return translate("FiveAxis", "Then click a face, or an edge of a closed wire, in the 3D view; Esc stops it")
+        return translate(
+            "FiveAxis", "Then click a face, or an edge of a closed wire, in the 3D view; Esc stops it"
+        )
     return translate("FiveAxis", "Then click a vertex or an edge in the 3D view; Esc stops it")
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that makes a machine file of a LinuxCNC configuration, a URDF file or a file of FreeCAD's Machine editor."""
+"""The panel that makes a machine file of a LinuxCNC configuration, a URDF file or a file of FreeCAD's Machine
+editor."""
 
 from __future__ import annotations
 
@@ -35,7 +36,8 @@ class ImportPanel(WorkPanel):
         self.target = new_machine()
         sections = [("files", translate("FiveAxis", "Files"), ["source", "machine_file"])]
         super().__init__(
-            translate("FiveAxis", "Import a machine"), FilesForm("import-machine", None, sections, [self.source, self.target])
+            translate("FiveAxis", "Import a machine"),
+            FilesForm("import-machine", None, sections, [self.source, self.target]),
         )
         self.source.edited.connect(self._propose)
 

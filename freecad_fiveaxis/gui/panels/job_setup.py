@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The dialog of a Setup, which opens beside a task panel too, and the field of a tool path that chooses one."""
+"""The dialog of a Setup, which opens beside a task panel too, and the field of a tool path that chooses
+one."""
 
 from __future__ import annotations
 
@@ -28,12 +29,16 @@ class SetupDialog(QtWidgets.QDialog):
     def __init__(self, doc: Any, values: dict[str, Any], obj: Any = None) -> None:
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName("FiveAxisSetup")
-        title = translate("FiveAxis", "New setup") if obj is None else translate("FiveAxis", "Edit setup {name}")
+        title = (
+            translate("FiveAxis", "New setup") if obj is None else translate("FiveAxis", "Edit setup {name}")
+        )
         self.setWindowTitle(title.format(name=values["setup_name"]))
         extras = [TextField("setup_name"), TripleField("work_zero", "point", _zero_hint())]
         section = Section("setup", translate("FiveAxis", "Setup"), FIELDS)
         self.options = Form("mill", doc, [section], extras, only=SHARED[:-1])
-        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
+        buttons = QtWidgets.QDialogButtonBox(
+            QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
+        )
         form = PanelWidget(self.windowTitle(), (self.options.error,), self.options.widget)
         form.setObjectName("setup_form")
         column = QtWidgets.QVBoxLayout(self)
@@ -52,7 +57,8 @@ class SetupDialog(QtWidgets.QDialog):
 
 
 def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
-    """The Setup ``obj`` with other values, or a new one that begins with ``values``, as the user wishes; None: he cancels."""
+    """The Setup ``obj`` with other values, or a new one that begins with ``values``, as the user wishes;
+    None: he cancels."""
     from freecad_fiveaxis.app import job_setup
 
     name = obj.Label if obj is not None else translate("FiveAxis", "Setup")
@@ -96,14 +102,19 @@ def first_values() -> dict[str, Any]:
 
 
 class SetupField(ChoiceField):
-    """The Setup that a path takes its machine from, or none; the button edits it, or makes one of what the form says."""
+    """The Setup that a path takes its machine from, or none; the button edits it, or makes one of what the
+    form says."""
 
     def __init__(self, doc: Any) -> None:
         from freecad_fiveaxis.app import job_setup
 
         own = translate("FiveAxis", "own values")
         choices = [(None, own), *((one.Name, one.Label) for one in job_setup.setups_of(doc))]
-        super().__init__("setup", choices, translate("FiveAxis", "Machine, controller and work zero that several paths share"))
+        super().__init__(
+            "setup",
+            choices,
+            translate("FiveAxis", "Machine, controller and work zero that several paths share"),
+        )
         self.doc = doc
         self.browse = QtWidgets.QToolButton()
         self.browse.setObjectName("setup_edit")
@@ -123,7 +134,8 @@ class SetupField(ChoiceField):
         self._name_button()
 
     def forget_gone(self) -> None:
-        """Setups that are no longer in the document leave the list; where one was chosen, there is none now."""
+        """Setups that are no longer in the document leave the list; where one was chosen, there is none
+        now."""
         for at in reversed(range(1, self.editor.count())):
             if self.doc.getObject(self.editor.itemData(at)) is None:
                 if self.editor.currentIndex() == at:

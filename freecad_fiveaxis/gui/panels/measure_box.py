@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A box for a length or an angle, in millimetres or inches as the document has them, with a machine's decimals.
+"""A box for a length or an angle, in millimetres or inches as the document has them, with a machine's
+decimals.
 
-FreeCAD's own box chooses the unit by the size of the value (10 µm, 0.39 thou), shows fractions of an inch in one schema and an
-exponent for small values; a tolerance of 0.01 mm is none of these to a machinist.
+FreeCAD's own box chooses the unit by the size of the value (10 µm, 0.39 thou), shows fractions of an inch in
+one schema and an exponent for small values; a tolerance of 0.01 mm is none of these to a machinist.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ PRECISION = 12
 
 
 class MeasureBox(QtWidgets.QDoubleSpinBox):
-    """``kind``: "length" or "angle". It reads any unit that FreeCAD knows, and what is reckoned: ``0.5 in``, ``10 mm / 3``."""
+    """``kind``: "length" or "angle". It reads any unit that FreeCAD knows, and what is reckoned: ``0.5 in``,
+    ``10 mm / 3``."""
 
     def __init__(self, kind: str) -> None:
         super().__init__()
@@ -34,7 +36,9 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         """Measure lengths or angles from now on."""
         self.kind = kind
         inch = kind == "length" and inches()
-        self.unit, self.factor, self.places = ("°", 1.0, 4) if kind == "angle" else ("in", INCH, 5) if inch else ("mm", 1.0, 4)
+        self.unit, self.factor, self.places = (
+            ("°", 1.0, 4) if kind == "angle" else ("in", INCH, 5) if inch else ("mm", 1.0, 4)
+        )
         self.setSingleStep(0.1 if inch else 1.0)
         self.setSuffix("")  # Qt shows the value anew
 
@@ -51,7 +55,9 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         if self.unset and value == 0.0:
             return self.unset
         gap = "" if self.unit == "°" else " "
-        return f"{field_text(value, self.places)}{gap}{self.unit}".replace(".", str(self.locale().decimalPoint()))
+        return f"{field_text(value, self.places)}{gap}{self.unit}".replace(
+            ".", str(self.locale().decimalPoint())
+        )
 
     def valueFromText(self, text: str) -> float:
         """Qt asks what was typed."""
@@ -59,7 +65,8 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         return float(self.value()) if read is None else read
 
     def validate(self, text: str, at: int) -> Any:
-        """Qt asks whether this may stand there: all may be typed, what cannot be read is put back afterwards."""
+        """Qt asks whether this may stand there: all may be typed, what cannot be read is put back
+        afterwards."""
         good = self._read(text) is not None
         return (QtGui.QValidator.Acceptable if good else QtGui.QValidator.Intermediate), text, at
 

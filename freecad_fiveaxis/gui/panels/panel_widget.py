@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The widget of a task panel: a head that stays in sight, and below it the form, which scrolls by itself.
 
-FreeCAD puts the panel into a scroll area of its own, above a stretch. A panel that would like to be taller than any screen, but
-can be low, gets just what is left there: so only the form scrolls, and nothing of FreeCAD's own has to be asked for its height.
+FreeCAD puts the panel into a scroll area of its own, above a stretch. A panel that would like to be taller
+than any screen, but can be low, gets just what is left there: so only the form scrolls, and nothing of
+FreeCAD's own has to be asked for its height.
 """
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ from typing import Any
 from freecad_fiveaxis.gui.qt import QtCore, QtWidgets
 
 WIDTH, TALL, LOW, LINES = 300, 4000, 110, 80
-"""Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a text above it."""
+"""Pixels: as wide as the panel would like to be, taller than any screen, as low as the form may get, and a
+text above it."""
 MARGIN = 4
 
 
@@ -51,10 +53,13 @@ class FormArea(QtWidgets.QScrollArea):
         self.setFrameShape(QtWidgets.QFrame.NoFrame)
         self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.setWidget(QtWidgets.QWidget())
-        self.verticalScrollBar().rangeChanged.connect(lambda *_: self.updateGeometry())  # a group was folded, or a row shown
+        self.verticalScrollBar().rangeChanged.connect(
+            lambda *_: self.updateGeometry()
+        )  # a group was folded, or a row shown
 
     def fill(self, body: Any) -> None:
-        """Show ``body``. It comes last, when the area stands in its panel: Qt tells every field of each new parent (0.1 s)."""
+        """Show ``body``. It comes last, when the area stands in its panel: Qt tells every field of each new
+        parent (0.1 s)."""
         column = QtWidgets.QVBoxLayout(self.widget())
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(body)
@@ -92,7 +97,9 @@ class TextArea(QtWidgets.QScrollArea):
 
     def sizeHint(self) -> Any:
         """As high as the text at this width."""
-        return QtCore.QSize(self.minimumSizeHint().width(), self.label.heightForWidth(self.viewport().width()))
+        return QtCore.QSize(
+            self.minimumSizeHint().width(), self.label.heightForWidth(self.viewport().width())
+        )
 
     def minimumSizeHint(self) -> Any:
         """The text's widest word and the scroll bar; some lines."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the panels of a tool path and of an audit share: a form, Calculate, a summary, OK and Cancel.
 
-step      all that the panel does to the document, from the first Calculate to OK, is one step of undo; Cancel and Esc take
-          it back.
+step      all that the panel does to the document, from the first Calculate to OK, is one step of undo; Cancel
+          and Esc take it back.
 stale     the form says something else than what was calculated last; OK then calculates first.
 """
 
@@ -35,7 +35,8 @@ FAR = 120 * 1000
 
 
 class PathPanel:
-    """A task panel. A subclass fills ``form``, and says how to ``compute``; it may show another ``summary``."""
+    """A task panel. A subclass fills ``form``, and says how to ``compute``; it may show another
+    ``summary``."""
 
     SUMMARY: type = Summary
     CREATES_PROGRAM = True
@@ -55,7 +56,9 @@ class PathPanel:
 
     def _widget(self, title: str) -> Any:
         return PanelWidget(
-            title, (self.calculate_button, self.summary, self.shown_parts, self.options.error), self.options.widget
+            title,
+            (self.calculate_button, self.summary, self.shown_parts, self.options.error),
+            self.options.widget,
         )
 
     def fill(self, values: Mapping[str, Any]) -> None:
@@ -81,7 +84,8 @@ class PathPanel:
         """What OK adds to a computed object."""
 
     def calculate(self) -> bool:
-        """Compute what the form says and show the summary; whether that went well. Otherwise the document is as before."""
+        """Compute what the form says and show the summary; whether that went well. Otherwise the document is
+        as before."""
         self.options.want()
         if not self.options.check():
             self.summary.forget()
@@ -133,8 +137,8 @@ class PathPanel:
         return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
 
     def accept(self) -> bool:
-        """OK: calculate if that is not done, keep what there is, close. The panel stays where something cannot be used, and where
-        the path is not safe and the user goes back to change that."""
+        """OK: calculate if that is not done, keep what there is, close. The panel stays where something
+        cannot be used, and where the path is not safe and the user goes back to change that."""
         if (self.stale and not self.calculate()) or not self._agreed() or not self._finished():
             return False
         self.step.keep()
@@ -175,7 +179,9 @@ class PathPanel:
 def show(panel: Any) -> Any:
     """Open a panel in the task view. Only one panel can be open."""
     if FreeCADGui.Control.activeDialog():
-        later(lambda: warn(translate("FiveAxis", "Another task panel is open: close it first.")))  # the pointer is still busy
+        later(
+            lambda: warn(translate("FiveAxis", "Another task panel is open: close it first."))
+        )  # the pointer is still busy
         return panel
     attend(panel)
     FreeCADGui.Control.showDialog(panel)
@@ -190,7 +196,8 @@ def fit(name: str) -> None:
 
 
 def is_seen(name: str, box: Any) -> bool:
-    """Whether half of a box of the document, as it stands on the screen, lies in its view; true where it has no 3D view."""
+    """Whether half of a box of the document, as it stands on the screen, lies in its view; true where it has
+    no 3D view."""
     view = FreeCADGui.getDocument(name).ActiveView
     if not hasattr(view, "getPointOnScreen"):
         return True
@@ -205,8 +212,9 @@ def is_seen(name: str, box: Any) -> bool:
 def reveal(form: Any) -> None:
     """Scroll the task view to the panel's head, where summary and buttons are.
 
-    The wheel is turned over the panel and Qt hands it on to whatever scrolls it. FreeCAD's own widgets around the panel are never
-    touched from here: under PySide2 the wrappers of a panel's fields die with those of the widgets around them.
+    The wheel is turned over the panel and Qt hands it on to whatever scrolls it. FreeCAD's own widgets around
+    the panel are never touched from here: under PySide2 the wrappers of a panel's fields die with those of
+    the widgets around them.
     """
     later(lambda: _scroll_up(form))
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A point picked in the 3D view: a vertex, the centre of a circle, or the spot on a face or mesh that was clicked.
+"""A point picked in the 3D view: a vertex, the centre of a circle, or the spot on a face or mesh that was
+clicked.
 
-pick      begins with a button and ends with the first point, with a second press of the button, or with Esc; Esc then stops
-          the pick and not the panel.
+pick      begins with a button and ends with the first point, with a second press of the button, or with Esc;
+          Esc then stops the pick and not the panel.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ Point = tuple[float, float, float]
 
 @guards
 class Pick:
-    """Waits for one point. ``found`` gets it (document coordinates, mm, or what an heir takes instead); ``ended`` is called in
-    any case."""
+    """Waits for one point. ``found`` gets it (document coordinates, mm, or what an heir takes instead);
+    ``ended`` is called in any case."""
 
     instances: ClassVar[WeakSet[Pick]] = WeakSet()
 
@@ -78,7 +79,10 @@ class _Escape(QtCore.QObject):
     def eventFilter(self, _watched: Any, event: Any) -> bool:
         """Qt calls this before a key arrives anywhere."""
         kind = event.type()
-        if kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride) and event.key() == QtCore.Qt.Key_Escape:
+        if (
+            kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.ShortcutOverride)
+            and event.key() == QtCore.Qt.Key_Escape
+        ):
             event.accept()
             if kind == QtCore.QEvent.KeyPress:
                 later(self.stop)
@@ -87,11 +91,16 @@ class _Escape(QtCore.QObject):
 
 
 def point_of(obj: Any, element: str, spot: Point) -> Point:
-    """The point that a picked element means, document coordinates, mm: ``spot`` unless it is a vertex or a circle."""
+    """The point that a picked element means, document coordinates, mm: ``spot`` unless it is a vertex or a
+    circle."""
     shape: Any = obj.getSubObject(element) if hasattr(obj, "getSubObject") else None
     if getattr(shape, "ShapeType", "") == "Vertex":
         return spot_of(shape.Point)
-    centre = getattr(getattr(shape, "Curve", None), "Center", None) if getattr(shape, "ShapeType", "") == "Edge" else None
+    centre = (
+        getattr(getattr(shape, "Curve", None), "Center", None)
+        if getattr(shape, "ShapeType", "") == "Edge"
+        else None
+    )
     return spot_of(spot if centre is None else centre)
 
 
@@ -114,7 +123,9 @@ class PointField(TripleField):
         self.pick = Pick(self._found, self._ended)
         if FreeCADGui.activeDocument() is None:
             self.button.setEnabled(False)
-            self.button.setToolTip(translate("FiveAxis", "Open a document first: there is nothing to pick from."))
+            self.button.setToolTip(
+                translate("FiveAxis", "Open a document first: there is nothing to pick from.")
+            )
 
     def _pressed(self, down: bool) -> None:
         if down:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that writes a tool path: the NC file, a report where one is wished, a preview for CAM where one is wished.
+"""The panel that writes a tool path: the NC file, a report where one is wished, a preview for CAM where one
+is wished.
 
-poor            errors and warnings of the result. A program with errors, or without a spindle speed, is written only when the
-                user says so.
-proposed name   the folder of the preferences, else the document's, else the user's own; the path's label; the ending of the
-                controller's files.
+poor            errors and warnings of the result. A program with errors, or without a spindle speed, is
+                written only when the user says so.
+proposed name   the folder of the preferences, else the document's, else the user's own; the path's label; the
+                ending of the controller's files.
 """
 
 from __future__ import annotations
@@ -65,7 +66,13 @@ class PostPanel:
         for kind, box in self.reports.items():
             box.setObjectName("report_" + kind)
         self.preview.setObjectName("preview")
-        rows = (self.error, *self._spindle_row(), *_units_row(self.path), *self.reports.values(), self.preview)
+        rows = (
+            self.error,
+            *self._spindle_row(),
+            *_units_row(self.path),
+            *self.reports.values(),
+            self.preview,
+        )
         for part in (*rows, self.verdict, self.poor):
             column.addWidget(part)
         column.addStretch()
@@ -76,7 +83,9 @@ class PostPanel:
         if self.spindle is None:
             return []
         label = QtWidgets.QLabel(
-            translate("FiveAxis", "{name} (0: the program leaves it off)").format(name=option_label("spindle"))
+            translate("FiveAxis", "{name} (0: the program leaves it off)").format(
+                name=option_label("spindle")
+            )
         )
         label.setWordWrap(True)
         label.setBuddy(self.spindle.editor)
@@ -141,7 +150,8 @@ class PostPanel:
             return False
         with transaction(self.path.Document, title), waiting(title):
             sheets = {
-                path: outputs.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace") for kind, path in reports.items()
+                path: outputs.REPORTS["." + kind](figures).encode("utf-8", "backslashreplace")
+                for kind, path in reports.items()
             }
             app.post_process(self.path, nc, overwrite=nc in replaced, also=sheets)
             if self.preview.isChecked():
@@ -167,7 +177,9 @@ class PostPanel:
     def _spindle_off(self) -> list[str]:
         """What to ask of a path that has no speed."""
         text = translate(
-            "FiveAxis", "No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and type one."
+            "FiveAxis",
+            "No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and "
+            "type one.",
         )
         return [] if self.path.Spindle else [text]
 
@@ -182,10 +194,13 @@ class PostPanel:
         poor = _poor(figures)
         parts = [wording.localize(whole.text)]
         for severity, title in (
-            (Severity.ERROR, translate("FiveAxis", "Errors")), (Severity.WARNING, translate("FiveAxis", "Warnings")),
+            (Severity.ERROR, translate("FiveAxis", "Errors")),
+            (Severity.WARNING, translate("FiveAxis", "Warnings")),
         ):  # fmt: skip
             texts = [f"• {wording.localize(one.text)}" for one in poor if one.severity is severity]
-            more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (len(texts) > NAMED)
+            more = [f"• {translate('FiveAxis', 'and {count} more').format(count=len(texts) - NAMED)}"] * (
+                len(texts) > NAMED
+            )
             parts += [title + "\n" + "\n".join(texts[:NAMED] + more)] * bool(texts)
         return parts
 
@@ -265,7 +280,8 @@ def proposed_name(path: Any) -> str:
 
 
 def proposed_file(name: str, document: str, suffix: str) -> str:
-    """A file of that name in the folder of the preferences, else beside the file of the document, else in the user's own."""
+    """A file of that name in the folder of the preferences, else beside the file of the document, else in the
+    user's own."""
     from freecad_fiveaxis.app import preferences
     from freecad_fiveaxis.core.base.files import plain_name
 
@@ -275,7 +291,9 @@ def proposed_file(name: str, document: str, suffix: str) -> str:
 
 def nc_files() -> str:
     """The kinds of NC files, as Qt filters them."""
-    kinds = translate("FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)")
+    kinds = translate(
+        "FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)"
+    )
     return ";;".join([kinds, translate("FiveAxis", "All files (*)")])
 
 

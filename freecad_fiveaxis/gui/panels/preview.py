@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Calculate, and beside it the button that lays the passes alone: they are drawn over the part, and one line says how many there
-are, how long they are, and how long cutting them takes."""
+"""Calculate, and beside it the button that lays the passes alone: they are drawn over the part, and one line
+says how many there are, how long they are, and how long cutting them takes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ class PreviewRow(QtWidgets.QWidget):
         self.picture: Any = None
         self.button = QtWidgets.QPushButton(translate("FiveAxis", "Preview passes"))
         self.button.setObjectName("preview_passes")
-        self.button.setToolTip(translate("FiveAxis", "Lay the passes alone and draw them over the part: quick, before Calculate"))
+        self.button.setToolTip(
+            translate("FiveAxis", "Lay the passes alone and draw them over the part: quick, before Calculate")
+        )
         self.button.clicked.connect(lambda *_: ask())
         self.line = QtWidgets.QLabel()
         self.line.setObjectName("preview_line")
@@ -60,7 +62,10 @@ def summarize(found: Any) -> str:
     one = translate("FiveAxis", "1 pass, {length}, {time} of cutting at the feed, links not counted")
     many = translate("FiveAxis", "{count} passes, {length}, {time} of cutting at the feed, links not counted")
     some = translate(
-        "FiveAxis", "About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn"
+        "FiveAxis",
+        "About {length}, {time} of cutting at the feed, links not counted; 1 in {one_in} passes is drawn",
     )
     text = some if found.one_in > 1 else one if found.passes == 1 else many
-    return text.format(count=found.passes, length=length_text(found.length), time=clock(found.time), one_in=found.one_in)
+    return text.format(
+        count=found.passes, length=length_text(found.length), time=clock(found.time), one_in=found.one_in
+    )

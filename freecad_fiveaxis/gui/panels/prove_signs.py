@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that makes a program which proves a machine's signs, and the sheet for whoever stands at the machine.
+"""The panel that makes a program which proves a machine's signs, and the sheet for whoever stands at the
+machine.
 
-mark    its coordinates count from the work zero; where it is picked in the 3D view, from the work zero's place in the document.
+mark    its coordinates count from the work zero; where it is picked in the 3D view, from the work zero's
+        place in the document.
 """
 
 from __future__ import annotations
@@ -34,7 +36,8 @@ WIDTH = 80
 class MarkField(PointField):
     """A place over the work zero; ``zero`` tells where in the document that is.
 
-    Until somebody gives one, it is at the top of the part (``top``, mm in the document); where there is no part, none is given.
+    Until somebody gives one, it is at the top of the part (``top``, mm in the document); where there is no
+    part, none is given.
     """
 
     def __init__(self, name: str, hint: str, zero: Callable[[], Any]) -> None:
@@ -77,8 +80,12 @@ class ProvePanel(WorkPanel):
     """A machine, the moves, and the two files that OK writes."""
 
     def __init__(self) -> None:
-        hint = translate("App::Property", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach")
-        self.zero = PointField("work_zero", translate("FiveAxis", "Where the work zero lies in the document"), WIDTH)
+        hint = translate(
+            "App::Property", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach"
+        )
+        self.zero = PointField(
+            "work_zero", translate("FiveAxis", "Where the work zero lies in the document"), WIDTH
+        )
         self.mark = MarkField("mark", hint, self.zero.value)
         self.nc_file = SaveField(
             "nc_file", translate("FiveAxis", "The NC file to write"), nc_files(),
@@ -88,7 +95,8 @@ class ProvePanel(WorkPanel):
         self.sheet = SaveField(
             "sheet", translate("FiveAxis", "The sheet to write"),
             ";;".join([translate("FiveAxis", "Web page (*.html)"), all_files()]),
-            translate("FiveAxis", "What must be seen at each stop, to print; empty: no sheet"), endings=SHEETS,
+            translate("FiveAxis", "What must be seen at each stop, to print; empty: no sheet"),
+            endings=SHEETS,
         )  # fmt: skip
         self.open_button = QtWidgets.QPushButton(translate("FiveAxis", "Open the sheet"))
         self.open_button.setObjectName("open_sheet")
@@ -152,18 +160,24 @@ class ProvePanel(WorkPanel):
 
 
 def create(machine: str = "") -> ProvePanel:
-    """Open the panel; the first values are the user's preferences, and those of the tool path that is selected or alone. For a
-    ``machine`` that is given, they are its own."""
+    """Open the panel; the first values are the user's preferences, and those of the tool path that is
+    selected or alone. For a ``machine`` that is given, they are its own."""
     from freecad_fiveaxis.app import changes, preferences
 
     panel = ProvePanel()
-    values = changes.default_options("prove-signs") | {"machine": preferences.machine(), "controller": preferences.controller()}
+    values = changes.default_options("prove-signs") | {
+        "machine": preferences.machine(),
+        "controller": preferences.controller(),
+    }
     path = selected.selected_path(selected.TOOLPATH) if selected.has_path(selected.TOOLPATH) else None
     if machine:
         path, values = None, values | {"machine": machine, "controller": None}
     if path is not None:
         used = changes.shown_options(path, "mill")
-        values |= {name: used[name] for name in ("machine", "controller", "origin", "tool_length", "tool", "work_offset")}
+        values |= {
+            name: used[name]
+            for name in ("machine", "controller", "origin", "tool_length", "tool", "work_offset")
+        }
         values |= {"work_zero": tuple(path.WorkZero)}
     panel.mark.top = _top(path)
     panel.options.show_options(values)
@@ -172,7 +186,8 @@ def create(machine: str = "") -> ProvePanel:
 
 
 def _top(path: Any) -> float | None:
-    """The top of what is selected, else of the tool path's part, else of all that is seen, mm in the document."""
+    """The top of what is selected, else of the tool path's part, else of all that is seen, mm in the
+    document."""
     from freecad_fiveaxis.app import signs
 
     if FreeCAD.ActiveDocument is None:
@@ -180,7 +195,11 @@ def _top(path: Any) -> float | None:
     chosen = signs.top_of(FreeCADGui.Selection.getSelection())
     if chosen is None and path is not None:
         chosen = signs.top_of([path.Mesh])
-    return chosen if chosen is not None else signs.top_of([one for one in FreeCAD.ActiveDocument.Objects if one.Visibility])
+    return (
+        chosen
+        if chosen is not None
+        else signs.top_of([one for one in FreeCAD.ActiveDocument.Objects if one.Visibility])
+    )
 
 
 def _sections() -> list[tuple[str, str, list[str]]]:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of a reach map: machine, tool and what holds the part; how much the tool reaches, and why not the rest."""
+"""The panel of a reach map: machine, tool and what holds the part; how much the tool reaches, and why not the
+rest."""
 
 from __future__ import annotations
 
@@ -24,7 +25,8 @@ from .summary import Summary
 from .toolpath import milled, preferred
 
 OPTIONS = (
-    "machine", "tool_length", "cutter", "shank", "holder", "tolerance", "table_height", "origin", "boundary", "boundary_axis",
+    "machine", "tool_length", "cutter", "shank", "holder", "tolerance", "table_height", "origin", "boundary",
+    "boundary_axis",
 )  # fmt: skip
 """The options of the core's task that the panel asks for."""
 SECTIONS = {
@@ -38,7 +40,8 @@ OPEN = ("Machine", "Tool")
 
 
 class ReachSummary(Summary):
-    """How much is reached, in a sentence that is always whole; the area of each reason; what a longer tool would bring."""
+    """How much is reached, in a sentence that is always whole; the area of each reason; what a longer tool
+    would bring."""
 
     def show_result(self, obj: Any) -> None:
         """The figures of the map."""
@@ -59,7 +62,8 @@ def _unbroken(text: str) -> str:
 
 
 class ReachPanel(PathPanel):
-    """A new map of ``base``, a solid, a mesh or a Toolpath, and its ``faces``; or the map ``obj`` to change."""
+    """A new map of ``base``, a solid, a mesh or a Toolpath, and its ``faces``; or the map ``obj`` to
+    change."""
 
     SUMMARY = ReachSummary
     CREATES_PROGRAM = False  # a map is no program
@@ -67,24 +71,42 @@ class ReachPanel(PathPanel):
     def __init__(self, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
         self.base, self.faces = base, faces
         doc, part = (base or obj).Document, _part(base if obj is None else obj)
-        hint = translate("App::Property", "So far the tool may lean from the work frame's Z; 180°: as far as the machine turns")
-        fixtures = translate("App::Property", "Solids and meshes of the document that hold the part: they are in the tool's way")
+        hint = translate(
+            "App::Property",
+            "So far the tool may lean from the work frame's Z; 180°: as far as the machine turns",
+        )
+        fixtures = translate(
+            "App::Property",
+            "Solids and meshes of the document that hold the part: they are in the tool's way",
+        )
         extras = [
             QuantityField("largest_axis_angle", "angle", hint), FixturesField(doc, part, fixtures),
-            PointField("work_zero", translate("FiveAxis", "The point of the part that is the program's zero")),
+            PointField("work_zero", translate("FiveAxis", "The point of the part that is the program's "
+                "zero")),
         ]  # fmt: skip
         sections = [
-            Section(name.lower(), group_label(name), names, names, name in OPEN, getattr(part, "Label", "") * (name == "Part"))
+            Section(
+                name.lower(),
+                group_label(name),
+                names,
+                names,
+                name in OPEN,
+                getattr(part, "Label", "") * (name == "Part"),
+            )
             for name, names in SECTIONS.items()
         ]
-        super().__init__(doc, translate("FiveAxis", "Reach map"), Form("reach", doc, sections, extras, only=OPTIONS), obj)
+        super().__init__(
+            doc, translate("FiveAxis", "Reach map"), Form("reach", doc, sections, extras, only=OPTIONS), obj
+        )
 
     def _widget(self, title: str) -> Any:
         widget = super()._widget(title)
         self.axes_box = QtWidgets.QCheckBox(translate("FiveAxis", "Show the tool axes"))
         self.axes_box.setObjectName("show_axes")
         self.axes_box.setToolTip(
-            translate("App::Property", "Show the tool axis with which each place is reached, as a short stroke")
+            translate(
+                "App::Property", "Show the tool axis with which each place is reached, as a short stroke"
+            )
         )
         widget.layout().insertWidget(2, self.axes_box)
         self.axes_box.clicked.connect(lambda *_: self._show_axes())
@@ -92,7 +114,9 @@ class ReachPanel(PathPanel):
 
     def _edited(self) -> None:
         """The empty field of the table's height says what the machine's file knows of it."""
-        self.options.fields["table_height"].editor.setPlaceholderText(table_of(self.options.fields["machine"].value()))
+        self.options.fields["table_height"].editor.setPlaceholderText(
+            table_of(self.options.fields["machine"].value())
+        )
         super()._edited()
 
     def _show_axes(self) -> None:
@@ -128,22 +152,28 @@ class ReachPanel(PathPanel):
             return reach.reach_map(self.obj, settings, self.obj)
         if kind_of(self.base) != "toolpath":
             return reach.reach_map((self.base, self.faces) if self.faces else self.base, settings)
-        found = reach.reach_map(self.base.Mesh, settings)  # all that the path says stands in the form, but for what was taken out
+        found = reach.reach_map(
+            self.base.Mesh, settings
+        )  # all that the path says stands in the form, but for what was taken out
         self.base.ViewObject.Visibility = False  # it would cover the map
         return found
 
 
 def _part(of: Any) -> Any:
-    """The solid that is looked at: that of a Toolpath, of a map, of a tessellation; any other object itself."""
+    """The solid that is looked at: that of a Toolpath, of a map, of a tessellation; any other object
+    itself."""
     return milled(of.Mesh if hasattr(of, "Proxy") and not is_mesh(of) and hasattr(of, "Mesh") else of)
 
 
 def create(base: Any, faces: tuple[str, ...] = ()) -> ReachPanel:
-    """Open the panel for a part; its first values are the user's preferences, and above them the document's only setup."""
+    """Open the panel for a part; its first values are the user's preferences, and above them the document's
+    only setup."""
     from freecad_fiveaxis.app import job_setup
 
     setup = job_setup.only_setup(base.Document)
-    return _open(ReachPanel(base, faces), preferred() | ({} if setup is None else job_setup.options_of(setup)))
+    return _open(
+        ReachPanel(base, faces), preferred() | ({} if setup is None else job_setup.options_of(setup))
+    )
 
 
 def create_of(path: Any) -> ReachPanel:

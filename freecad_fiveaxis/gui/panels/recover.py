@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that recovers a machine from a program: a CL file, the NC file made of it, and the machine file to write."""
+"""The panel that recovers a machine from a program: a CL file, the NC file made of it, and the machine file
+to write."""
 
 from __future__ import annotations
 
@@ -27,7 +28,8 @@ class RecoverPanel(WorkPanel):
         )  # fmt: skip
         self.program = FileField(
             "program", translate("FiveAxis", "Choose an NC file"), nc_files(),
-            translate("FiveAxis", "The program that was made of the CL file, without tool centre point control"),
+            translate("FiveAxis", "The program that was made of the CL file, without tool centre point "
+                                  "control"),
             translate("FiveAxis", "Choose the NC file that was made of it."),
         )  # fmt: skip
         self.target = new_machine()
@@ -67,12 +69,15 @@ class RecoverPanel(WorkPanel):
         recovering.write(done)
 
     def save(self) -> None:
-        """Ask for a file and write the report there; a file that is there is replaced only if the user says so."""
+        """Ask for a file and write the report there; a file that is there is replaced only if the user says
+        so."""
         from freecad_fiveaxis.app import recovering
 
         file = ask_file(self.form, self.program.value(), Path(self.target.value()).stem)
         if file:
-            write_asking(file, lambda agreed: recovering.write_report(self.done, file, agreed), self.options.show_error)
+            write_asking(
+                file, lambda agreed: recovering.write_report(self.done, file, agreed), self.options.show_error
+            )
 
 
 def create() -> RecoverPanel:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found, as HTML for a narrow panel: a recovered machine, the sheet that proves signs, an imported machine."""
+"""What was found, as HTML for a narrow panel: a recovered machine, the sheet that proves signs, an imported
+machine."""
 
 from __future__ import annotations
 
@@ -28,16 +29,25 @@ def recovered(found: Any) -> str:
     worst = length_text(float(found.fit.miss[found.fit.good].max(initial=0.0)), 3)
     residual = translate("FiveAxis", "Largest residual of the rows used: {length}").format(length=worst)
     rows = table([head, *(_cells(one, compared) for one in estimates)])
-    return paragraph(wording.localize(verdict(found)), bold=True) + paragraph(residual) + rows + findings(found.findings)
+    return (
+        paragraph(wording.localize(verdict(found)), bold=True)
+        + paragraph(residual)
+        + rows
+        + findings(found.findings)
+    )
 
 
 def _cells(one: Any, compared: bool) -> list[str]:
     if not one.fitted:
         sure = translate("FiveAxis", "taken as 0")
     else:
-        sure = _value(one.certainty, one.unit, 3) if one.determined else translate("FiveAxis", "not determined")
+        sure = (
+            _value(one.certainty, one.unit, 3) if one.determined else translate("FiveAxis", "not determined")
+        )
     value = _value(round(one.value, 4) + 0.0, one.unit, 8) if one.fitted or one.value else "0"
-    given = [] if not compared else ["" if one.given is None else _value(round(one.given, 4) + 0.0, one.unit, 8)]
+    given = (
+        [] if not compared else ["" if one.given is None else _value(round(one.given, 4) + 0.0, one.unit, 8)]
+    )
     return [parameter_label(one.name), value, sure, *given]
 
 
@@ -51,7 +61,9 @@ def parameter_label(name: str) -> str:
     if rest == "zero":
         return translate("FiveAxis", "{letter} zero").format(letter=letter)
     if rest.startswith("line, "):
-        return translate("FiveAxis", "{letter} line, {way}").format(letter=letter, way=rest.removeprefix("line, "))
+        return translate("FiveAxis", "{letter} line, {way}").format(
+            letter=letter, way=rest.removeprefix("line, ")
+        )
     return name
 
 
@@ -73,7 +85,10 @@ def sheet(proof: Any) -> str:
         table(
             [
                 ["", "X", "Y", "Z"],
-                *([wording.localize(text), *(length_text(part) for part in off.tolist())] for text, off in plan.predicted_errors),
+                *(
+                    [wording.localize(text), *(length_text(part) for part in off.tolist())]
+                    for text, off in plan.predicted_errors
+                ),
             ]
         )
     )
@@ -87,7 +102,10 @@ def _stop(row: Any) -> str:
     )
     seen, wrong = translate("FiveAxis", "You see: {text}"), translate("FiveAxis", "Wrong: {text}")
     texts = [f"<b>{html.escape(title)}</b>", html.escape(place)]
-    texts += [html.escape(text.format(text=wording.localize(row[key]))) for text, key in ((seen, "see"), (wrong, "bad"))]
+    texts += [
+        html.escape(text.format(text=wording.localize(row[key])))
+        for text, key in ((seen, "see"), (wrong, "bad"))
+    ]
     return f"<p>{'<br/>'.join(texts)}</p>"
 
 
@@ -98,7 +116,13 @@ def imported(found: Any) -> str:
             translate("FiveAxis", "through"), translate("FiveAxis", "limits")]  # fmt: skip
     sides = {"table": translate("FiveAxis", "the table"), "head": translate("FiveAxis", "the head")}
     rows = [
-        [axis.letter, sides[axis.side], numbers(axis.direction), numbers(axis.point) if axis.rotary else "", _limits(axis)]
+        [
+            axis.letter,
+            sides[axis.side],
+            numbers(axis.direction),
+            numbers(axis.point) if axis.rotary else "",
+            _limits(axis),
+        ]
         for axis in machine.fitted
     ]
     named = paragraph(f"{machine.name}: {machine.description}", bold=True)
@@ -144,7 +168,10 @@ def table(rows: Sequence[Sequence[str]]) -> str:
     """A table of plain texts; the first row is its head."""
     head, *body = rows
     top = "".join(f"<th align='left'>{html.escape(cell)}&nbsp;&nbsp;</th>" for cell in head)
-    lines = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}&nbsp;&nbsp;</td>" for cell in row) + "</tr>" for row in body)
+    lines = "".join(
+        "<tr>" + "".join(f"<td>{html.escape(cell)}&nbsp;&nbsp;</td>" for cell in row) + "</tr>"
+        for row in body
+    )
     return f"<table cellspacing='1'><tr>{top}</tr>{lines}</table>"
 
 

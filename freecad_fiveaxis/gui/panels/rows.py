@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows of a form that is as narrow as its panel: label and editor side by side where both have room, else the label above.
+"""Rows of a form that is as narrow as its panel: label and editor side by side where both have room, else the
+label above.
 
-FreeCAD 1.1 lays its task panel over the view, about 330 pixels wide, and 0.20's is 260 at first: nothing may be cut there in any
-language.
+FreeCAD 1.1 lays its task panel over the view, about 330 pixels wide, and 0.20's is 260 at first: nothing may
+be cut there in any language.
 """
 
 from __future__ import annotations
@@ -31,7 +32,9 @@ class Rows(QtWidgets.QWidget):
         self.grid.setContentsMargins(indent, 0, 0, 3 if indent else 0)
         self.grid.setHorizontalSpacing(GAP)
         self.grid.setVerticalSpacing(2)
-        for column, share in enumerate((SHARE, 1.0 - SHARE)):  # so that the editors of all groups stand below each other
+        for column, share in enumerate(
+            (SHARE, 1.0 - SHARE)
+        ):  # so that the editors of all groups stand below each other
             self.grid.setColumnStretch(column, round(100 * share))
 
     def add(self, field: Field) -> list[Any]:
@@ -66,7 +69,8 @@ class Rows(QtWidgets.QWidget):
 
 
 class Row:
-    """A field in two lines of a grid, from ``at`` on: label and editor in the second one, or the label in the first."""
+    """A field in two lines of a grid, from ``at`` on: label and editor in the second one, or the label in the
+    first."""
 
     def __init__(self, field: Field, at: int) -> None:
         self.field, self.at = field, at

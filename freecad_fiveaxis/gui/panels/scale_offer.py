@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Buttons that scale a part which seems to be drawn in another unit than mm; to be seen only where that is suspected."""
+"""Buttons that scale a part which seems to be drawn in another unit than mm; to be seen only where that is
+suspected."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of a map of setups: how far the part may be moved, what is recommended, and the button that applies it.
+"""The panel of a map of setups: how far the part may be moved, what is recommended, and the button that
+applies it.
 
 Over a solid without a tool path one is made first, with the preferences; it is part of the same step of undo.
 """
@@ -42,7 +43,8 @@ class SetupSummary(Summary):
 def rows(obj: Any) -> list[tuple[str, str, str]]:
     """Label, value before and value after of each line of the summary."""
     zeros = [
-        f"{letter} {length_text(value, 6)}" for letter, value in zip("XYZ" * 2, (*obj.Centre, *obj.Recommended), strict=True)
+        f"{letter} {length_text(value, 6)}"
+        for letter, value in zip("XYZ" * 2, (*obj.Centre, *obj.Recommended), strict=True)
     ]
     times = [clock(float(getattr(time, "Value", time))) for time in (obj.TimeBefore, obj.TimeAfter)]
     return [
@@ -59,7 +61,8 @@ def rows(obj: Any) -> list[tuple[str, str, str]]:
 
 
 def deviation_words(obj: Any) -> str:
-    """What the deviations of a map are called: of a path that divides its blocks they are not those of its program."""
+    """What the deviations of a map are called: of a path that divides its blocks they are not those of its
+    program."""
     from freecad_fiveaxis.app import setups
 
     if setups.divides_blocks(obj.Path):
@@ -68,23 +71,29 @@ def deviation_words(obj: Any) -> str:
 
 
 def applied_words(path: Any) -> str:
-    """What a path has come to in its new place: of divided blocks what the verdict goes by, else what the map tells of."""
+    """What a path has come to in its new place: of divided blocks what the verdict goes by, else what the map
+    tells of."""
     from freecad_fiveaxis.app import results, setups
 
     if setups.divides_blocks(path):
-        text = translate("FiveAxis", "Applied: the largest deviation of the divided blocks is now {deviation}.")
+        text = translate(
+            "FiveAxis", "Applied: the largest deviation of the divided blocks is now {deviation}."
+        )
         return text.format(deviation=length_text(results.judged_of(path)[0]))
     text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
     return text.format(deviation=length_text(path.MaxSegmentDeviation.Value))
 
 
 class SetupPanel(PathPanel):
-    """The map of the Toolpath ``path``, of a new one over ``base`` and its ``faces``, or the map ``obj`` to change."""
+    """The map of the Toolpath ``path``, of a new one over ``base`` and its ``faces``, or the map ``obj`` to
+    change."""
 
     SUMMARY = SetupSummary
     CREATES_PROGRAM = False  # a map is no program
 
-    def __init__(self, path: Any = None, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None) -> None:
+    def __init__(
+        self, path: Any = None, base: Any = None, faces: tuple[str, ...] = (), obj: Any = None
+    ) -> None:
         from freecad_fiveaxis.app import preferences
 
         self.path, self.base, self.faces = path, base, faces
@@ -141,7 +150,10 @@ class SetupPanel(PathPanel):
         self.apply_button.setToolTip(
             translate("FiveAxis", "Turn the solid first, as the recommendation says, then try one turn only.")
             if turned
-            else translate("FiveAxis", "Set the tool path's work zero on the machine to the recommended one, and compute it.")
+            else translate(
+                "FiveAxis",
+                "Set the tool path's work zero on the machine to the recommended one, and compute it.",
+            )
         )
         self.page_button.setEnabled(not self.stale)
 
@@ -163,12 +175,15 @@ class SetupPanel(PathPanel):
         return True
 
     def save(self) -> None:
-        """Ask for a file and write the map there; a file that is there is replaced only if the user says so."""
+        """Ask for a file and write the map there; a file that is there is replaced only if the user says
+        so."""
         from freecad_fiveaxis.app import setups
 
         file = ask_file(self.form, self.doc.FileName, self.path.Label + " " + translate("FiveAxis", "setups"))
         if file:
-            write_asking(file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error)
+            write_asking(
+                file, lambda agreed: setups.write_page(self.obj, file, agreed), self.options.show_error
+            )
 
 
 def table_of(machine: str) -> str:
@@ -184,17 +199,24 @@ def table_of(machine: str) -> str:
 
 
 def ask_file(parent: Any, document: str, name: str) -> str:
-    """The file that the user names for a report, proposed beside the file of the document; empty where he names none."""
+    """The file that the user names for a report, proposed beside the file of the document; empty where he
+    names none."""
     proposed = proposed_file(name, document, ".html")
     kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
     dialog = QtWidgets.QFileDialog
     return dialog.getSaveFileName(
-        parent, translate("FiveAxis", "Save the table and its pictures"), proposed, kinds, "", dialog.DontConfirmOverwrite
+        parent,
+        translate("FiveAxis", "Save the table and its pictures"),
+        proposed,
+        kinds,
+        "",
+        dialog.DontConfirmOverwrite,
     )[0]
 
 
 def write_asking(file: str, write: Any, tell: Any) -> bool:
-    """``write(agreed)`` the file; where one is there, ask first. What cannot be written is told by ``tell``."""
+    """``write(agreed)`` the file; where one is there, ask first. What cannot be written is told by
+    ``tell``."""
     from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
     there = os.path.lexists(file)

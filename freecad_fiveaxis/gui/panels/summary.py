@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a path came to, in the user's units: the verdict as a traffic light, then passes, blocks, time, deviation, poor blocks."""
+"""What a path came to, in the user's units: the verdict as a traffic light, then passes, blocks, time,
+deviation, poor blocks."""
 
 from __future__ import annotations
 
@@ -24,13 +25,23 @@ def summary_lines(obj: Any) -> list[tuple[str, str]]:
         (translate("FiveAxis", "Proven bound"), length(bound)),
     ]
     if largest != obj.MaxSegmentDeviation.Value:
-        of_centre, of_tip = translate("FiveAxis", "{length} (centre)"), translate("FiveAxis", "Deviation of the tip")
+        of_centre, of_tip = (
+            translate("FiveAxis", "{length} (centre)"),
+            translate("FiveAxis", "Deviation of the tip"),
+        )
         measured = [(name, of_centre.format(length=value)) for name, value in measured]
         measured.append((of_tip, length(obj.MaxSegmentDeviation)))
-    if obj.GuidedBlocks:  # between their ends nothing is known of those blocks: their zeros are no measurements
-        ends_only = translate("FiveAxis", "{count}, verified at their end points only").format(count=obj.GuidedBlocks)
+    if (
+        obj.GuidedBlocks
+    ):  # between their ends nothing is known of those blocks: their zeros are no measurements
+        ends_only = translate("FiveAxis", "{count}, verified at their end points only").format(
+            count=obj.GuidedBlocks
+        )
         guided = (translate("FiveAxis", "Tip guided (RTCP)"), ends_only)
-        others = [(translate("FiveAxis", "{name}, other blocks").format(name=name), value) for name, value in measured]
+        others = [
+            (translate("FiveAxis", "{name}, other blocks").format(name=name), value)
+            for name, value in measured
+        ]
         measured = [guided, *(others if bound > 0.0 else [])]
     return [
         *lines,
@@ -44,19 +55,26 @@ def summary_lines(obj: Any) -> list[tuple[str, str]]:
 
 
 CURES = (
-    "linearized", "rotary-words-even", "axis-led-past-pole", "axis-left-near-pole", "tilted", "lifted", "left-out", "uncut",
+    "linearized", "rotary-words-even", "axis-led-past-pole", "axis-left-near-pole", "tilted", "lifted",
+    "left-out", "uncut",
 )  # fmt: skip
 """Codes of what linearize, deform and the cures of gouges say of their work."""
 
 
 def cured(obj: Any) -> list[str]:
-    """What was done against deviation and gouges, in sentences; after opening a document only once it is computed again."""
+    """What was done against deviation and gouges, in sentences; after opening a document only once it is
+    computed again."""
     last = getattr(obj.Proxy, "last", None)
-    return [] if last is None else [wording.localize(one.text) for one in last.figures.findings if one.code in CURES]
+    return (
+        []
+        if last is None
+        else [wording.localize(one.text) for one in last.figures.findings if one.code in CURES]
+    )
 
 
 def gravest(obj: Any) -> str:
-    """The gravest finding of an object that was computed since its document was opened, else the first one."""
+    """The gravest finding of an object that was computed since its document was opened, else the first
+    one."""
     last = getattr(obj.Proxy, "last", None)
     if last is not None and last.figures.findings:
         return wording.localize(max(last.figures.findings, key=lambda finding: finding.severity).text)
@@ -106,7 +124,8 @@ class Summary(QtWidgets.QGroupBox):
     def show_result(self, obj: Any) -> None:
         """The figures of the object's last computation, and the gravest of its findings."""
         cells = "".join(
-            f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>" for label, value in summary_lines(obj)
+            f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>"
+            for label, value in summary_lines(obj)
         )
         sentences = dict.fromkeys((*cured(obj), gravest(obj)))
         found = "".join(f"<p>{html.escape(text)}</p>" for text in sentences if text)

@@ -44,8 +44,15 @@ class ToolpathPanel(PathPanel):
         self.setup = SetupField(doc)
         part = base if obj is None else obj.Mesh
         solid = milled(part)
-        hint = translate("App::Property", "Solids and meshes of the document that hold the part: the path goes around them")
-        extras = [self.setup, FixturesField(doc, solid, hint), *self._extras(not meshed), AvoidField(part if meshed else solid)]
+        hint = translate(
+            "App::Property", "Solids and meshes of the document that hold the part: the path goes around them"
+        )
+        extras = [
+            self.setup,
+            FixturesField(doc, solid, hint),
+            *self._extras(not meshed),
+            AvoidField(part if meshed else solid),
+        ]
         extras += [*(PlaceField(name, self._zero) for name in PLACES), AxisField(self._zero)]
         form = Form("mill", doc, _sections(getattr(part, "Label", ""), [one.name for one in extras]), extras)
         self.scale_offer, self.advice_offer = ScaleOffer(), AdviceOffer()
@@ -61,11 +68,14 @@ class ToolpathPanel(PathPanel):
         return self.options.fields["work_zero"].value()
 
     def _take_setup(self) -> None:
-        """Show what the setup says in the fields that it holds, which then are its own to change, and offer its cutters."""
+        """Show what the setup says in the fields that it holds, which then are its own to change, and offer
+        its cutters."""
         from freecad_fiveaxis.app import job_setup
 
         chosen = self.setup.value()
-        note = translate("FiveAxis", "From setup {name}").format(name=chosen.Label) if chosen is not None else ""
+        note = (
+            translate("FiveAxis", "From setup {name}").format(name=chosen.Label) if chosen is not None else ""
+        )
         for name in SHARED:
             field = self.options.fields[name]
             for widget in filter(None, (field.editor, getattr(field, "browse", None))):
@@ -77,7 +87,8 @@ class ToolpathPanel(PathPanel):
             self.options.show_options(shown(chosen))
 
     def _undone(self) -> None:
-        """A setup that was made in the step that is taken back is gone: its values stay, to be edited here."""
+        """A setup that was made in the step that is taken back is gone: its values stay, to be edited
+        here."""
         super()._undone()
         self.setup.forget_gone()
         self._take_setup()
@@ -94,12 +105,19 @@ class ToolpathPanel(PathPanel):
 
     def _widget(self, title: str) -> Any:
         self.preview = PreviewRow(self.doc, self.calculate_button, self.preview_passes)
-        head = (self.preview, self.summary, self.advice_offer, self.shown_parts, self.scale_offer, self.options.error)
+        head = (
+            self.preview,
+            self.summary,
+            self.advice_offer,
+            self.shown_parts,
+            self.scale_offer,
+            self.options.error,
+        )
         return PanelWidget(title, head, self.options.widget)
 
     def preview_passes(self) -> bool:
-        """Lay the passes of what the form says, draw them and say what they come to; whether that went well. The document stays
-        as it is, and what is computed there too."""
+        """Lay the passes of what the form says, draw them and say what they come to; whether that went well.
+        The document stays as it is, and what is computed there too."""
         from freecad_fiveaxis import app
 
         self.preview.clear()
@@ -130,7 +148,8 @@ class ToolpathPanel(PathPanel):
             offer.show_for(None if self.stale else self.obj)
 
     def ask_advice(self) -> bool:
-        """Try what would finish more of the part, and say it; whether that went well. The document stays as it is."""
+        """Try what would finish more of the part, and say it; whether that went well. The document stays as
+        it is."""
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import advising
         from freecad_fiveaxis.core.pipeline.advice import is_worth
@@ -150,7 +169,8 @@ class ToolpathPanel(PathPanel):
         self.options.show_options(dict(self.advice_offer.changes))
 
     def scale_part(self, factor: float) -> bool:
-        """Mill the part ``factor`` times as large, and calculate anew; whether that went well. Cancel takes it back."""
+        """Mill the part ``factor`` times as large, and calculate anew; whether that went well. Cancel takes
+        it back."""
         from freecad_fiveaxis.app.scaling import scale_part
 
         self.step.begin()
@@ -182,9 +202,12 @@ class ToolpathPanel(PathPanel):
         self._take_setup()
 
     def _follow_tool_axis(self) -> None:
-        """Show the tool axis that is usual for machine, cutter and passes, as long as nobody has chosen another one."""
+        """Show the tool axis that is usual for machine, cutter and passes, as long as nobody has chosen
+        another one."""
         options = self.options.options()
-        choices: dict[str, Any] = {name: options[name] for name in ("machine", "cutter", "passes") if name in options}
+        choices: dict[str, Any] = {
+            name: options[name] for name in ("machine", "cutter", "passes") if name in options
+        }
         if choices == self.last_choices:
             return
         self.last_choices, before, now = choices, self.usual, _usual_tool_axis(choices)
@@ -194,13 +217,21 @@ class ToolpathPanel(PathPanel):
 
     @staticmethod
     def _extras(tessellated: bool) -> list[Any]:
-        point = PointField("work_zero", translate("FiveAxis", "The point of the part that is the program's zero"))
+        point = PointField(
+            "work_zero", translate("FiveAxis", "The point of the part that is the program's zero")
+        )
         if not tessellated:
             return [point]
         return [
             point,
-            QuantityField("linear_deflection", "length", translate("FiveAxis", "How far the mesh may leave the solid")),
-            QuantityField("angular_deflection", "angle", translate("FiveAxis", "How far two neighbouring facets may lean apart")),
+            QuantityField(
+                "linear_deflection", "length", translate("FiveAxis", "How far the mesh may leave the solid")
+            ),
+            QuantityField(
+                "angular_deflection",
+                "angle",
+                translate("FiveAxis", "How far two neighbouring facets may lean apart"),
+            ),
         ]
 
     def is_current(self) -> bool:
@@ -225,8 +256,11 @@ def _box(path: Any) -> Any:
     return FreeCAD.BoundBox(low.x, low.y, low.z, high.x, high.y, high.z)
 
 
-def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] | None = None) -> ToolpathPanel:
-    """Open the panel for a new path over ``base``; its first values are the user's preferences, and above them ``settings``."""
+def create(
+    base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] | None = None
+) -> ToolpathPanel:
+    """Open the panel for a new path over ``base``; its first values are the user's preferences, and above
+    them ``settings``."""
     from freecad_fiveaxis.app import changes, job_setup
     from freecad_fiveaxis.app.tessellation import ANGULAR, LINEAR
 
@@ -241,7 +275,8 @@ def create(base: Any, faces: tuple[str, ...] = (), settings: Mapping[str, Any] |
 
 
 def _usual_tool_axis(choices: Mapping[str, Any]) -> str | None:
-    """The tool axis that the core chooses for these options; None where it cannot use them, which the form says."""
+    """The tool axis that the core chooses for these options; None where it cannot use them, which the form
+    says."""
     from freecad_fiveaxis.app.toolpath import with_strategies
     from freecad_fiveaxis.core.base.errors import FiveAxisError
 
@@ -256,9 +291,11 @@ def preferred() -> dict[str, Any]:
     from freecad_fiveaxis.app import preferences
 
     return {
-        "machine": preferences.machine(), "controller": preferences.controller(), "scallop": preferences.scallop(),
+        "machine": preferences.machine(), "controller": preferences.controller(),
+        "scallop": preferences.scallop(),
         "cutter": preferences.cutter(), "tolerance": preferences.tolerance(), "feed": preferences.feed(),
-    } | {name: text for name, text in (("shank", preferences.shank()), ("holder", preferences.holder())) if text}  # fmt: skip
+    } | {name: text for name,
+    text in (("shank", preferences.shank()), ("holder", preferences.holder())) if text}  # fmt: skip
 
 
 def edit(obj: Any) -> ToolpathPanel:
@@ -266,11 +303,18 @@ def edit(obj: Any) -> ToolpathPanel:
     from freecad_fiveaxis.app import changes, guides, tessellation
 
     panel = ToolpathPanel(obj.Document, obj=obj)
-    values = changes.shown_options(obj, "mill") | {"work_zero": tuple(obj.WorkZero), "setup": obj.Setup, "fixtures": obj.Fixtures}
+    values = changes.shown_options(obj, "mill") | {
+        "work_zero": tuple(obj.WorkZero),
+        "setup": obj.Setup,
+        "fixtures": obj.Fixtures,
+    }
     values["picked"] = guides.links_of(obj)
     mesh = _tessellation(obj)
     if mesh is not None:
-        values |= {"linear_deflection": mesh.LinearDeflection.Value, "angular_deflection": mesh.AngularDeflection.Value}
+        values |= {
+            "linear_deflection": mesh.LinearDeflection.Value,
+            "angular_deflection": mesh.AngularDeflection.Value,
+        }
         values["avoid"] = tessellation.avoided(mesh)
     panel.fill(values)
     return show(panel)
@@ -296,9 +340,29 @@ SECTIONS = {
     "Part": ("avoid", "avoid_allowance", "work_zero", "linear_deflection", "angular_deflection"),
     "Machine": ("setup", "machine", "controller", "tool_length"),
     "Tool": ("cutter", "tool", "spindle", "feed", "plunge_feed", "shank", "holder"),
-    "Passes": ("passes", "from_", "to", "pass_centre", "pass_axis", "rotary_by", *OF_FRAMES, SPACING, *DIVIDED, *ORDERING),
+    "Passes": (
+        "passes",
+        "from_",
+        "to",
+        "pass_centre",
+        "pass_axis",
+        "rotary_by",
+        *OF_FRAMES,
+        SPACING,
+        *DIVIDED,
+        *ORDERING,
+    ),
     "Axis": ("tool_axis", "axis", "lead", "tilt", "max_tilt"),
-    "Safety": ("gouge", *HELD, "linearize", "singularity", "max_axis_change", "tolerance", "clearance", "rest"),
+    "Safety": (
+        "gouge",
+        *HELD,
+        "linearize",
+        "singularity",
+        "max_axis_change",
+        "tolerance",
+        "clearance",
+        "rest",
+    ),
     "Output": ("rtcp", "high_speed", "feed_mode", "blend", "work_offset", "coolant"),
 }
 """The fields of each group; what is not here stands under More settings."""

@@ -28,9 +28,11 @@ class Wide(QtWidgets.QWidget):
 
 
 class TripleField(Field):
-    """Three lengths (mm), three numbers, or three counts, beside each other where they have room, else below each other.
+    """Three lengths (mm), three numbers, or three counts, beside each other where they have room, else below
+    each other.
 
-    ``none_text``: what a box says that, ticked, gives None, and hides the three; ``width``: what each needs at least, pixels.
+    ``none_text``: what a box says that, ticked, gives None, and hides the three; ``width``: what each needs
+    at least, pixels.
     """
 
     def __init__(self, name: str, kind: str, hint: str = "", none_text: str = "", width: int = 60) -> None:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panels share whose work is about files and not about a document: a form, Calculate, the result, OK and Cancel.
+"""What the panels share whose work is about files and not about a document: a form, Calculate, the result, OK
+and Cancel.
 
 result    what was found, to be read before anything is written; OK writes it.
 stale     the form says something else than what was calculated last; OK then calculates first.
-lent      an empty document that is open only while the panel is: FreeCAD 1.1 lays its task panels over a view, and hides them
-          where there is none.
+lent      an empty document that is open only while the panel is: FreeCAD 1.1 lays its task panels over a
+          view, and hides them where there is none.
 """
 
 from __future__ import annotations
@@ -33,8 +34,8 @@ OVERLAYS = (1, 0)
 
 
 class WorkPanel:
-    """A task panel. A subclass says how to ``compute``, what to ``tell`` of it (HTML), which ``files`` OK writes and how to
-    ``write`` them; ``buttons`` are enabled while there is a result."""
+    """A task panel. A subclass says how to ``compute``, what to ``tell`` of it (HTML), which ``files`` OK
+    writes and how to ``write`` them; ``buttons`` are enabled while there is a result."""
 
     def __init__(self, title: str, form: Form, buttons: tuple[Any, ...] = ()) -> None:
         self.title, self.options, self.buttons = title, form, buttons
@@ -95,7 +96,8 @@ class WorkPanel:
         return True
 
     def show_error(self, error: BaseException) -> None:
-        """Why there is no result, or why it cannot be written, in red; errors that are not of our kind go on."""
+        """Why there is no result, or why it cannot be written, in red; errors that are not of our kind go
+        on."""
         from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 
         if isinstance(error, Cancelled):
@@ -109,7 +111,11 @@ class WorkPanel:
     def _edited(self) -> None:
         self.options.check()
         shown = not self.stale
-        page = self.tell(self.done) if shown else translate("FiveAxis", "Press Calculate to see what is found. OK writes it.")
+        page = (
+            self.tell(self.done)
+            if shown
+            else translate("FiveAxis", "Press Calculate to see what is found. OK writes it.")
+        )
         self.result.setHtml(page)
         self.result.setFixedHeight(TALL if shown else LOW)
         for button in self.buttons:
@@ -120,7 +126,8 @@ class WorkPanel:
         return flags(QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel)
 
     def accept(self) -> bool:
-        """OK: calculate if that is not done, write, close. The panel stays where something cannot be used or is not agreed to."""
+        """OK: calculate if that is not done, write, close. The panel stays where something cannot be used or
+        is not agreed to."""
         if self.stale and not self.calculate():
             return False
         files = self.files(self.done)
@@ -160,8 +167,8 @@ def open_panel(panel: P) -> P:
 
 
 def may_lie_over_a_view() -> bool:
-    """Whether this FreeCAD may hide the task view where there is no view. It is not asked of its windows: under PySide2 a panel's
-    fields die with the wrappers of the windows around them."""
+    """Whether this FreeCAD may hide the task view where there is no view. It is not asked of its windows:
+    under PySide2 a panel's fields die with the wrappers of the windows around them."""
     return tuple(int(part) for part in FreeCAD.Version()[:2]) >= OVERLAYS
 
 

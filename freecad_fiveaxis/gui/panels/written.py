@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is told once an NC file is written: where it is, how long it is and how long it runs; and the ways to it."""
+"""What is told once an NC file is written: where it is, how long it is and how long it runs; and the ways to
+it."""
 
 from __future__ import annotations
 

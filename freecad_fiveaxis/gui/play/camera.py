@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The camera of the view while the player is open: it can follow the tip or show the whole machine, and stands where it stood
-afterwards."""
+"""The camera of the view while the player is open: it can follow the tip or show the whole machine, and
+stands where it stood afterwards."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ class Camera:
         self._view, self._before = view, None
 
     def follow(self, place: np.ndarray) -> None:
-        """Bring ``place`` (3,) mm, as drawn, to the middle of the view, at the focal distance; the camera's direction stays."""
+        """Bring ``place`` (3,) mm, as drawn, to the middle of the view, at the focal distance; the camera's
+        direction stays."""
         node = self._view.getCameraNode()
         self._before = self._before or self._view.getCamera()
         position = place - node.focalDistance.getValue() * self._along(node)

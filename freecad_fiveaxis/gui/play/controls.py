@@ -26,26 +26,35 @@ class Controls:
         self.slider.setRange(0, SLIDER)
         self.slider.setPageStep(SLIDER // 20)
         icons = QtWidgets.QStyle
-        self.begin = self._button("begin", icons.SP_MediaSkipBackward, translate("FiveAxis", "Back to the first position"))
+        self.begin = self._button(
+            "begin", icons.SP_MediaSkipBackward, translate("FiveAxis", "Back to the first position")
+        )
         self.back = self._button("back", icons.SP_MediaSeekBackward, translate("FiveAxis", "One block back"))
         self.play = self._button("play", icons.SP_MediaPlay, translate("FiveAxis", "Play and pause"))
-        self.forward = self._button("forward", icons.SP_MediaSeekForward, translate("FiveAxis", "One block on"))
+        self.forward = self._button(
+            "forward", icons.SP_MediaSeekForward, translate("FiveAxis", "One block on")
+        )
         self.worst, self.singular = QtWidgets.QPushButton(), QtWidgets.QPushButton()
         self.worst.setText(translate("FiveAxis", "Worst block"))
         self.worst.setToolTip(translate("FiveAxis", "Where the tip is farthest from its commanded segment"))
         self.singular.setText(translate("FiveAxis", "Next singular"))
-        self.singular.setToolTip(translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little"))
+        self.singular.setToolTip(
+            translate("FiveAxis", "The next block where a rotary axis turns far to lean the tool a little")
+        )
         self.collision = QtWidgets.QPushButton()
         self.name_stops(collisions=True)
         self.collision.setToolTip(
             translate(
                 "FiveAxis",
-                "Where tool or spindle go deepest into the next fixture or body of the machine, or come too near to it",
+                "Where tool or spindle go deepest into the next fixture or body of the machine, or come too "
+                "near to it",
             )
         )
         self.machine, self.follow = QtWidgets.QCheckBox(), QtWidgets.QCheckBox()
         self.machine.setText(translate("FiveAxis", "On the machine"))
-        self.machine.setToolTip(translate("FiveAxis", "Table and head move as they really will; otherwise the part stands still"))
+        self.machine.setToolTip(
+            translate("FiveAxis", "Table and head move as they really will; otherwise the part stands still")
+        )
         self.follow.setText(translate("FiveAxis", "Follow the tip"))
         self.follow.setToolTip(translate("FiveAxis", "Keep the tip of the tool in the middle of the view"))
         for name in ("worst", "singular", "collision", "machine", "follow"):
@@ -58,7 +67,8 @@ class Controls:
         return float(self.speed.currentData())
 
     def name_stops(self, collisions: bool) -> None:
-        """Name the button after what it leads to: collisions, with near misses between them, or near misses alone."""
+        """Name the button after what it leads to: collisions, with near misses between them, or near misses
+        alone."""
         collision, near = translate("FiveAxis", "Next collision"), translate("FiveAxis", "Next near miss")
         self.collision.setText(collision if collisions else near)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine as a picture: the bodies of its file, and of the core's sketch where that names none, each on its axis. Playing
-moves them and never makes them anew."""
+"""The machine as a picture: the bodies of its file, and of the core's sketch where that names none, each on
+its axis. Playing moves them and never makes them anew."""
 
 from __future__ import annotations
 
@@ -37,7 +37,8 @@ MOMENTS = 200
 
 
 class DrawnMachine:
-    """The bodies of a machine below ``root``, in the machine frame: ``bodies`` of the sketch, ``standing`` of its file."""
+    """The bodies of a machine below ``root``, in the machine frame: ``bodies`` of the sketch, ``standing`` of
+    its file."""
 
     def __init__(self, bodies: tuple[Body, ...], standing: Sequence[StandingBody] = ()) -> None:
         self.bodies, self.standing = bodies, tuple(standing)
@@ -59,15 +60,20 @@ class DrawnMachine:
         """Put every body where its axis carries it; ``machine_from_carried`` (5, 4, 4) as in a Pose."""
         for carrier, placed in self.carriers.items():
             if carrier is not None:
-                placed.matrix.setValue(coin.SbMatrix(*(float(value) for value in machine_from_carried[carrier].T.reshape(-1))))
+                placed.matrix.setValue(
+                    coin.SbMatrix(*(float(value) for value in machine_from_carried[carrier].T.reshape(-1)))
+                )
 
     def show_struck(self, struck: Struck, near: Struck) -> None:
         """Draw red what is hit, and the spindle where that hits; amber what is only come near to."""
         for one, look in zip(self.standing, self.looks, strict=True):
-            look.show(*(one.name in by.bodies or (by.spindle and one.place == SPINDLE) for by in (struck, near)))
+            look.show(
+                *(one.name in by.bodies or (by.spindle and one.place == SPINDLE) for by in (struck, near))
+            )
 
     def room(self, playback: Playback) -> tuple[np.ndarray, np.ndarray]:
-        """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is played."""
+        """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is
+        played."""
         words = playback.program.words
         chosen = np.unique(np.linspace(0, len(words) - 1, MOMENTS).astype(int))
         carried = placements(playback.kinematics, words[chosen])["machine_from_carried"]
@@ -86,9 +92,9 @@ def machine_of(
     standing: Sequence[StandingBody] = (),
     held: bool = False,
 ) -> DrawnMachine:
-    """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm: height of the table's
-    face there, None where it is not known; ``standing``: the bodies of its file; ``held``: whether the part's fixtures are known,
-    so that nothing is made up for them."""
+    """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm:
+    height of the table's face there, None where it is not known; ``standing``: the bodies of its file;
+    ``held``: whether the part's fixtures are known, so that nothing is made up for them."""
     radius, height = size_of(tool)
     sketched = sketch(playback.kinematics, low, high, ToolRoom(height, radius), table)
     left = leave_out(sketched, standing, playback.kinematics)
@@ -114,7 +120,8 @@ def _body_node(body: Body) -> Any:
 
 
 def _solid() -> Any:
-    """Bodies are closed: their back faces are left out, which would be blended with the front ones in any order."""
+    """Bodies are closed: their back faces are left out, which would be blended with the front ones in any
+    order."""
     hints = coin.SoShapeHints()
     hints.vertexOrdering, hints.shapeType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID
     return hints
@@ -130,7 +137,14 @@ def _placed(rows: np.ndarray, centre: np.ndarray) -> Any:
 
 
 _SIGNS = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
-_EDGES = np.array([(one, other) for one in range(8) for other in range(one) if np.abs(_SIGNS[one] - _SIGNS[other]).sum() == 2.0])
+_EDGES = np.array(
+    [
+        (one, other)
+        for one in range(8)
+        for other in range(one)
+        if np.abs(_SIGNS[one] - _SIGNS[other]).sum() == 2.0
+    ]
+)
 
 
 def _box(box: Box) -> tuple[Any, Any]:

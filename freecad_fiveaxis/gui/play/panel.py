@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The player's task panel: it lets time pass, moves the picture, and says where the program stands.
 
-A timer ticks; every tick the program goes on by the time that has passed, times the speed. A view that needs longer to draw
-than a tick shows fewer pictures of the same motion.
+A timer ticks; every tick the program goes on by the time that has passed, times the speed. A view that needs
+longer to draw than a tick shows fewer pictures of the same motion.
 """
 
 from __future__ import annotations
@@ -45,7 +45,8 @@ LEAST_REACH = 30.0
 
 
 class PlayPanel:
-    """The player of one path. ``close`` may come from the user, from a deleted object or from a closed document."""
+    """The player of one path. ``close`` may come from the user, from a deleted object or from a closed
+    document."""
 
     def __init__(self, obj: Any, view: Any) -> None:
         self.obj, self.view, self.camera = obj, view, Camera(view)
@@ -64,7 +65,7 @@ class PlayPanel:
         _panels.append(self)
         self.refresh()
 
-    # ------------------------------------------------------------------------------------------ what the user does
+    # ------------------------------------------------------------------------------------- what the user does
 
     @property
     def playing(self) -> bool:
@@ -140,7 +141,9 @@ class PlayPanel:
         box, held = self._part_box(), bool(draft.fixtures)
         machine = machine_of(self.player.playback, *box, tool, table, stand_up(draft), held)
         fixtures = DrawnFixtures(draft.fixtures)
-        return Stage(self.view.getSceneGraph(), tool, machine, fixtures, zero, letters, (low + high) / 2.0, reach)
+        return Stage(
+            self.view.getSceneGraph(), tool, machine, fixtures, zero, letters, (low + high) / 2.0, reach
+        )
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
         """The corners (3,) mm of the part's box, work frame; those of the path where no part is known."""
@@ -149,7 +152,7 @@ class PlayPanel:
         points = draft.mesh.vertex if isinstance(draft, MilledProgram) else cut
         return points.min(axis=0), points.max(axis=0)
 
-    # ------------------------------------------------------------------------------------------ changes from outside
+    # ----------------------------------------------------------------------------------- changes from outside
 
     def _changed(self) -> None:
         if not self._stale:
@@ -177,7 +180,8 @@ class PlayPanel:
         self.refresh()
 
     def _gone(self) -> None:
-        """The object or its document is being deleted: FreeCAD must be done with that before the panel goes."""
+        """The object or its document is being deleted: FreeCAD must be done with that before the panel
+        goes."""
         self.close()
         later(self._leave)
 
@@ -206,7 +210,7 @@ class PlayPanel:
         except (ReferenceError, RuntimeError):  # the view has gone
             return
 
-    # ------------------------------------------------------------------------------------------ FreeCAD's task panel
+    # ----------------------------------------------------------------------------------- FreeCAD's task panel
 
     def getStandardButtons(self) -> int:
         """FreeCAD asks which buttons the panel has."""
@@ -292,8 +296,8 @@ def current() -> PlayPanel | None:
 
 
 def open_panel(obj: Any) -> PlayPanel:
-    """Show the player of a path. Raises FiveAxisError where there is nothing to play or no 3D view to play it in, and
-    RuntimeError where another task panel is open."""
+    """Show the player of a path. Raises FiveAxisError where there is nothing to play or no 3D view to play it
+    in, and RuntimeError where another task panel is open."""
     panel = PlayPanel(obj, _view_of(obj))
     try:
         attend(panel)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The moment that is shown, and how it moves on: by time, by block, to the worst block, to the next singular one,
-to the next collision or near miss.
+"""The moment that is shown, and how it moves on: by time, by block, to the worst block, to the next singular
+one, to the next collision or near miss.
 
 moment   a block and its u (0 to 1), as in the core's playback.
 """
@@ -20,8 +20,8 @@ from freecad_fiveaxis.core.tool.body import PARTS, SPINDLE
 
 
 class Struck(NamedTuple):
-    """What is hit at a moment, or nearly: names of ``bodies`` of the machine and of ``fixtures``; ``spindle``: whether that hits,
-    or nearly."""
+    """What is hit at a moment, or nearly: names of ``bodies`` of the machine and of ``fixtures``;
+    ``spindle``: whether that hits, or nearly."""
 
     bodies: frozenset[str] = frozenset()
     fixtures: frozenset[str] = frozenset()
@@ -29,7 +29,8 @@ class Struck(NamedTuple):
 
 
 class Player:
-    """Plays the program of ``figures``; begins at its first position. Raises ProgramError for a program without a block."""
+    """Plays the program of ``figures``; begins at its first position. Raises ProgramError for a program
+    without a block."""
 
     def __init__(self, figures: Figures) -> None:
         self.figures = figures
@@ -40,7 +41,9 @@ class Player:
             key=lambda one: (one.block, _deepest(one)),
         )
         self.colliding = np.unique([one.block for one in self.stops]).astype(int)
-        self._stop_times = np.array([float(self.playback.time(one.block or 0, _deepest(one))) for one in self.stops])
+        self._stop_times = np.array(
+            [float(self.playback.time(one.block or 0, _deepest(one))) for one in self.stops]
+        )
         self.last = len(figures.program.words) - 1
         self.block, self.u = 0, 1.0
 
@@ -73,8 +76,8 @@ class Player:
         self.block, self.u = int(block), float(u)
 
     def advance(self, seconds: float) -> bool:
-        """Go on by so much of the program's time, but no farther than to the next collision or near miss; True where that
-        is reached."""
+        """Go on by so much of the program's time, but no farther than to the next collision or near miss;
+        True where that is reached."""
         now = self.time
         ahead = np.flatnonzero((self._stop_times > now) & (self._stop_times <= now + seconds))
         if len(ahead):
@@ -99,7 +102,8 @@ class Player:
         self.block, self.u = max(self.block - 1, 0), 1.0
 
     def go_to_worst(self) -> bool:
-        """To where the judged point is farthest from its segment, in the worst of all feed blocks; False where no block feeds."""
+        """To where the judged point is farthest from its segment, in the worst of all feed blocks; False
+        where no block feeds."""
         return self._look_at(self.playback.worst)
 
     def go_to_next_singular(self) -> bool:
@@ -107,8 +111,8 @@ class Player:
         return self._look_at(following(self.singular, self.block))
 
     def go_to_next_collision(self) -> bool:
-        """To the deepest place of the next block that collides, or to the nearest of one that nearly does, in order of time, from
-        the last one on to the first again; False where there is none."""
+        """To the deepest place of the next block that collides, or to the nearest of one that nearly does, in
+        order of time, from the last one on to the first again; False where there is none."""
         block = following(self.colliding, self.block)
         if block is None:
             return False
@@ -143,12 +147,17 @@ class Player:
 
 
 def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
-    """What is hit, of findings by their codes. A body of the machine may be what enters, and a fixture what it enters."""
+    """What is hit, of findings by their codes. A body of the machine may be what enters, and a fixture what
+    it enters."""
     fixture = (Code.FIXTURE_COLLISION, Code.FIXTURE_NEAR)
     machine = [hit for code, hit in hits if code not in fixture]
     return Struck(
-        frozenset(name for hit in machine for name in (hit.enters, hit.entered) if name and name not in PARTS),
-        frozenset(hit.entered for code, hit in hits if code in fixture or (hit.entered and hit.enters not in PARTS)),
+        frozenset(
+            name for hit in machine for name in (hit.enters, hit.entered) if name and name not in PARTS
+        ),
+        frozenset(
+            hit.entered for code, hit in hits if code in fixture or (hit.entered and hit.enters not in PARTS)
+        ),
         any(hit.enters == PARTS[SPINDLE] for _, hit in hits),
     )
 
@@ -159,6 +168,7 @@ def _met(finding: Finding) -> Hit | None:
 
 
 def _deepest(finding: Finding) -> float:
-    """When in its block a collision is deepest or a near miss nearest, 0 to 1; the block's end where that is not known."""
+    """When in its block a collision is deepest or a near miss nearest, 0 to 1; the block's end where that is
+    not known."""
     met = _met(finding)
     return 1.0 if met is None or met.u is None else met.u

@@ -48,7 +48,9 @@ class Readout:
         self.most = self._row("most", translate("FiveAxis", "Most in block"))
         self.bound = self._row("bound", translate("FiveAxis", "Proven below"))
         self.most.setToolTip(translate("FiveAxis", "The largest distance in this block"))
-        self.bound.setToolTip(translate("FiveAxis", "What the distance is proven to stay below, all through this block"))
+        self.bound.setToolTip(
+            translate("FiveAxis", "What the distance is proven to stay below, all through this block")
+        )
         self.note = _label("note")
         self.note.setWordWrap(True)
         self.rows.addRow(self.note)
@@ -64,15 +66,21 @@ class Readout:
 
     def _name_point(self, ball: bool) -> None:
         """Say whose distances these are: a ball's centre's, or the tip's."""
-        centre, tip = translate("FiveAxis", "Centre off its segment"), translate("FiveAxis", "Tip off its segment")
-        of_centre = translate("FiveAxis", "How far the ball's centre, which makes the surface, is now from its commanded segment")
+        centre, tip = (
+            translate("FiveAxis", "Centre off its segment"),
+            translate("FiveAxis", "Tip off its segment"),
+        )
+        of_centre = translate(
+            "FiveAxis",
+            "How far the ball's centre, which makes the surface, is now from its commanded segment",
+        )
         of_tip = translate("FiveAxis", "How far the tip is now from the segment that the block commands")
         self.rows.labelForField(self.gap).setText(centre if ball else tip)
         self.gap.setToolTip(of_centre if ball else of_tip)
 
     def show(self, pose: Pose, whole: float, met: Sequence[Finding] = ()) -> None:
-        """Say where a single moment stands; ``whole`` s: the time of the program; ``met``: what collides in its block, or
-        nearly does."""
+        """Say where a single moment stands; ``whole`` s: the time of the program; ``met``: what collides in
+        its block, or nearly does."""
         block, program = int(pose.block), self.figures.program
         line = int(program.line[block])
         self.hit.setText("; ".join(met_text(one) for one in met))
@@ -81,7 +89,11 @@ class Readout:
         self.text.setText(self.lines[line])
         self.text.setCursorPosition(0)
         self.block.setText(_of(block, len(program.words) - 1, program.motion[block]))
-        self.clock.setText(translate("FiveAxis", "{now} of {whole}").format(now=_clock(float(pose.seconds)), whole=_clock(whole)))
+        self.clock.setText(
+            translate("FiveAxis", "{now} of {whole}").format(
+                now=_clock(float(pose.seconds)), whole=_clock(whole)
+            )
+        )
         for at, label in self.joints.items():
             label.setText(joint_text(float(pose.words[at]), at >= 3))
         self.gap.setText(_distance(float(pose.to_chord)))
@@ -91,7 +103,8 @@ class Readout:
                 label.setText("–")
 
     def _guided(self, block: int) -> bool:
-        """Whether the controller guides the tip in a block, of which nothing is known then but where it ends."""
+        """Whether the controller guides the tip in a block, of which nothing is known then but where it
+        ends."""
         guided = self.figures.program.guided
         return guided is not None and bool(guided.on[block])
 
@@ -112,10 +125,17 @@ class Readout:
         if block == 0:
             notes.append(translate("FiveAxis", "First position: where the machine comes from is not known."))
         if self._guided(block):
-            notes.append(translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes."))
+            notes.append(
+                translate("FiveAxis", "The controller guides the tip (RTCP); shown are evenly moving axes.")
+            )
         if over:
-            tip = translate("FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed.")
-            ball = translate("FiveAxis", "The ball's centre leaves its segment by more than the {tolerance} that are allowed.")
+            tip = translate(
+                "FiveAxis", "The tip leaves its segment by more than the {tolerance} that are allowed."
+            )
+            ball = translate(
+                "FiveAxis",
+                "The ball's centre leaves its segment by more than the {tolerance} that are allowed.",
+            )
             allowed = tip if self.figures.surface is None else ball
             notes.append(allowed.format(tolerance=length_text(self.figures.tolerance)))
         if self.figures.singularity.singular[block]:
@@ -134,14 +154,19 @@ def met_text(finding: Finding) -> str:
     near = finding.near
     if near is None:
         return "" if finding.hit is None else collision_text(finding.hit)
-    text, distance = translate("FiveAxis", "Near: {enters} within {distance} of {body}"), length_text(finding.value or 0.0)
+    text, distance = (
+        translate("FiveAxis", "Near: {enters} within {distance} of {body}"),
+        length_text(finding.value or 0.0),
+    )
     return text.format(enters=wording.localize(near.enters), distance=distance, body=near.entered)
 
 
 def collision_text(hit: Hit) -> str:
     """What is in what, in a few words."""
     entered = hit.entered or wording.localize(say("part"))
-    return translate("FiveAxis", "Collision: {enters} in {entered}").format(enters=wording.localize(hit.enters), entered=entered)
+    return translate("FiveAxis", "Collision: {enters} in {entered}").format(
+        enters=wording.localize(hit.enters), entered=entered
+    )
 
 
 def joint_text(word: float, rotary: bool) -> str:
@@ -166,7 +191,9 @@ def motion_name(motion: int) -> str:
 
 
 def _of(block: int, last: int, motion: int) -> str:
-    return translate("FiveAxis", "{block} of {last}, {motion}").format(block=block, last=last, motion=motion_name(motion))
+    return translate("FiveAxis", "{block} of {last}, {motion}").format(
+        block=block, last=last, motion=motion_name(motion)
+    )
 
 
 def _clock(seconds: float) -> str:

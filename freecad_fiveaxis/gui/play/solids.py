@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes that the tool must not hit, as pictures: each drawn once, quiet, red while the tool or the spindle is in
-it, and amber while they come nearer to it than is asked for."""
+"""Meshes that the tool must not hit, as pictures: each drawn once, quiet, red while the tool or the spindle
+is in it, and amber while they come nearer to it than is asked for."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ GLOW = 0.3
 EDGE = (0.16, 0.18, 0.22)
 HIT: tuple[nodes.Colour, float] = ((0.88, 0.12, 0.08), 0.15)
 NEAR: tuple[nodes.Colour, float] = ((0.90, 0.62, 0.0), 0.15)
-"""Colour and transparency of what is hit, and of what nearly is (the orange of Okabe and Ito's palette); the panel says which."""
+"""Colour and transparency of what is hit, and of what nearly is (the orange of Okabe and Ito's palette); the
+panel says which."""
 CREASE = math.acos(SHARP)
 """rad: facets that meet at less are lit as one round face; those at more have their edge drawn."""
 BEFORE = 0.001
@@ -49,13 +50,16 @@ class Look:
 
 
 class DrawnFixtures:
-    """The fixtures of a path, work frame. They are solids of the document, which FreeCAD draws where they stand and which turn
-    with the work; here each is drawn red or amber over that, while it is hit or nearly."""
+    """The fixtures of a path, work frame. They are solids of the document, which FreeCAD draws where they
+    stand and which turn with the work; here each is drawn red or amber over that, while it is hit or
+    nearly."""
 
     def __init__(self, fixtures: Sequence[Fixture]) -> None:
         self.looks = [Look(*HIT) for _ in fixtures]
         drawn = [mesh_node(one.mesh, look) for one, look in zip(fixtures, self.looks, strict=True)]
-        self.switches = [(one.name, nodes.switch(node, False)) for one, node in zip(fixtures, drawn, strict=True)]
+        self.switches = [
+            (one.name, nodes.switch(node, False)) for one, node in zip(fixtures, drawn, strict=True)
+        ]
         self.root = nodes.separate(nodes.nearer(BEFORE), *(switch for _, switch in self.switches))
 
     def show(self, hit: Collection[str], near: Collection[str]) -> None:
@@ -72,13 +76,15 @@ def mesh_node(mesh: Mesh, look: Look) -> Any:
     corners = np.full((len(mesh.face), 4), -1, np.int32)
     corners[:, :3] = mesh.face
     faces.coordIndex.setValues(0, corners.size, corners.reshape(-1))
-    edges = nodes.separate(nodes.flat(), nodes.colour(EDGE), nodes.style(1.0), nodes.lines(find_edges(mesh).reshape(-1, 3)))
+    edges = nodes.separate(
+        nodes.flat(), nodes.colour(EDGE), nodes.style(1.0), nodes.lines(find_edges(mesh).reshape(-1, 3))
+    )
     return nodes.separate(nodes.separate(_facing(mesh), look.node, faces), edges)
 
 
 def _facing(mesh: Mesh) -> Any:
-    """Of a closed mesh the back faces are left out, which would be blended with the front ones in any order; of an open one all
-    are seen."""
+    """Of a closed mesh the back faces are left out, which would be blended with the front ones in any order;
+    of an open one all are seen."""
     hints = coin.SoShapeHints()
     closed = bool((mesh.coedge_face >= 0).all())
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The picture of a played program in one 3D view.
 
-The document is the work: FreeCAD draws part, mesh, path and markers, and two nodes are put before them into this view's scene.
-The first holds what is our own: tool, rotary axes, the block's commanded segment and its real curve. The second turns everything
-that FreeCAD draws after it as the table turns the work. No document object is touched; taking the two nodes out again
-leaves the view as it was.
+The document is the work: FreeCAD draws part, mesh, path and markers, and two nodes are put before them into
+this view's scene. The first holds what is our own: tool, rotary axes, the block's commanded segment and its
+real curve. The second turns everything that FreeCAD draws after it as the table turns the work. No document
+object is touched; taking the two nodes out again leaves the view as it was.
 
 over the part   the part stands still and the tool moves over it.
-on the machine  everything moves as it really will: the table with the part on it, and the tool on its head; about them stand
-                the bodies of the machine's file, and a sketch of what that does not name.
+on the machine  everything moves as it really will: the table with the part on it, and the tool on its head;
+                about them stand the bodies of the machine's file, and a sketch of what that does not name.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ _NOTHING = Struck()
 
 
 class Stage:
-    """Nodes in a view's scene. ``graph``: the scene graph of a 3D view; ``zero`` (3,) mm: the work zero in the document;
-    ``letters``: of the rotary axes it has; ``centre`` (3,) and ``reach`` mm: middle of the path and how far the axes are
-    drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
+    """Nodes in a view's scene. ``graph``: the scene graph of a 3D view; ``zero`` (3,) mm: the work zero in
+    the document; ``letters``: of the rotary axes it has; ``centre`` (3,) and ``reach`` mm: middle of the path
+    and how far the axes are drawn. ``tip`` (3,) mm: where the tip is drawn, document coordinates."""
 
     def __init__(
         self,
@@ -74,17 +74,24 @@ class Stage:
         return self._graph is not None
 
     def show(
-        self, pose: Pose, curve: np.ndarray | None, on_machine: bool, struck: Struck = _NOTHING, near: Struck = _NOTHING
+        self,
+        pose: Pose,
+        curve: np.ndarray | None,
+        on_machine: bool,
+        struck: Struck = _NOTHING,
+        near: Struck = _NOTHING,
     ) -> None:
-        """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is drawn already;
-        ``struck``: what is hit then, ``near``: what is come near to."""
+        """Draw a single moment; ``curve`` (n, 3): the judged point's real path in its block, None where it is
+        drawn already; ``struck``: what is hit then, ``near``: what is come near to."""
         scene_from_work = pose.machine_from_work if on_machine else IDENTITY
         scene_from_machine = IDENTITY if on_machine else pose.work_from_machine
         _put(self.work, scene_from_work)
         _put(self.tool, scene_from_machine @ pose.machine_from_tool)
         _put(self.turn, _about(scene_from_work, self.zero))
         if on_machine and self.sketch.whichChild.getValue() == coin.SO_SWITCH_NONE:
-            self.legend.come_forward(chosen=True)  # how much of the machine is a sketch must be seen whatever is selected
+            self.legend.come_forward(
+                chosen=True
+            )  # how much of the machine is a sketch must be seen whatever is selected
         nodes.turn(self.sketch, on_machine)
         if on_machine:
             self.machine.show(pose.machine_from_carried)
@@ -100,7 +107,8 @@ class Stage:
         self.tip = scene_from_work[:3, :3] @ pose.tip + scene_from_work[:3, 3] + self.zero
 
     def remove(self) -> None:
-        """Take the nodes out of the view; it is then as it was. May be called twice, and after the view has gone."""
+        """Take the nodes out of the view; it is then as it was. May be called twice, and after the view has
+        gone."""
         if self._graph is None:
             return
         for node in (self.turn, self.root):
@@ -192,7 +200,8 @@ def _put(node: Any, placement: np.ndarray) -> None:
 
 
 def _about(placement: np.ndarray, zero: np.ndarray) -> np.ndarray:
-    """A placement given in the work frame as one of document coordinates, in which the work zero stands at ``zero``."""
+    """A placement given in the work frame as one of document coordinates, in which the work zero stands at
+    ``zero``."""
     moved = placement.copy()
     moved[:3, 3] += zero - placement[:3, :3] @ zero
     return moved

@@ -25,14 +25,16 @@ TURNS = 48
 
 @dataclass(frozen=True)
 class DrawnTool:
-    """``driven``, mm: how far the driven point lies above the tip: 0, or the corner radius where the hub is driven."""
+    """``driven``, mm: how far the driven point lies above the tip: 0, or the corner radius where the hub is
+    driven."""
 
     body: Body
     driven: float = 0.0
 
 
 def tool_of(obj: Any, centre_driven: bool = False) -> DrawnTool:
-    """The tool of a Toolpath or an Audit, from its properties. Raises SettingsError for one that cannot be."""
+    """The tool of a Toolpath or an Audit, from its properties. Raises SettingsError for one that cannot
+    be."""
     from freecad_fiveaxis.app import convert
 
     cutter, body = convert.tool_of(obj)
@@ -55,7 +57,8 @@ def tool_node(tool: DrawnTool) -> Any:
         shift,
         *(
             nodes.separate(
-                _material(COLOURS[part], TRANSPARENCY[part]), _turned(Outline._make(column[rows] for column in profile))
+                _material(COLOURS[part], TRANSPARENCY[part]),
+                _turned(Outline._make(column[rows] for column in profile)),
             )
             for part, rows in parts
             if len(rows)
@@ -64,7 +67,8 @@ def tool_node(tool: DrawnTool) -> Any:
 
 
 def _turned(line: Outline) -> Any:
-    """The surface of an outline turned about z: two rings of points for each stretch, so that edges stay sharp."""
+    """The surface of an outline turned about z: two rings of points for each stretch, so that edges stay
+    sharp."""
     around = np.linspace(0.0, 2.0 * np.pi, TURNS + 1)
     mesh, drawn = coin.SoQuadMesh(), coin.SoVertexProperty()
     points, normals = (

@@ -17,7 +17,8 @@ WATCHED = {"Fingerprint", "WorkZero", "Shank", "Holder", *(one.name for one in C
 
 @guards
 class Watch:
-    """Watches one object: calls ``changed`` where the picture is out of date, ``gone`` where object or document is deleted."""
+    """Watches one object: calls ``changed`` where the picture is out of date, ``gone`` where object or
+    document is deleted."""
 
     def __init__(self, obj: Any, changed: Callable[[], None], gone: Callable[[], None]) -> None:
         self._document, self._name = obj.Document.Name, obj.Name

@@ -2,9 +2,9 @@
 """One colour map for deviations.
 
 level   0 to 1, the tolerance at 0.5 (``core.report.drawing``).
-calm    the lower half, from the good colour to a deep one. loud: the upper half, from a pale colour to the bad one. In both
-        halves darker is more, and at the tolerance the map steps from dark to bright: order and step are seen without seeing
-        the hue. Colours are mixed in Oklab, where even steps look even.
+calm    the lower half, from the good colour to a deep one. loud: the upper half, from a pale colour to the
+        bad one. In both halves darker is more, and at the tolerance the map steps from dark to bright: order
+        and step are seen without seeing the hue. Colours are mixed in Oklab, where even steps look even.
 """
 
 from __future__ import annotations
@@ -35,7 +35,8 @@ _LAB = np.array(
         [0.0259040371, 0.7827717662, -0.8086757660],
     ]
 )
-"""Oklab (Ottosson, 2020): linear red, green and blue to cones, and their cube roots to lightness and two hues."""
+"""Oklab (Ottosson, 2020): linear red, green and blue to cones, and their cube roots to lightness and two
+hues."""
 
 
 def ramp(good: Colour, bad: Colour) -> Floats:

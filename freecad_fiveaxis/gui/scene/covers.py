@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where panels of FreeCAD 1.0 and later lie over the view (*overlays*): what is placed there would not be seen."""
+"""Where panels of FreeCAD 1.0 and later lie over the view (*overlays*): what is placed there would not be
+seen."""
 
 from __future__ import annotations
 
@@ -13,11 +14,13 @@ from freecad_fiveaxis.gui.qt import QtCore, QtWidgets, main_window
 from .layout import NONE
 
 NAMES = ("OverlayLeft", "OverlayRight", "OverlayTop", "OverlayBottom")
-"""What FreeCAD calls them. Asked for by name, so that PySide makes no objects for other widgets, which may go before these do."""
+"""What FreeCAD calls them. Asked for by name, so that PySide makes no objects for other widgets, which may go
+before these do."""
 
 
 def covered_boxes(size: tuple[int, int]) -> np.ndarray:
-    """Find the boxes (n, 4) pixels that panels cover of the active view, if it has ``size`` (width and height) pixels."""
+    """Find the boxes (n, 4) pixels that panels cover of the active view, if it has ``size`` (width and
+    height) pixels."""
     shown = [panel for panel in _overlays() if panel.isVisible()]
     viewport = _viewport() if shown else None
     if viewport is None:

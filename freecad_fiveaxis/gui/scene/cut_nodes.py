@@ -2,8 +2,9 @@
 """The strokes that cut, as many of them as the picture has room for.
 
 coat     ``core.report.thinning``: strokes whose passes stand at least some distance apart.
-band     the strokes of which one coat is the widest: each is a node that is drawn or not. Zoomed in, all are; the smaller the
-         part is on the screen, the fewer. What is over the tolerance is in the last band, which is always drawn.
+band     the strokes of which one coat is the widest: each is a node that is drawn or not. Zoomed in, all are;
+         the smaller the part is on the screen, the fewer. What is over the tolerance is in the last band,
+         which is always drawn.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ from freecad_fiveaxis.core.report.thinning import COATS
 from . import colours, nodes
 
 APART = 7.0
-"""Pixels: passes that are nearer together on the screen hide the part, and leaning ones cannot be told apart."""
+"""Pixels: passes that are nearer together on the screen hide the part, and leaning ones cannot be told
+apart."""
 
 
 class CutNodes:

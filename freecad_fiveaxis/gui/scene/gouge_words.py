@@ -46,10 +46,17 @@ def label_text(kind: str, depth: float) -> str:
     return texts[kind].format(depth=length_text(depth))
 
 
-def labels(places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]) -> list[Label]:
-    """The label of the first mark of each kind, which is its deepest; ``values`` mm. A cut that is too deep comes first."""
+def labels(
+    places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]
+) -> list[Label]:
+    """The label of the first mark of each kind, which is its deepest; ``values`` mm. A cut that is too deep
+    comes first."""
     first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
-    rows = [first[kind] for kind in (OVERCUT, HOLDER_COLLISION, RAPID_COLLISION, INDEPENDENT_RAPID) if kind in first]
+    rows = [
+        first[kind]
+        for kind in (OVERCUT, HOLDER_COLLISION, RAPID_COLLISION, INDEPENDENT_RAPID)
+        if kind in first
+    ]
     return [
         Label(places[at], label_text(kinds[at], value), GOUGE_COLOURS[kinds[at]])
         for at in rows
@@ -66,13 +73,16 @@ def legend_keys(kinds: Sequence[str]) -> list[tuple[tuple[float, float, float], 
         RAPID_COLLISION: translate("FiveAxis", "collision between passes: {count} places"),
         INDEPENDENT_RAPID: translate("FiveAxis", "collision in a rapid: {count} places"),
     }
-    return [(GOUGE_COLOURS[kind], text.format(count=count[kind])) for kind, text in texts.items() if count[kind]]
+    return [
+        (GOUGE_COLOURS[kind], text.format(count=count[kind])) for kind, text in texts.items() if count[kind]
+    ]
 
 
 def explain(finding: Finding) -> tuple[str, str, str] | None:
     """What happens, why, and what helps; None for another code, or where no value is known."""
     sayings = {
-        OVERCUT: _overcut, TOO_DEEP: _overcut, HOLDER_COLLISION: _holder, RAPID_COLLISION: _between, UNCUT: _uncut,
+        OVERCUT: _overcut, TOO_DEEP: _overcut, HOLDER_COLLISION: _holder, RAPID_COLLISION: _between,
+        UNCUT: _uncut,
         INDEPENDENT_RAPID: _independent,
     }  # fmt: skip
     if finding.code not in sayings or finding.value is None:
@@ -82,12 +92,19 @@ def explain(finding: Finding) -> tuple[str, str, str] | None:
 
 def _overcut(depth: float) -> tuple[str, str, str]:
     return (
-        translate("FiveAxis", "The cutter goes {depth} too deep into the part.").format(depth=length_text(depth)),
-        translate("FiveAxis", "The surface curls tighter than the cutter there, or another wall stands nearer than it is wide."),
+        translate("FiveAxis", "The cutter goes {depth} too deep into the part.").format(
+            depth=length_text(depth)
+        ),
         translate(
             "FiveAxis",
-            "In the tool path's panel let the tool be lifted there, or leave such places out; or take a smaller cutter. The "
-            "command What is left shows what then stays uncut. Where that is done already, the machine leaves the path between "
+            "The surface curls tighter than the cutter there, or another wall stands nearer than it is wide.",
+        ),
+        translate(
+            "FiveAxis",
+            "In the tool path's panel let the tool be lifted there, or leave such places out; or take a "
+            "smaller cutter. The "
+            "command What is left shows what then stays uncut. Where that is done already, the machine "
+            "leaves the path between "
             "blocks: set Divide blocks to on.",
         ),
     )
@@ -95,12 +112,16 @@ def _overcut(depth: float) -> tuple[str, str, str]:
 
 def _holder(depth: float) -> tuple[str, str, str]:
     return (
-        translate("FiveAxis", "The shank or the holder goes {depth} into the part.").format(depth=length_text(depth)),
+        translate("FiveAxis",
+            "The shank or the holder goes {depth} into the part.").format(depth=length_text(depth)),
         translate(
-            "FiveAxis", "The tool is short, or leans towards a wall beside what is cut. Walls that are not selected count too."
+            "FiveAxis",
+            "The tool is short, or leans towards a wall beside what is cut. Walls that are not selected "
+            "count too."
         ),
         translate(
-            "FiveAxis", "A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out."
+            "FiveAxis",
+            "A longer tool, a slimmer holder, lead or tilt away from the wall; or leave such places out."
         ),
     )  # fmt: skip
 
@@ -111,24 +132,31 @@ def _between(depth: float) -> tuple[str, str, str]:
             depth=length_text(depth)
         ),
         translate(
-            "FiveAxis", "While the rotary axes turn, the tip leaves the straight way over the part; or the part is over the tool."
+            "FiveAxis",
+            "While the rotary axes turn, the tip leaves the straight way over the part; or the part is over "
+            "the tool.",
         ),
         translate(
             "FiveAxis",
-            "In the tool path's panel a larger clearance; under the part let the tool be lifted, or leave such places out.",
+            "In the tool path's panel a larger clearance; under the part let the tool be lifted, or leave "
+            "such places out.",
         ),
     )
 
 
 def _independent(depth: float) -> tuple[str, str, str]:
     return (
-        translate("FiveAxis", "In a rapid the tool goes {depth} into the part if its axes run independently.").format(
-            depth=length_text(depth)
-        ),
-        translate("FiveAxis", "Many controls drive each axis of G0 at a rate of its own; the way is then no straight line."),
+        translate(
+            "FiveAxis", "In a rapid the tool goes {depth} into the part if its axes run independently."
+        ).format(depth=length_text(depth)),
         translate(
             "FiveAxis",
-            "Drive one group of axes after the other. Where the control interpolates rapids, set Rapids to interpolated, or say "
+            "Many controls drive each axis of G0 at a rate of its own; the way is then no straight line.",
+        ),
+        translate(
+            "FiveAxis",
+            "Drive one group of axes after the other. Where the control interpolates rapids, set Rapids to "
+            "interpolated, or say "
             "so in the machine file.",
         ),
     )
@@ -136,12 +164,16 @@ def _independent(depth: float) -> tuple[str, str, str]:
 
 def _uncut(area: float) -> tuple[str, str, str]:
     return (
-        translate("FiveAxis", "On {area} of the machined surface more is left than the passes are meant to leave.").format(
-            area=area_text(area)
-        ),
-        translate("FiveAxis", "The cutter does not fit there, or it was lifted or kept away so that nothing enters the part."),
+        translate(
+            "FiveAxis", "On {area} of the machined surface more is left than the passes are meant to leave."
+        ).format(area=area_text(area)),
         translate(
             "FiveAxis",
-            "The command What is left shows where. Cut these places with a smaller cutter, or with another tool axis.",
+            "The cutter does not fit there, or it was lifted or kept away so that nothing enters the part.",
+        ),
+        translate(
+            "FiveAxis",
+            "The command What is left shows where. Cut these places with a smaller cutter, or with another "
+            "tool axis.",
         ),
     )

@@ -34,19 +34,26 @@ def overlap(box: np.ndarray, others: np.ndarray, apart: float = 0.0) -> np.ndarr
 
 
 def legend_place(size: tuple[int, int], view: tuple[int, int]) -> tuple[float, float]:
-    """The lower left corner of a legend of ``size`` in a ``view`` (width and height): in the upper left corner of that."""
+    """The lower left corner of a legend of ``size`` in a ``view`` (width and height): in the upper left
+    corner of that."""
     return EDGE, float(view[1] - EDGE - size[1])
 
 
 def label_places(
-    anchor: np.ndarray, size: np.ndarray, view: tuple[int, int], taken: np.ndarray, before: np.ndarray, middle: np.ndarray = NONE
+    anchor: np.ndarray,
+    size: np.ndarray,
+    view: tuple[int, int],
+    taken: np.ndarray,
+    before: np.ndarray,
+    middle: np.ndarray = NONE,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Boxes (n, 4) of labels of ``size`` (n, 2) that speak of ``anchor`` (n, 2), the most important first, and their slots (n,);
-    -1 and NaN where a label has no room, or its anchor is out of the ``view``.
+    """Boxes (n, 4) of labels of ``size`` (n, 2) that speak of ``anchor`` (n, 2), the most important first,
+    and their slots (n,); -1 and NaN where a label has no room, or its anchor is out of the ``view``.
 
-    No box covers another, nor one of those ``taken`` (k, 4), nor another label's marker. ``before`` (n,): the slots of the last
-    picture, which are kept where they still have room, so that labels do not jump while the view is turned. ``middle`` (m, 4):
-    the middles of parts, over which a label lies only where there is no other room.
+    No box covers another, nor one of those ``taken`` (k, 4), nor another label's marker. ``before`` (n,): the
+    slots of the last picture, which are kept where they still have room, so that labels do not jump while the
+    view is turned. ``middle`` (m, 4): the middles of parts, over which a label lies only where there is no
+    other room.
     """
     box, slot = np.full((len(anchor), 4), np.nan), np.full(len(anchor), -1)
     inside = ((anchor >= 0.0) & (anchor <= view)).all(axis=1)
@@ -71,8 +78,8 @@ def label_places(
 
 
 def _slot(free: np.ndarray, beside: np.ndarray, last: int) -> int:
-    """The slot of a label, of those that are ``free`` one ``beside`` the parts where there is one; the ``last`` (-1: it has no
-    room any more) where that is no worse; -1: none."""
+    """The slot of a label, of those that are ``free`` one ``beside`` the parts where there is one; the
+    ``last`` (-1: it has no room any more) where that is no worse; -1: none."""
     some = bool((free & beside).any())
     if last >= 0 and (beside[last] or not some):
         return last
@@ -81,7 +88,8 @@ def _slot(free: np.ndarray, beside: np.ndarray, last: int) -> int:
 
 
 def middle_of(pixels: np.ndarray) -> np.ndarray:
-    """The middle (1, 4) of what is drawn between the corners ``pixels`` (n, 2) of a box; none where one is behind the eye."""
+    """The middle (1, 4) of what is drawn between the corners ``pixels`` (n, 2) of a box; none where one is
+    behind the eye."""
     if not len(pixels) or not np.isfinite(pixels).all():
         return NONE
     low, high = pixels.min(axis=0), pixels.max(axis=0)
@@ -95,13 +103,15 @@ def leader_ends(anchor: np.ndarray, box: np.ndarray) -> np.ndarray:
 
 
 def projected(places: np.ndarray, clip_from_place: np.ndarray, view: tuple[int, int]) -> np.ndarray:
-    """The pixels (n, 2) of places (n, 3); NaN behind the eye. Rows are multiplied by ``clip_from_place`` (4, 4), as Coin does."""
+    """The pixels (n, 2) of places (n, 3); NaN behind the eye. Rows are multiplied by ``clip_from_place`` (4,
+    4), as Coin does."""
     clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place
     depth = np.where(clip[:, 3] > 1e-9, clip[:, 3], np.nan)[:, None]
     return np.asarray((0.5 + 0.5 * clip[:, :2] / depth) * view)
 
 
 def depths(places: np.ndarray, clip_from_place: np.ndarray) -> np.ndarray:
-    """How far away places (n, 3) are drawn: 0 at the view's near end, 1 at its far one; NaN behind the eye."""
+    """How far away places (n, 3) are drawn: 0 at the view's near end, 1 at its far one; NaN behind the
+    eye."""
     clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place
     return np.asarray(0.5 + 0.5 * clip[:, 2] / np.where(clip[:, 3] > 1e-9, clip[:, 3], np.nan))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Markers as points that can be picked: one set of points for each kind.
 
-Each point has a rim in the opposite lightness, so that it shows on any ground. Kinds differ in size as well as in colour: where
-a block is over the tolerance and near the pole, one stands within the other. Where the tool enters the part stands a target: a
-point with a spot of another colour in its middle.
+Each point has a rim in the opposite lightness, so that it shows on any ground. Kinds differ in size as well
+as in colour: where a block is over the tolerance and near the pole, one stands within the other. Where the
+tool enters the part stands a target: a point with a spot of another colour in its middle.
 
-Where the part is small on the screen its markers are smaller, but never too small to be seen, and of those near the pole, which
-may be thousands, only so many are drawn that they leave the part to be seen.
+Where the part is small on the screen its markers are smaller, but never too small to be seen, and of those
+near the pole, which may be thousands, only so many are drawn that they leave the part to be seen.
 """
 
 from __future__ import annotations
@@ -41,14 +41,17 @@ WHOLE = 400.0
 LEAST, LEAST_SHARE = 4.0, 0.4
 """No marker is smaller than so many pixels, nor than this share of its whole size."""
 COVERED, FEW = 0.1, 25
-"""The share of the part's box on the screen that markers near the pole may cover; and so many are always drawn."""
+"""The share of the part's box on the screen that markers near the pole may cover; and so many are always
+drawn."""
 _NAME = re.compile(r"FiveAxisMarks_(\d+)_(\d+)")
 _serial = itertools.count()
 
 
-def largest_colour(deviation: float, tolerance: float, good: nodes.Colour, bad: nodes.Colour) -> nodes.Colour | None:
-    """The colour of the marker and the label at the largest deviation (mm): calm within the tolerance, loud over it or where the
-    deviation is not known; None where there is nothing to show."""
+def largest_colour(
+    deviation: float, tolerance: float, good: nodes.Colour, bad: nodes.Colour
+) -> nodes.Colour | None:
+    """The colour of the marker and the label at the largest deviation (mm): calm within the tolerance, loud
+    over it or where the deviation is not known; None where there is nothing to show."""
     if deviation < NOTHING:
         return None
     return good if deviation <= tolerance else bad
@@ -60,19 +63,22 @@ def least_size(whole: float) -> float:
 
 
 def suited_size(part: float, least: float, whole: float) -> float:
-    """The pixels of a marker of a part that is ``part`` pixels from corner to corner: from ``least`` to ``whole``."""
+    """The pixels of a marker of a part that is ``part`` pixels from corner to corner: from ``least`` to
+    ``whole``."""
     return least + (whole - least) * min(max(part / WHOLE, 0.0), 1.0)
 
 
 def suited_count(part: float, count: int, size: float) -> int:
-    """How many of ``count`` markers of ``size`` pixels are drawn on a part that is ``part`` pixels from corner to corner."""
+    """How many of ``count`` markers of ``size`` pixels are drawn on a part that is ``part`` pixels from
+    corner to corner."""
     return int(min(count, max(FEW, COVERED * 0.5 * (part / size) ** 2)))
 
 
 @dataclass(frozen=True)
 class _Look:
-    """Colours of a point and its rim, size in pixels; ``depth``: how much nearer it is drawn (``nodes.nearer``); ``spot``: the
-    colour of its middle, where that has another; ``many``: there may be so many that only some are drawn."""
+    """Colours of a point and its rim, size in pixels; ``depth``: how much nearer it is drawn
+    (``nodes.nearer``); ``spot``: the colour of its middle, where that has another; ``many``: there may be so
+    many that only some are drawn."""
 
     fill: nodes.Colour
     rim: nodes.Colour
@@ -105,8 +111,8 @@ class Marks:
         singular: nodes.Colour,
         size: float,
     ) -> None:
-        """Draw markers at ``places`` (k, 3) mm; ``largest``: the colour of the largest deviation, None: it is not drawn; ``size``
-        pixels."""
+        """Draw markers at ``places`` (k, 3) mm; ``largest``: the colour of the largest deviation, None: it is
+        not drawn; ``size`` pixels."""
         self.drawn.removeAllChildren()
         self.rows, self.sizes, self.many = [], [], []
         if not len(places):
@@ -115,11 +121,15 @@ class Marks:
         self.drawn.addChild(nodes.flat())
         kind = np.asarray(kinds)
         known = np.isin(kind, (OVER, SINGULAR, LARGEST, *GOUGE_COLOURS))
-        looks = (  # the mouse takes the first where several stand at one place, and that one is drawn over the others
+        # the mouse takes the first where several stand at one place, and that one is drawn over the others
+        looks = (
             *([] if largest is None else [(kind == LARGEST, _Look(largest, DARK, size + 5.0, 1.0))]),
             (kind == OVERCUT, _Look(YELLOW, DARK, size + 4.0, 0.035, DARK)),
             (kind == HOLDER_COLLISION, _Look(BLUE, WHITE, size + 4.0, 0.034, WHITE)),
-            (np.isin(kind, (RAPID_COLLISION, INDEPENDENT_RAPID)), _Look(DARK, WHITE, size + 4.0, 0.033, YELLOW)),
+            (
+                np.isin(kind, (RAPID_COLLISION, INDEPENDENT_RAPID)),
+                _Look(DARK, WHITE, size + 4.0, 0.033, YELLOW),
+            ),
             (kind == OVER, _Look(bad, WHITE, size, 0.032)),
             (kind == SINGULAR, _Look(singular, DARK, size + 7.0, 0.031, many=True)),
             (~known, _Look(OTHER_COLOUR, DARK, size, 0.03)),
@@ -128,11 +138,13 @@ class Marks:
             self._add(places, np.flatnonzero(chosen), look)
 
     def stand_on(self, low: np.ndarray, high: np.ndarray) -> None:
-        """The markers are those of a part between two corners (3,) mm: they are as large as suits that on the screen."""
+        """The markers are those of a part between two corners (3,) mm: they are as large as suits that on the
+        screen."""
         self.part = float(np.linalg.norm(high - low))
 
     def zoom_to(self, pixels_per_mm: float) -> None:
-        """Have the markers as large, and as many, as suits the part's size on the screen; called within a frame."""
+        """Have the markers as large, and as many, as suits the part's size on the screen; called within a
+        frame."""
         pixels = self.part * pixels_per_mm
         if np.isnan(pixels):  # a part of no size behind the eye
             return
@@ -150,13 +162,20 @@ class Marks:
         inner.setName(f"FiveAxisMarks_{self.serial}_{len(self.rows)}")
         self.rows.append(rows)
         least = least_size(look.size)
-        rim = (nodes.unpickable(), nodes.colour(look.rim), self._sized(least + 0.5 * RIM, look.size + RIM), outer)
+        rim = (
+            nodes.unpickable(),
+            nodes.colour(look.rim),
+            self._sized(least + 0.5 * RIM, look.size + RIM),
+            outer,
+        )
         fill = (nodes.on_top_for_picking(), nodes.colour(look.fill), self._sized(least, look.size), inner)
         self._draw(nodes.nearer(look.depth, covers=False), *rim)
         self._draw(nodes.nearer(look.depth), *fill)
         if look.spot is not None:
             spot, middle = self._sized(SPOT * least, SPOT * look.size), nodes.points(places[rows])
-            self._draw(nodes.nearer(look.depth + 0.0005), nodes.unpickable(), nodes.colour(look.spot), spot, middle)
+            self._draw(
+                nodes.nearer(look.depth + 0.0005), nodes.unpickable(), nodes.colour(look.spot), spot, middle
+            )
         for shape in (inner, outer) if look.many else ():
             shape.enableNotify(False)
             self.many.append((shape, len(rows), look.size))

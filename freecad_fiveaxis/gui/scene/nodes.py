@@ -112,8 +112,8 @@ def without_box(child: Any) -> Any:
 def nearer(depth: float, covers: bool = True) -> Any:
     """What follows is drawn as if it lay nearer by this share of the scene's depth; 1: before everything.
 
-    A path lies in the part's surface, and the picture of that surface is coarser than the path; a tip that leaves its line may
-    lie below the surface. ``covers``: whether it hides what is drawn later.
+    A path lies in the part's surface, and the picture of that surface is coarser than the path; a tip that
+    leaves its line may lie below the surface. ``covers``: whether it hides what is drawn later.
     """
     depth_buffer = coin.SoDepthBuffer()
     depth_buffer.write = covers

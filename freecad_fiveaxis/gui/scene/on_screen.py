@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Legends and labels as nodes: they find their places anew in every frame, from what else is drawn in the same view.
+"""Legends and labels as nodes: they find their places anew in every frame, from what else is drawn in the
+same view.
 
-A view has one legend, that of the foremost of the objects which are drawn in it; the others' would bury the part. Whatever is
-hidden, deleted or in another document is not drawn, so it asks for nothing: the next one's legend comes by itself. It stands at
-the left, where no panel of FreeCAD 1.1 lies over the view, and labels go out of its way, and of such panels'. A label stands
-beside its place with a line to it, which is solid where the place is seen, and dashed where the part lies before it, as a hidden
-edge in a drawing; where there is no room, the less important labels are left out.
+A view has one legend, that of the foremost of the objects which are drawn in it; the others' would bury the
+part. Whatever is hidden, deleted or in another document is not drawn, so it asks for nothing: the next one's
+legend comes by itself. It stands at the left, where no panel of FreeCAD 1.1 lies over the view, and labels go
+out of its way, and of such panels'. A label stands beside its place with a line to it, which is solid where
+the place is seen, and dashed where the part lies before it, as a hidden edge in a drawing; where there is no
+room, the less important labels are left out.
 
 All of it is drawn over everything else, cannot be picked, and is not part of the scene's box.
 """
@@ -34,11 +36,13 @@ BRIGHT = (INK[0] / 255.0, INK[1] / 255.0, INK[2] / 255.0)
 HIDDEN = 0x0F0F
 """Dashes of a line to a place behind the part."""
 BURIED = 0.03
-"""A place this share of the scene's depth below what is seen is seen as well: so far markers come through a surface."""
+"""A place this share of the scene's depth below what is seen is seen as well: so far markers come through a
+surface."""
 
 
 class Label(NamedTuple):
-    """A text at a ``place`` (3,) mm of the scene; ``colour`` of the bar at its side, that of its marker; None for none."""
+    """A text at a ``place`` (3,) mm of the scene; ``colour`` of the bar at its side, that of its marker; None
+    for none."""
 
     place: Sequence[float]
     text: str
@@ -46,14 +50,15 @@ class Label(NamedTuple):
 
 
 Rank = tuple[bool, int]
-"""Of a legend: whether its object is selected, and a number that is the higher the later it was shown or selected."""
+"""Of a legend: whether its object is selected, and a number that is the higher the later it was shown or
+selected."""
 _numbers = itertools.count()
 
 
 class _View:
-    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before. ``legends``: the
-    ranks of the legends that are drawn in it, of which the highest leads; ``leader``: which one led in the frame before.
-    ``middles``: of the parts, by who knows of them.
+    """The boxes (n, 4) pixels that stand in a view, by who drew them: in this frame, and in the one before.
+    ``legends``: the ranks of the legends that are drawn in it, of which the highest leads; ``leader``: which
+    one led in the frame before. ``middles``: of the parts, by who knows of them.
     ``ended``: what is drawn over everything else is being drawn, so all have their places."""
 
     def __init__(self) -> None:
@@ -104,7 +109,14 @@ class _Overlay:
         self.camera.nearDistance, self.camera.farDistance = 0.0, 2.0
         over, placing, aiming = coin.SoAnnotation(), coin.SoCallback(), coin.SoCallback()
         over.renderCaching = coin.SoSeparator.OFF
-        for child in (nodes.unpickable(), coin.SoResetTransform(), nodes.flat(), _depth(tested=False), self.camera, self.shown):
+        for child in (
+            nodes.unpickable(),
+            coin.SoResetTransform(),
+            nodes.flat(),
+            _depth(tested=False),
+            self.camera,
+            self.shown,
+        ):
             over.addChild(child)
         placing.setCallback(_place, weakref.ref(self))
         aiming.setCallback(_aim)
@@ -139,7 +151,8 @@ def _moved(*children: Any) -> Any:
 
 
 def _place(overlay: Any, action: Any) -> None:
-    """Coin comes here twice a frame: when it goes through the scene, and before it draws what lies over everything else."""
+    """Coin comes here twice a frame: when it goes through the scene, and before it draws what lies over
+    everything else."""
     found = overlay()
     if found is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
         return
@@ -153,15 +166,17 @@ def _place(overlay: Any, action: Any) -> None:
 
 
 def _aim(_data: Any, action: Any) -> None:
-    """An overlay has a camera of its own, and Coin aims the mouse's ray anew at every camera it meets. Aimed with that one, it
-    would miss all that comes later in the scene: here it is aimed once more, with the view's camera."""
+    """An overlay has a camera of its own, and Coin aims the mouse's ray anew at every camera it meets. Aimed
+    with that one, it would miss all that comes later in the scene: here it is aimed once more, with the
+    view's camera."""
     if action.isOfType(coin.SoRayPickAction.getClassTypeId()):
         picking = action if hasattr(action, "computeWorldSpaceRay") else coin.cast(action, "SoRayPickAction")
         picking.computeWorldSpaceRay()
 
 
 class LegendBox(_Overlay):
-    """A legend, or none; seen where it leads in its view. ``chosen``: its object is selected. ``box``: where it was seen last."""
+    """A legend, or none; seen where it leads in its view. ``chosen``: its object is selected. ``box``: where
+    it was seen last."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -182,7 +197,8 @@ class LegendBox(_Overlay):
             self.shown.addChild(self.switch)
 
     def come_forward(self, chosen: bool | None = None) -> None:
-        """The object was shown, or selected (``chosen``): of those in its view, its legend is seen from now on."""
+        """The object was shown, or selected (``chosen``): of those in its view, its legend is seen from now
+        on."""
         self.chosen, self.number = self.chosen if chosen is None else chosen, next(_numbers)
         self.root.touch()
 
@@ -192,7 +208,8 @@ class LegendBox(_Overlay):
         self.root.touch()
 
     def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
-        """The legend's box, where it led in the frame before: only when all have asked it is known which one leads in this."""
+        """The legend's box, where it led in the frame before: only when all have asked it is known which one
+        leads in this."""
         self.claimed = layout.NONE
         if self.size[0]:
             view.legends[id(self)] = self.chosen, self.number
@@ -211,7 +228,8 @@ class LegendBox(_Overlay):
 
 
 class Labels(_Overlay):
-    """Texts at places of the scene, the most important first. ``boxes`` (n, 4) pixels: where they stood last; NaN: not shown."""
+    """Texts at places of the scene, the most important first. ``boxes`` (n, 4) pixels: where they stood last;
+    NaN: not shown."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -233,11 +251,14 @@ class Labels(_Overlay):
     def show(self, labels: Sequence[Label]) -> None:
         """Show these labels."""
         pictures = [label_picture(label.text, label.colour) for label in labels]
-        self.sizes = np.array([(picture.width(), picture.height()) for picture in pictures], float).reshape(-1, 2)
+        self.sizes = np.array([(picture.width(), picture.height()) for picture in pictures], float).reshape(
+            -1, 2
+        )
         self.slots, self.boxes = np.full(len(labels), -1), np.full((len(labels), 4), np.nan)
         self.corners = [coin.SoTranslation() for _ in labels]
         self.switches = [
-            nodes.switch(_moved(corner, image(picture))) for corner, picture in zip(self.corners, pictures, strict=True)
+            nodes.switch(_moved(corner, image(picture)))
+            for corner, picture in zip(self.corners, pictures, strict=True)
         ]
         self.shown.removeAllChildren()
         if labels:
@@ -249,7 +270,8 @@ class Labels(_Overlay):
         self.move([label.place for label in labels])
 
     def stand_beside(self, low: Any, high: Any) -> None:
-        """No label of the view is to lie over the middle of the part between two corners (3,) mm, as long as there is room."""
+        """No label of the view is to lie over the middle of the part between two corners (3,) mm, as long as
+        there is room."""
         ends = np.stack([np.asarray(low, float), np.asarray(high, float)])
         self.part = ends[_CORNERS, [0, 1, 2]]
 
@@ -268,7 +290,9 @@ class Labels(_Overlay):
         middle = np.concatenate([layout.NONE, *view.middles.values()])
         self.boxes, self.slots = layout.label_places(anchor, self.sizes, size, taken, self.slots, middle)
         seen = self.slots >= 0
-        for switch, corner, box, on in zip(self.switches, self.corners, self.boxes.tolist(), seen.tolist(), strict=True):
+        for switch, corner, box, on in zip(
+            self.switches, self.corners, self.boxes.tolist(), seen.tolist(), strict=True
+        ):
             nodes.turn(switch, on)
             if on:
                 corner.translation.setValue(box[0], box[1], 0.0)
@@ -295,6 +319,7 @@ def _depth(tested: bool) -> Any:
 
 
 def clip_from_place(state: Any) -> np.ndarray:
-    """From places of the scene, as they stand where the traversal is, to the view's cube (4, 4); Coin multiplies rows."""
+    """From places of the scene, as they stand where the traversal is, to the view's cube (4, 4); Coin
+    multiplies rows."""
     model = np.array(coin.SoModelMatrixElement.get(state).getValue())
     return np.asarray(model @ np.array(coin.SoViewVolumeElement.get(state).getMatrix().getValue()))

@@ -30,10 +30,10 @@ STRIPE = 5
 
 @dataclass(frozen=True)
 class Legend:
-    """What the legend says. ``marks``: level (0 to 1) and text of the scale's marks; ``keys``: colour and text of the kinds of
-    markers; ``halves``: texts of the calm and the loud half, the second empty where there is none; ``notes``: lines below;
-    ``warning``: lines on top in a warning colour, empty for none; ``gist``: what the title says besides when it stands alone;
-    ``ink``: of the title."""
+    """What the legend says. ``marks``: level (0 to 1) and text of the scale's marks; ``keys``: colour and
+    text of the kinds of markers; ``halves``: texts of the calm and the loud half, the second empty where
+    there is none; ``notes``: lines below; ``warning``: lines on top in a warning colour, empty for none;
+    ``gist``: what the title says besides when it stands alone; ``ink``: of the title."""
 
     title: str
     ramp: np.ndarray
@@ -110,7 +110,9 @@ def legend_picture(legend: Legend) -> QtGui.QImage:
     """From the top: warning, title, bar with marks, keys, notes."""
     line = FONT + 6
     bold, plain = _font(FONT, bold=True), _font(SMALL)
-    head = [(text, WARN) for text in textwrap.wrap(legend.warning, WARNING_WIDTH)] + [(legend.title, legend.ink)]
+    head = [(text, WARN) for text in textwrap.wrap(legend.warning, WARNING_WIDTH)] + [
+        (legend.title, legend.ink)
+    ]
     words = [_width(text, bold) for text, _ in head] + [_width(text, plain) for text in legend.notes]
     words += [BAR + 12 + _width(text, plain) for _, text in (*legend.marks, *legend.keys)]
     marks = max((_width(text, plain) for _, text in legend.marks), default=0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The nodes of a drawn path: cuts coloured by deviation, links, rapids, tool axes, the worst blocks' curves, label, legend."""
+"""The nodes of a drawn path: cuts coloured by deviation, links, rapids, tool axes, the worst blocks' curves,
+label, legend."""
 
 from __future__ import annotations
 
@@ -26,7 +27,8 @@ FAINT = 0.5
 CHORD_COLOUR, FOOT_SHADE = (1.0, 1.0, 1.0), 0.2
 DASHES = 0x0F0F
 SHORTEST = 16.0
-"""Pixels: tool axes that stand nearer together than two thirds of this are a fur over the part, and are left out."""
+"""Pixels: tool axes that stand nearer together than two thirds of this are a fur over the part, and are left
+out."""
 BEFORE_ALL = 0.999
 """The worst blocks' curves are seen through the part: where they lie below its surface they matter most."""
 
@@ -55,7 +57,12 @@ class PathNodes:
         self.switches = {name: nodes.switch(group) for name, group in self.groups.items()}
         self.zoom, self.sticks, self.stick = Zoom(self), nodes.switch(coin.SoSeparator()), 0.0
         self.sticks.enableNotify(False)  # it is turned within a frame, and must not ask for the next one
-        for name, own in (("cuts", self.cuts), ("marks", self.marks), ("label", self.labels), ("legend", self.legend)):
+        for name, own in (
+            ("cuts", self.cuts),
+            ("marks", self.marks),
+            ("label", self.labels),
+            ("legend", self.legend),
+        ):
             self.groups[name].addChild(own.root)
         for node in (self.origin, nodes.flat(), self.zoom.root, self.ground.root, *self.switches.values()):
             self.root.addChild(node)
@@ -86,7 +93,14 @@ class PathNodes:
         """Draw all but the label and the legend, which carry words."""
         self.cuts.show(drawing, look.good, look.bad, look.line_width)
         links = nodes.lines(drawing.stroke[np.repeat(~drawing.cut, 2)])
-        self._fill("links", nodes.unpickable(), nodes.nearer(0.0005), nodes.colour(LINK_COLOUR), nodes.style(1.0), links)
+        self._fill(
+            "links",
+            nodes.unpickable(),
+            nodes.nearer(0.0005),
+            nodes.colour(LINK_COLOUR),
+            nodes.style(1.0),
+            links,
+        )
         faint, dashed = nodes.colour(RAPID_COLOUR, FAINT), nodes.style(1.0, pattern=DASHES)
         self._fill("rapids", nodes.unpickable(), faint, dashed, nodes.lines(drawing.rapid))
         self.ground.stand_beside(drawing.low, drawing.high)
@@ -101,8 +115,12 @@ class PathNodes:
         """Draw the markers."""
         places = np.array([one.place for one in drawing.markers], float).reshape(-1, 3)
         self.marks.stand_on(drawing.low, drawing.high)
-        largest = largest_colour(float(drawing.deviation.max(initial=0.0)), drawing.tolerance, look.good, look.bad)
-        self.marks.show(places, [one.kind for one in drawing.markers], largest, look.bad, look.singular, look.mark_size)
+        largest = largest_colour(
+            float(drawing.deviation.max(initial=0.0)), drawing.tolerance, look.good, look.bad
+        )
+        self.marks.show(
+            places, [one.kind for one in drawing.markers], largest, look.bad, look.singular, look.mark_size
+        )
 
     def _fill(self, name: str, *children: Any) -> None:
         self.groups[name].removeAllChildren()
@@ -120,18 +138,24 @@ def _sticks(drawing: Drawing, look: Look) -> Any:
 
 
 def _curves(drawing: Drawing, look: Look) -> list[Any]:
-    """The commanded chord in white with thick ends, the real curve, and where they are farthest apart: in the good colour within
-    the tolerance, in the bad one over it."""
+    """The commanded chord in white with thick ends, the real curve, and where they are farthest apart: in the
+    good colour within the tolerance, in the bad one over it."""
     off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
     rows, width = np.flatnonzero(off >= NOTHING), look.line_width
     if not len(rows):
         return []
-    rgba = np.where(off[rows] <= drawing.tolerance, colours.pack(look.good), colours.pack(look.bad)).astype(np.uint32)
-    chord, spoke = (points.reshape(-1, 2, 3)[rows].reshape(-1, 3) for points in (drawing.chord, drawing.spoke))
+    rgba = np.where(off[rows] <= drawing.tolerance, colours.pack(look.good), colours.pack(look.bad)).astype(
+        np.uint32
+    )
+    chord, spoke = (
+        points.reshape(-1, 2, 3)[rows].reshape(-1, 3) for points in (drawing.chord, drawing.spoke)
+    )
     curve = drawing.curve.reshape(-1, CURVE_POINTS, 3)[rows].reshape(-1, 3)
     return [
         nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(width + 1.0), nodes.lines(chord)),
         nodes.separate(nodes.colour(CHORD_COLOUR), nodes.style(point=width + 4.0), nodes.points(chord)),
-        nodes.separate(nodes.style(width + 1.0), nodes.lines(curve, CURVE_POINTS, np.repeat(rgba, CURVE_POINTS))),
+        nodes.separate(
+            nodes.style(width + 1.0), nodes.lines(curve, CURVE_POINTS, np.repeat(rgba, CURVE_POINTS))
+        ),
         nodes.separate(nodes.style(1.0, pattern=DASHES), nodes.lines(spoke, colours=np.repeat(rgba, 2))),
     ]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The surface of a reach map in the colours of its reasons, and the axes with which its places are reached."""
+"""The surface of a reach map in the colours of its reasons, and the axes with which its places are
+reached."""
 
 from __future__ import annotations
 
@@ -15,8 +16,10 @@ from . import nodes
 from .rest_nodes import NEARER, outside_only, shaded_faces
 
 COLOURS: dict[Obstacle, nodes.Colour] = {
-    Obstacle.NONE: (0.60, 0.82, 0.62), Obstacle.CUTTER: (0.95, 0.75, 0.10), Obstacle.SHANK: (0.25, 0.62, 0.90),
-    Obstacle.HOLDER: (0.83, 0.28, 0.10), Obstacle.MACHINE: (0.90, 0.45, 0.65), Obstacle.TABLE: (0.50, 0.38, 0.28),
+    Obstacle.NONE: (0.60, 0.82, 0.62), Obstacle.CUTTER: (0.95, 0.75, 0.10),
+    Obstacle.SHANK: (0.25, 0.62, 0.90),
+    Obstacle.HOLDER: (0.83, 0.28, 0.10), Obstacle.MACHINE: (0.90, 0.45, 0.65),
+    Obstacle.TABLE: (0.50, 0.38, 0.28),
     Obstacle.LIMITS: (0.58, 0.40, 0.74),
 }  # fmt: skip
 """One for each reason; those who see no red and green tell them apart by their brightness."""
@@ -29,11 +32,14 @@ SHARE = 0.03
 def reach_surface(corner: Floats, obstacle: Any) -> Any:
     """Triangles ``corner`` (k, 3, 3) mm, each in the colour of its ``obstacle`` (k,); work frame."""
     rgb = np.array([COLOURS[one] for one in sorted(COLOURS)])[obstacle]
-    return nodes.separate(nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER), shaded_faces(corner, rgb))
+    return nodes.separate(
+        nodes.unpickable(), nodes.flat(), outside_only(), nodes.nearer(NEARER), shaded_faces(corner, rgb)
+    )
 
 
 def reach_axes(point: Floats, axis: Floats, length: float, colour: nodes.Colour) -> Any:
-    """A stroke of ``length`` mm from some of the places ``point`` (k, 3) mm along their unit ``axis`` (k, 3)."""
+    """A stroke of ``length`` mm from some of the places ``point`` (k, 3) mm along their unit ``axis`` (k,
+    3)."""
     some = slice(None, None, -(-len(point) // STROKES) or 1)
     ends = np.stack([point[some], point[some] + length * axis[some]], axis=1).reshape(-1, 3)
     return nodes.separate(

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The surface of a map of rest material, and the scale beside it. The colours are the core's, so that reports show the same.
+"""The surface of a map of rest material, and the scale beside it. The colours are the core's, so that reports
+show the same.
 
-band    the middle of the legend's bar: as it should be. Above it the rest material, below it what is cut too deep.
+band    the middle of the legend's bar: as it should be. Above it the rest material, below it what is cut too
+        deep.
 """
 
 from __future__ import annotations
@@ -26,9 +28,11 @@ from freecad_fiveaxis.core.report.rest_material_map import (
 from . import colours, nodes
 
 MOST_PATCHES = 400_000
-"""Parts of facets that are drawn each in its own colour; where there are more, each facet has one: that of its worst part."""
+"""Parts of facets that are drawn each in its own colour; where there are more, each facet has one: that of
+its worst part."""
 NEARER = 0.0005
-"""The map lies in the part's own surface: it is drawn before that and behind the path, by this share of the scene's depth."""
+"""The map lies in the part's own surface: it is drawn before that and behind the path, by this share of the
+scene's depth."""
 LIGHT, SHADE = np.array([-0.36, -0.48, 0.80]), 0.78
 """Where the light comes from, and how bright it is beside it."""
 BAND = 0.12
@@ -50,13 +54,16 @@ def rest_surface(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> Any:
 
 
 def shaded_faces(corner: Floats, rgb: Floats) -> Any:
-    """Triangles ``corner`` (k, 3, 3), each in one colour ``rgb`` (k, 3), somewhat darker where it looks away from the light.
+    """Triangles ``corner`` (k, 3, 3), each in one colour ``rgb`` (k, 3), somewhat darker where it looks away
+    from the light.
 
     The view's own light would shade the colours until nobody finds them in the legend.
     """
     across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     facing = np.abs(across @ LIGHT) / np.maximum(np.linalg.norm(across, axis=1), 1e-30)
-    properties = nodes.vertices(corner.reshape(-1, 3), colours.packed_rows(rgb * (SHADE + (1.0 - SHADE) * facing)[:, None]))
+    properties = nodes.vertices(
+        corner.reshape(-1, 3), colours.packed_rows(rgb * (SHADE + (1.0 - SHADE) * facing)[:, None])
+    )
     properties.materialBinding = coin.SoVertexProperty.PER_FACE
     faces = coin.SoFaceSet()
     faces.vertexProperty = properties
@@ -78,9 +85,12 @@ def scale_ramp() -> Floats:
 
 
 def bar_marks(scale: HeightScale) -> list[tuple[float, float]]:
-    """Where on the bar (0 to 1) the heights (mm) of its marks stand: both ends and both edges of the band, and between them
-    what has room."""
-    marks = [(0.5 + 0.5 * np.sign(height) * (BAND + (1.0 - BAND) * abs(level)), height) for level, height in scale_marks(scale)]
+    """Where on the bar (0 to 1) the heights (mm) of its marks stand: both ends and both edges of the band,
+    and between them what has room."""
+    marks = [
+        (0.5 + 0.5 * np.sign(height) * (BAND + (1.0 - BAND) * abs(level)), height)
+        for level, height in scale_marks(scale)
+    ]
     named = (-scale.deepest, -scale.tolerance, scale.allowed, scale.highest)
     chosen = [mark for mark in marks if mark[1] in named]
     for mark in marks:

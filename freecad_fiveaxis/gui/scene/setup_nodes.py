@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The points of a map of setups. Each has a rim, so that it shows on any ground; all are seen through the part."""
+"""The points of a map of setups. Each has a rim, so that it shows on any ground; all are seen through the
+part."""
 
 from __future__ import annotations
 
@@ -23,8 +24,9 @@ FEW, SAME_HEIGHT = 30, 1e-3
 
 
 def layer_rows(places: Floats, kinds: Sequence[str]) -> Ints:
-    """The rows of the places (k, 3) that are shown: all where they are few, else the recommended one, the present one, and of the
-    grid the layer that is nearest to the recommended one in height: of a block of points no depth can be read."""
+    """The rows of the places (k, 3) that are shown: all where they are few, else the recommended one, the
+    present one, and of the grid the layer that is nearest to the recommended one in height: of a block of
+    points no depth can be read."""
     kind = np.asarray(kinds)
     named = (kind == BEST) | (kind == PRESENT)
     if len(kind) <= FEW or not named.any():
@@ -34,10 +36,16 @@ def layer_rows(places: Floats, kinds: Sequence[str]) -> Ints:
 
 
 def setup_points(
-    places: Floats, kinds: Sequence[str], levels: Floats, within: Bools, good: nodes.Colour, bad: nodes.Colour, size: float
+    places: Floats,
+    kinds: Sequence[str],
+    levels: Floats,
+    within: Bools,
+    good: nodes.Colour,
+    bad: nodes.Colour,
+    size: float,
 ) -> Any:
-    """Points at ``places`` (k, 3) mm, coloured by ``levels`` (k,), those ``within`` the tolerance in the ``good`` colour;
-    ``size`` in pixels. The recommended place has a white ring about its colour."""
+    """Points at ``places`` (k, 3) mm, coloured by ``levels`` (k,), those ``within`` the tolerance in the
+    ``good`` colour; ``size`` in pixels. The recommended place has a white ring about its colour."""
     kind = np.asarray(kinds)
     rgba = colours.heated(levels, bad)
     rgba[within] = colours.pack(good)
@@ -46,9 +54,14 @@ def setup_points(
     root = nodes.separate(nodes.unpickable(), nodes.flat())
     rows = np.flatnonzero((kind != BEST) & (kind != PRESENT))
     looks: list[Any] = [(rows, ((DARK, size + RIM),), size, 0.9)]
-    for name, rims in ((PRESENT, ((DARK, RIM),)), (BEST, ((DARK, LARGER + RIM), (nodes.WHITE, LARGER)))):  # before all
+    for name, rims in (
+        (PRESENT, ((DARK, RIM),)),
+        (BEST, ((DARK, LARGER + RIM), (nodes.WHITE, LARGER))),
+    ):  # before all
         own = size + LARGER
-        looks.append((np.flatnonzero(kind == name), tuple((rim, own + width) for rim, width in rims), own, 1.0))
+        looks.append(
+            (np.flatnonzero(kind == name), tuple((rim, own + width) for rim, width in rims), own, 1.0)
+        )
     for chosen, rims, inner, depth in looks:
         if not len(chosen):
             continue
@@ -61,7 +74,8 @@ def setup_points(
 
 
 def _depth(depth: float, covers: bool = True) -> Any:
-    """As ``nodes.nearer``; at 1 drawn over what stands at the view's near end as well, as the foremost corner of a map does."""
+    """As ``nodes.nearer``; at 1 drawn over what stands at the view's near end as well, as the foremost corner
+    of a map does."""
     depth_buffer = nodes.nearer(depth, covers)
     if depth == 1.0:
         depth_buffer.function = coin.SoDepthBuffer.ALWAYS

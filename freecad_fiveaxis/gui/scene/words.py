@@ -18,7 +18,12 @@ if TYPE_CHECKING:
     from freecad_fiveaxis.core.base.findings import Finding
     from freecad_fiveaxis.core.report import Figures, Spot
 
-LARGEST, OVER, SINGULAR, UNPROVEN = "largest-deviation", "deviation-over-tolerance", "singular-block", "bound-over-tolerance"
+LARGEST, OVER, SINGULAR, UNPROVEN = (
+    "largest-deviation",
+    "deviation-over-tolerance",
+    "singular-block",
+    "bound-over-tolerance",
+)
 """The codes that have words of their own; of every other finding the core's own sentence is shown."""
 SIDE = "side-not-machined"
 """Each side has a marker and a label of its own."""
@@ -59,7 +64,9 @@ def short_names() -> dict[str, str]:
 
 def severity_name(severity: int) -> str:
     """Note, warning or error."""
-    return (translate("FiveAxis", "Note"), translate("FiveAxis", "Warning"), translate("FiveAxis", "Error"))[severity]
+    return (translate("FiveAxis", "Note"), translate("FiveAxis", "Warning"), translate("FiveAxis", "Error"))[
+        severity
+    ]
 
 
 def value_text(finding: Finding) -> str:
@@ -68,7 +75,11 @@ def value_text(finding: Finding) -> str:
         return ""
     if finding.unit in ("mm", "mm2"):
         return (length_text if finding.unit == "mm" else area_text)(finding.value)
-    return angle_text(finding.value) if finding.unit == "deg" else f"{finding.value:.5g} {finding.unit.replace('1', '')}".strip()
+    return (
+        angle_text(finding.value)
+        if finding.unit == "deg"
+        else f"{finding.value:.5g} {finding.unit.replace('1', '')}".strip()
+    )
 
 
 def explain(code: str, spot: Spot) -> Explanation | None:
@@ -88,7 +99,9 @@ def count_text(code: str, numbers: Mapping[str, Any]) -> str:
 
 
 def _deviates(spot: Spot) -> Explanation:
-    given = {"deviation": length_text(spot.deviation), "tolerance": length_text(spot.tolerance)} | _turning(spot)
+    given = {"deviation": length_text(spot.deviation), "tolerance": length_text(spot.tolerance)} | _turning(
+        spot
+    )
     what, why = _OFF()[spot.ball, spot.deviation > spot.tolerance], _CARRIED(spot.ball)
     texts = [why, *([_POLE()] if spot.singular else [])]
     helps = [_SPLIT(), *([_AWAY()] if spot.singular else []), _GUIDE()]
@@ -99,7 +112,8 @@ def _near_pole(spot: Spot) -> Explanation:
     given = _turning(spot)
     what = translate(
         "FiveAxis",
-        "{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be too slow for the "
+        "{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be "
+        "too slow for the "
         "programmed feed: then the tool dwells and may leave a mark.",
     )
     return what.format(**given), _POLE().format(**given), _AWAY()
@@ -107,15 +121,21 @@ def _near_pole(spot: Spot) -> Explanation:
 
 def _unproven(spot: Spot) -> Explanation:
     tip = translate(
-        "FiveAxis", "The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}."
+        "FiveAxis",
+        "The tip was seen to leave the line by {deviation}; proven is only that it is no more than {bound}.",
     )
     ball = translate(
-        "FiveAxis", "The ball's centre was seen to leave the line by {deviation}; proven is only that it is no more than {bound}."
+        "FiveAxis",
+        "The ball's centre was seen to leave the line by {deviation}; proven is only that it is no more than "
+        "{bound}.",
     )
     what = ball if spot.ball else tip
-    why = translate("FiveAxis", "The block is so near to the tolerance of {tolerance} that the proof does not reach.")
+    why = translate(
+        "FiveAxis", "The block is so near to the tolerance of {tolerance} that the proof does not reach."
+    )
     given = {
-        "deviation": length_text(spot.deviation, 7), "bound": length_text(spot.bound, 7), "tolerance": length_text(spot.tolerance)
+        "deviation": length_text(spot.deviation, 7), "bound": length_text(spot.bound, 7),
+        "tolerance": length_text(spot.tolerance)
     }  # fmt: skip
     return what.format(**given), why.format(**given), _SPLIT()
 
@@ -123,7 +143,8 @@ def _unproven(spot: Spot) -> Explanation:
 def _turning(spot: Spot) -> dict[str, str]:
     (first, first_turn), (second, second_turn) = spot.turns
     return {
-        "first": first, "first_turn": angle_text(first_turn), "second": second, "second_turn": angle_text(second_turn, 3),
+        "first": first, "first_turn": angle_text(first_turn), "second": second,
+        "second_turn": angle_text(second_turn, 3),
         "lean": angle_text(spot.lean, 3), "step": length_text(spot.step),
     }  # fmt: skip
 
@@ -135,13 +156,17 @@ def _OFF() -> dict[tuple[bool, bool], str]:
             "FiveAxis", "The tip leaves the commanded straight line by {deviation}; allowed are {tolerance}."
         ),
         (False, False): translate(
-            "FiveAxis", "The tip leaves the commanded straight line by {deviation}, within the {tolerance} allowed."
+            "FiveAxis",
+            "The tip leaves the commanded straight line by {deviation}, within the {tolerance} allowed.",
         ),
         (True, True): translate(
-            "FiveAxis", "The ball's centre leaves its commanded straight line by {deviation}; allowed are {tolerance}."
+            "FiveAxis",
+            "The ball's centre leaves its commanded straight line by {deviation}; allowed are {tolerance}.",
         ),
         (True, False): translate(
-            "FiveAxis", "The ball's centre leaves its commanded straight line by {deviation}, within the {tolerance} allowed."
+            "FiveAxis",
+            "The ball's centre leaves its commanded straight line by {deviation}, within the {tolerance} "
+            "allowed.",
         ),
     }
 
@@ -150,12 +175,14 @@ def _CARRIED(ball: bool) -> str:
     """Why a ball's centre, or the tip, leaves its line."""
     tip = translate(
         "FiveAxis",
-        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of "
+        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes "
+        "turn, even moves of "
         "the axes carry the tip along a curve beside the straight line.",
     )
     centre = translate(
         "FiveAxis",
-        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes turn, even moves of "
+        "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes "
+        "turn, even moves of "
         "the axes carry the ball's centre along a curve beside the straight line.",
     )
     return centre if ball else tip
@@ -164,7 +191,8 @@ def _CARRIED(ball: bool) -> str:
 def _POLE() -> str:
     return translate(
         "FiveAxis",
-        "The block lies near the pole: the tool stands almost along the {first} axis, and there {first} must turn far to lean "
+        "The block lies near the pole: the tool stands almost along the {first} axis, and there {first} must "
+        "turn far to lean "
         "the tool a little.",
     )
 
@@ -172,7 +200,8 @@ def _POLE() -> str:
 def _SPLIT() -> str:
     return translate(
         "FiveAxis",
-        "Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the group Safety of "
+        "Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the "
+        "group Safety of "
         "the tool path's panel, makes as many of them as are needed.",
     )
 
@@ -180,16 +209,19 @@ def _SPLIT() -> str:
 def _AWAY() -> str:
     return translate(
         "FiveAxis",
-        "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the part in "
+        "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the "
+        "part in "
         "another position.",
     )
 
 
 def _GUIDE() -> str:
-    return translate("FiveAxis", "A controller with tool tip control (RTCP) guides the tip along the line itself.")
+    return translate(
+        "FiveAxis", "A controller with tool tip control (RTCP) guides the tip along the line itself."
+    )
 
 
-# ---------------------------------------------------------------------------------------------------- the view
+# --------------------------------------------------------------------------------------------------- the view
 
 
 def label_text(deviation: float, line: int, tolerance: float) -> str:
@@ -202,10 +234,15 @@ def label_text(deviation: float, line: int, tolerance: float) -> str:
 
 
 def legend_of(
-    label: str, figures: Figures, look: Any, warning: str, kinds: Sequence[str] = (), shown: Sequence[str] = MOVES[:2]
+    label: str,
+    figures: Figures,
+    look: Any,
+    warning: str,
+    kinds: Sequence[str] = (),
+    shown: Sequence[str] = MOVES[:2],
 ) -> Any:
-    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers; which of MOVES are
-    ``shown``."""
+    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers;
+    which of MOVES are ``shown``."""
     from freecad_fiveaxis.core.report import judged_largest, summary
 
     from .overlay import Legend
@@ -215,8 +252,16 @@ def legend_of(
     centre_beside = translate("FiveAxis", "commanded and real way of the ball's centre")
     keys = [
         *_moves(look, shown),
-        (look.bad, translate("FiveAxis", "over the tolerance: {count} blocks").format(count=numbers["over_tolerance"])),
-        (look.singular, translate("FiveAxis", "near the pole: {count} blocks").format(count=numbers["singular_blocks"])),
+        (
+            look.bad,
+            translate("FiveAxis", "over the tolerance: {count} blocks").format(
+                count=numbers["over_tolerance"]
+            ),
+        ),
+        (
+            look.singular,
+            translate("FiveAxis", "near the pole: {count} blocks").format(count=numbers["singular_blocks"]),
+        ),
         ((1.0, 1.0, 1.0), beside if figures.surface is None else centre_beside),
         *gouge_words.legend_keys(kinds),
     ]
@@ -229,13 +274,16 @@ def legend_of(
     if figures.gouge is not None and not figures.gouge.findings:
         notes.append(translate("FiveAxis", "Nothing enters the part"))
     if numbers["guided_blocks"]:
-        notes.append(translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=numbers["guided_blocks"]))
+        notes.append(
+            translate("FiveAxis", "Tip guided (RTCP): {count} blocks,").format(count=numbers["guided_blocks"])
+        )
         notes.append(translate("FiveAxis", "not proven between their ends"))
     return Legend(label, *_scale(figures, look), keys, notes, warning, largest)
 
 
 def _scale(figures: Figures, look: Any) -> tuple[Any, list[tuple[float, str]], tuple[str, str]]:
-    """The ramp of a legend, its marks, and what its halves are called. A path within the tolerance has the calm half only."""
+    """The ramp of a legend, its marks, and what its halves are called. A path within the tolerance has the
+    calm half only."""
     from freecad_fiveaxis.core.report import scale_end, scale_marks
 
     from .colours import SHADES, ramp
@@ -243,7 +291,10 @@ def _scale(figures: Figures, look: Any) -> tuple[Any, list[tuple[float, str]], t
     end, colours = scale_end(figures), ramp(look.good, look.bad)
     marks = [(level, length_text(value)) for level, value in scale_marks(figures.tolerance, end)]
     least = marks[0][1]
-    marks[0] = (marks[0][0], least if least.startswith("<") else "≤ " + least)  # too small for the unit's digits: said already
+    marks[0] = (
+        marks[0][0],
+        least if least.startswith("<") else "≤ " + least,
+    )  # too small for the unit's digits: said already
     within = translate("FiveAxis", "within tolerance")
     if end <= figures.tolerance:
         return colours[: SHADES // 2], [(2.0 * level, text) for level, text in marks], (within, "")

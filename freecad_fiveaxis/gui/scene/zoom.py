@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How large the scene is seen: a node that tells it before each frame, so that less is drawn where there is no room."""
+"""How large the scene is seen: a node that tells it before each frame, so that less is drawn where there is
+no room."""
 
 from __future__ import annotations
 
@@ -16,9 +17,11 @@ _STEPS = np.concatenate([np.zeros((1, 3)), np.eye(3)])
 
 
 class Zoom:
-    """Calls ``watcher.zoom_to(pixels_per_mm)`` before each frame; ``root`` stands in the scene before what depends on it.
+    """Calls ``watcher.zoom_to(pixels_per_mm)`` before each frame; ``root`` stands in the scene before what
+    depends on it.
 
-    ``middle`` (3,) mm: where it is measured. What the watcher changes must not ask for the next frame (``enableNotify``).
+    ``middle`` (3,) mm: where it is measured. What the watcher changes must not ask for the next frame
+    (``enableNotify``).
     """
 
     def __init__(self, watcher: Any) -> None:
@@ -34,12 +37,14 @@ def _measure(zoom: Any, action: Any) -> None:
         return
     drawing = action if hasattr(action, "getViewportRegion") else coin.cast(action, "SoGLRenderAction")
     pixels = drawing.getViewportRegion().getViewportSizePixels()
-    spots = layout.projected(found.middle + _STEPS, clip_from_place(drawing.getState()), (int(pixels[0]), int(pixels[1])))
+    spots = layout.projected(
+        found.middle + _STEPS, clip_from_place(drawing.getState()), (int(pixels[0]), int(pixels[1]))
+    )
     watcher.zoom_to(largest_scale(spots))
 
 
 def largest_scale(spots: np.ndarray) -> float:
-    """Pixels for a millimetre across the view, from where a place and those 1 mm beside it along x, y and z are seen (4, 2);
-    infinite where that is behind the eye."""
+    """Pixels for a millimetre across the view, from where a place and those 1 mm beside it along x, y and z
+    are seen (4, 2); infinite where that is behind the eye."""
     steps = spots[1:] - spots[0]
     return float(np.linalg.norm(steps, 2)) if np.isfinite(steps).all() else np.inf

@@ -25,8 +25,8 @@ INSERTED = 2
 
 
 def proof_program(plan: Plan, dialect: Dialect) -> Program:
-    """The blocks, one for each pose of the plan: G94, no axis faster than the wished feed (mm/min and deg/min). ``line``: where
-    each stands in the text of :func:`proof_nc`."""
+    """The blocks, one for each pose of the plan: G94, no axis faster than the wished feed (mm/min and
+    deg/min). ``line``: where each stands in the text of :func:`proof_nc`."""
     poses = np.asarray(q_to_words(plan.poses))
     words = np.stack([rounded(poses[:, k], dialect.decimals(k)) for k in range(5)], axis=1)
     change = np.diff(words, axis=0, prepend=words[:1])
@@ -38,7 +38,16 @@ def proof_program(plan: Plan, dialect: Dialect) -> Program:
     before = np.repeat(waits, [len(stop.q) for stop in plan.stops])
     line = dialect.first_line + np.arange(count) + INSERTED * (before + 1)
     motion = np.full(count, Motion.CUT, np.int8)
-    return Program(plan.kinematics.letters, words, feed, np.zeros(count, bool), motion, 60.0 * minutes, np.full(count, -1), line)
+    return Program(
+        plan.kinematics.letters,
+        words,
+        feed,
+        np.zeros(count, bool),
+        motion,
+        60.0 * minutes,
+        np.full(count, -1),
+        line,
+    )
 
 
 def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOptions) -> bytes:

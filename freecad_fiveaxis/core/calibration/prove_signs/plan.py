@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the axes go, one after the other, and why nothing can be hit, whatever the signs.
 
-mark   a place of the work frame at the height of the highest part or clamp: nothing stands above the level through it.
+mark   a place of the work frame at the height of the highest part or clamp: nothing stands above the level
+       through it.
 stop   a pose at which the program waits and the operator compares what he sees with the sheet.
-clear  the tip is never nearer than the gap to the level through the mark, on the machine as its file says **and** on each of
-       the machines that it might be instead (:mod:`wrong`). All moves are at feed, none is a rapid.
+clear  the tip is never nearer than the gap to the level through the mark, on the machine as its file says
+       **and** on each of the machines that it might be instead (:mod:`wrong`). All moves are at feed, none is
+       a rapid.
 
-Single moves start from a pose above the mark, high enough for this. The last stop puts the tip on the line through the mark along
-the tool, both rotary axes turned; its distance from the mark is the least that keeps the wrong machines clear too.
+Single moves start from a pose above the mark, high enough for this. The last stop puts the tip on the line
+through the mark along the tool, both rotary axes turned; its distance from the mark is the least that keeps
+the wrong machines clear too.
 """
 
 from __future__ import annotations
@@ -40,8 +43,8 @@ VISIBLE = 3.0
 
 @dataclass(frozen=True)
 class Wishes:
-    """``mark`` (3,) mm in the work frame, None: nobody has said where, so nothing may stand above the work zero; ``gap``,
-    ``travel`` mm; ``angle`` rad; ``feed`` mm/min and deg/min."""
+    """``mark`` (3,) mm in the work frame, None: nobody has said where, so nothing may stand above the work
+    zero; ``gap``, ``travel`` mm; ``angle`` rad; ``feed`` mm/min and deg/min."""
 
     mark: Vector | None = None
     gap: float = 20.0
@@ -57,8 +60,9 @@ class Wishes:
 
 @dataclass(frozen=True, eq=False)
 class Stop:
-    """``q`` (n, 5) mm and rad: the poses driven to, the last being where the program waits; ``title``, ``see`` and ``bad`` (what
-    a wrong sign looks like) as on the sheet. An empty ``see``: the program only drives on."""
+    """``q`` (n, 5) mm and rad: the poses driven to, the last being where the program waits; ``title``,
+    ``see`` and ``bad`` (what a wrong sign looks like) as on the sheet. An empty ``see``: the program only
+    drives on."""
 
     title: str
     q: Floats
@@ -68,8 +72,9 @@ class Stop:
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """``height`` mm of the tip over the mark in the single moves, ``distance`` mm at the last stop; ``predicted_errors``: what is
-    wrong, and where (3,) mm the tip of such a machine stands there, counted from where it should."""
+    """``height`` mm of the tip over the mark in the single moves, ``distance`` mm at the last stop;
+    ``predicted_errors``: what is wrong, and where (3,) mm the tip of such a machine stands there, counted
+    from where it should."""
 
     machine: Machine
     kinematics: Chain
@@ -115,12 +120,14 @@ def _turn(kinematics: Chain, k: int, angle: float) -> float:
         low=Angle(low, bare=True),
         high=Angle(high),
     )
-    raise SettingsError(say("{text}; give a smaller {angle}", text=text, angle=Option("angle")), math.degrees(angle))
+    raise SettingsError(
+        say("{text}; give a smaller {angle}", text=text, angle=Option("angle")), math.degrees(angle)
+    )
 
 
 def _unlike(kinematics: Chain, angles: Floats) -> float:
-    """By what the first angle is multiplied at the last stop, so that two exchanged letters show: 2, or 1/2 where that is beyond
-    its limits."""
+    """By what the first angle is multiplied at the last stop, so that two exchanged letters show: 2, or 1/2
+    where that is beyond its limits."""
     return 2.0 if kinematics.low[3] <= 2.0 * angles[0] <= kinematics.high[3] else 0.5
 
 
@@ -145,9 +152,15 @@ def _over(kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, q: Floats
 def _distance(kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats) -> float:
     for count in range(RAISES):
         distance = wishes.gap + count * STEP
-        if _over(kinematics, wrong, wishes, _last_pose(kinematics, wishes, angles, distance)[None]) >= wishes.gap:
+        if (
+            _over(kinematics, wrong, wishes, _last_pose(kinematics, wishes, angles, distance)[None])
+            >= wishes.gap
+        ):
             return distance
-    text = say("no distance up to {raises} keeps a machine with wrong signs clear of the mark", raises=Length(RAISES * STEP))
+    text = say(
+        "no distance up to {raises} keeps a machine with wrong signs clear of the mark",
+        raises=Length(RAISES * STEP),
+    )
     raise SettingsError(
         say(
             "{text}; give a smaller {angle}, or a {mark} nearer to the rotary axes",
@@ -166,7 +179,9 @@ def _height(
     for count in range(RAISES):
         height = max(wishes.gap + wishes.travel, distance) + count * STEP
         base = _base(wishes, height)
-        turned = base + np.array([[0.0, 0.0, 0.0, *turn] for turn in ((angles[0], 0.0), (0.0, angles[1]), both)])
+        turned = base + np.array(
+            [[0.0, 0.0, 0.0, *turn] for turn in ((angles[0], 0.0), (0.0, angles[1]), both)]
+        )
         moves = np.concatenate([_between(base, pose) for pose in turned])
         if _over(kinematics, wrong, wishes, moves) >= wishes.gap:
             return float(height)
@@ -185,7 +200,8 @@ def _between(start: Floats, end: Floats) -> Floats:
 
 
 def _stops(
-    machine: Machine, kinematics: Chain, wishes: Wishes, angles: Floats, both: Floats, height: float, distance: float
+    machine: Machine, kinematics: Chain, wishes: Wishes, angles: Floats, both: Floats, height: float,
+    distance: float
 ) -> list[Stop]:  # fmt: skip
     base, low = _base(wishes, height), _base(wishes, wishes.gap)
     stops = [_first_stop(base, kinematics), _mark_stop(low, wishes), Stop("up", base[None])]
@@ -194,13 +210,25 @@ def _stops(
         letter, change = kinematics.letters[k], np.zeros(5)
         change[k] = _travel(kinematics, k, base, wishes.travel) if k < 3 else angles[k - 3]
         other = kinematics.letters[7 - k] if k >= 3 else ""
-        sentence = linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
+        sentence = (
+            linear_seen(axes[letter], change[k]) if k < 3 else rotary_seen(axes[letter], other, change[k])
+        )
         amount = Length(change[k], "+g") if k < 3 else Angle(math.degrees(change[k]), "+g")
-        stops.append(Stop(say("{letter} alone, {amount}", letter=letter, amount=amount), (base + change)[None], *sentence))
+        stops.append(
+            Stop(
+                say("{letter} alone, {amount}", letter=letter, amount=amount),
+                (base + change)[None],
+                *sentence,
+            )
+        )
         stops.append(Stop(say("{letter} back", letter=letter), base[None]))
     last, turned = _last_pose(kinematics, wishes, both, distance), base + np.array([0.0, 0.0, 0.0, *both])
     stops.append(
-        Stop(say("both rotary axes turned, tip over the mark"), np.array([turned, last]), *_last_seen(kinematics, both, distance))
+        Stop(
+            say("both rotary axes turned, tip over the mark"),
+            np.array([turned, last]),
+            *_last_seen(kinematics, both, distance),
+        )
     )
     return [*stops, Stop(say("back"), np.array([turned, base]))]
 
@@ -211,15 +239,21 @@ def _travel(kinematics: Chain, k: int, base: Floats, travel: float) -> float:
 
 
 def _first_stop(base: Floats, kinematics: Chain) -> Stop:
-    place = ", ".join(f"{letter} {value:g}" for letter, value in zip(kinematics.letters, base.tolist(), strict=True))
-    see = say("The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.", place=place)
+    place = ", ".join(
+        f"{letter} {value:g}" for letter, value in zip(kinematics.letters, base.tolist(), strict=True)
+    )
+    see = say(
+        "The display shows {place}. The tool stands upright, the table level. Nothing is near the tool.",
+        place=place,
+    )
     bad = say("A display or pose that differs: work offset, tool length or zero positions are not set.")
     return Stop(say("start"), base[None], see, bad)
 
 
 def _mark_stop(low: Floats, wishes: Wishes) -> Stop:
     see = say(
-        "The tip stands {gap} over the highest place of part and clamps (a gauge block fits). Draw a cross on part or plate "
+        "The tip stands {gap} over the highest place of part and clamps (a gauge block fits). Draw a cross "
+        "on part or plate "
         "straight below the tip: this is the mark.",
         gap=Length(wishes.gap),
     )
@@ -234,7 +268,8 @@ def _mark_stop(low: Floats, wishes: Wishes) -> Stop:
 def _last_seen(kinematics: Chain, angles: Floats, distance: float) -> tuple[Sentence, Sentence]:
     first, second = (Angle(math.degrees(angle)) for angle in angles.tolist())
     see = say(
-        "With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured "
+        "With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is "
+        "{distance} from it, measured "
         "along the tool.",
         letter=kinematics.letters[3],
         first=first,
@@ -242,7 +277,10 @@ def _last_seen(kinematics: Chain, angles: Floats, distance: float) -> tuple[Sent
         second=second,
         distance=Length(distance),
     )
-    bad = say("The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets are wrong.")
+    bad = say(
+        "The tool points elsewhere: see the table below for what that means. Signs seen right: pivot offsets "
+        "are wrong."
+    )
     return see, bad
 
 
@@ -276,7 +314,8 @@ def _unasked(wishes: Wishes) -> list[Finding]:
         return []
     z = wishes.place[2]
     text = say(
-        "Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and clamps reach.",
+        "Nothing may stand above Z {z} of the work zero: remove the part, or give {mark} as high as part and "
+        "clamps reach.",
         z=Length(z, bare=True),
         mark=Option("mark"),
     )
@@ -289,7 +328,8 @@ def _findings(predicted_errors: tuple[tuple[str, Floats], ...]) -> list[Finding]
         size = float(np.linalg.norm(moved))
         if size < VISIBLE:
             sentence = say(
-                "If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops",
+                "If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely "
+                "on the stops",
                 text=text,
                 size=Length(size, ".2g"),
             )

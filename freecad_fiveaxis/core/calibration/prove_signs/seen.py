@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Moves in the words of somebody who stands in front of the machine.
 
-right  +X of the machine; back  +Y, away from the operator; up  +Z. A machine that stands otherwise is looked at from where
-       this is so; the sheet says it at its head.
-turn   a positive rotary word turns the **tool relative to the work** right-handed about the axis' direction (ISO 841). A head
-       does that itself; a table turns the part the other way.
+right  +X of the machine; back  +Y, away from the operator; up  +Z. A machine that stands otherwise is looked
+       at from where this is so; the sheet says it at its head.
+turn   a positive rotary word turns the **tool relative to the work** right-handed about the axis' direction
+       (ISO 841). A head does that itself; a table turns the part the other way.
 """
 
 from __future__ import annotations
@@ -23,13 +23,18 @@ VIEWS = (
     ((1.0, 0.0, 0.0), say("from the right")),
 )
 EDGES = (((0.0, -1.0, 0.0), say("front")), ((1.0, 0.0, 0.0), say("right")))
-WAYS = ((say("to the left"), say("to the right")), (say("to the front"), say("to the back")), (say("down"), say("up")))
+WAYS = (
+    (say("to the left"), say("to the right")),
+    (say("to the front"), say("to the back")),
+    (say("down"), say("up")),
+)
 ARM = 100.0
 """mm from the axis where the size of a turn is said."""
 
 
 def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
-    """What must be seen when the word of a linear axis grows by ``travel`` mm, and what a wrong sign looks like."""
+    """What must be seen when the word of a linear axis grows by ``travel`` mm, and what a wrong sign looks
+    like."""
     moved = np.array(axis.direction) * travel
     right, wrong = _way(moved), _way(-moved)
     if axis.side == "head":
@@ -39,9 +44,12 @@ def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
             right=right,
             travel=Length(abs(travel)),
         )
-        return text, say("The tool goes {wrong}: {letter} has the wrong sign.", wrong=wrong, letter=axis.letter)
+        return text, say(
+            "The tool goes {wrong}: {letter} has the wrong sign.", wrong=wrong, letter=axis.letter
+        )
     text = say(
-        "Only {letter} moves: the table goes {wrong} by {travel}; the tool, seen from the part, goes {right}.",
+        "Only {letter} moves: the table goes {wrong} by {travel}; the tool, seen from the part, goes "
+        "{right}.",
         letter=axis.letter,
         wrong=wrong,
         travel=Length(abs(travel)),
@@ -51,7 +59,8 @@ def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
 
 
 def rotary_seen(axis: Axis, other: str, angle: float) -> tuple[str, str]:
-    """The same for the word of a rotary axis turned to ``angle`` rad; ``other``: the letter of the other rotary axis."""
+    """The same for the word of a rotary axis turned to ``angle`` rad; ``other``: the letter of the other
+    rotary axis."""
     spin = np.array(axis.direction) * math.copysign(1.0, angle) * (1.0 if axis.side == "head" else -1.0)
     degrees = Angle(math.degrees(abs(angle)))
     view, right, wrong = _view(spin)
@@ -67,7 +76,8 @@ def rotary_seen(axis: Axis, other: str, angle: float) -> tuple[str, str]:
         mark=mark,
     )
     bad = say(
-        "The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not {letter} (if it is "
+        "The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not "
+        "{letter} (if it is "
         "{other}, the two letters are exchanged).",
         what=what,
         wrong=wrong,
@@ -104,7 +114,9 @@ def _mark(spin: Floats, angle: float, side: str) -> tuple[Sentence, Sentence]:
         if np.linalg.norm(moved) < 0.1:
             return say("the tool turns about itself"), say("the tool turning about itself the other way")
         size = _size(arc * float(np.linalg.norm(moved)))
-        return say("the tip swings {way}, {size}", way=_way(moved), size=size), say("the tip swinging {way}", way=_way(-moved))
+        return say("the tip swings {way}, {size}", way=_way(moved), size=size), say(
+            "the tip swinging {way}", way=_way(-moved)
+        )
     moves = [(np.cross(spin, np.array(edge)), name) for edge, name in EDGES]
     upright = [move for move in moves if abs(move[0][2]) > 0.5]
     moved, name = upright[0] if upright else moves[0]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What could be wrong: the machine turns an axis the other way than its file says, or takes one letter for the other.
+"""What could be wrong: the machine turns an axis the other way than its file says, or takes one letter for
+the other.
 
-Each such machine is a chain of its own, with the lines where they are. The words of the program given to it lead the tip
-elsewhere: that is what the sheet foretells, and what the plan keeps clear of the part.
+Each such machine is a chain of its own, with the lines where they are. The words of the program given to it
+lead the tip elsewhere: that is what the sheet foretells, and what the plan keeps clear of the part.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forwar
 
 @dataclass(frozen=True, eq=False)
 class Wrong:
-    """``text``: what is wrong, as a clause; ``kinematics``: the machine that has it so; ``swapped``: it takes each rotary word
-    for the other."""
+    """``text``: what is wrong, as a clause; ``kinematics``: the machine that has it so; ``swapped``: it takes
+    each rotary word for the other."""
 
     text: str
     kinematics: Chain
@@ -40,8 +41,15 @@ def wrong_machines(machine: Machine, setup: Setup) -> tuple[Wrong, ...]:
         (second, say("{letter} turns the wrong way", letter=second)),
     )
     both = (first + second, say("{first} and {second} both turn the wrong way", first=first, second=second))
-    turned = tuple(Wrong(text, chain(_reversed(machine, letters), setup)) for letters, text in (*reversed_, both))
-    return (*turned, Wrong(say("{first} and {second} are exchanged", first=first, second=second), chain(machine, setup), True))
+    turned = tuple(
+        Wrong(text, chain(_reversed(machine, letters), setup)) for letters, text in (*reversed_, both)
+    )
+    return (
+        *turned,
+        Wrong(
+            say("{first} and {second} are exchanged", first=first, second=second), chain(machine, setup), True
+        ),
+    )
 
 
 def _reversed(machine: Machine, letters: str) -> Machine:

@@ -8,6 +8,7 @@ from .recovery import Recovery, recover
 from .verdicts import recovery_findings
 
 __all__ = [
-    "Parameter", "Recovery", "parameters", "printed_axis_step", "recover", "recovery_findings", "recovery_html", "recovery_json",
+    "Parameter", "Recovery", "parameters", "printed_axis_step", "recover", "recovery_findings",
+    "recovery_html", "recovery_json",
     "recovery_text", "rotary_letters", "verdict",
 ]  # fmt: skip

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The unknowns of one layout by least squares that wrong rows do not disturb, and how certain each is.
 
-trimmed   least trimmed squares (Rousseeuw 1984): the sum over the best three quarters of the rows is made least, found from
-          many small random samples, each improved by fitting again to the rows that fit best (Rousseeuw & Van Driessen 2006).
-          Up to a quarter of wrong rows has no influence at all.
-scale     residuals in units of the rounding that the printed digits lead to expect: about 1 where the layout is right.
+trimmed   least trimmed squares (Rousseeuw 1984): the sum over the best three quarters of the rows is made
+          least, found from many small random samples, each improved by fitting again to the rows that fit
+          best (Rousseeuw & Van Driessen 2006). Up to a quarter of wrong rows has no influence at all.
+scale     residuals in units of the rounding that the printed digits lead to expect: about 1 where the layout
+          is right.
 certainty half the width of the interval that holds the true value in 95 of 100 cases.
 """
 
@@ -30,16 +31,19 @@ STARTS, SAMPLE, IMPROVEMENTS = 40, 5, 4
 FREEDOMS = 5.0
 """Of one row: three of the tip, two of the axis."""
 OUTLYING = 5.0
-"""A row whose residual is over so many scales (root mean square over its freedoms) is wrong; of 1e6 good ones none is."""
+"""A row whose residual is over so many scales (root mean square over its freedoms) is wrong; of 1e6 good ones
+none is."""
 STEPS = 6
 RANK = 1e-9
-"""Singular values below this share of the largest (columns scaled to their effect at 100 mm or 1 rad) are none."""
+"""Singular values below this share of the largest (columns scaled to their effect at 100 mm or 1 rad) are
+none."""
 SEED = 2008
 
 
 @dataclass(frozen=True)
 class Freedom:
-    """Which unknowns are fitted: always the lines, and the zeros of linear and of rotary words where they are not taken as 0."""
+    """Which unknowns are fitted: always the lines, and the zeros of linear and of rotary words where they are
+    not taken as 0."""
 
     linear_zero: bool
     rotary_zero: bool
@@ -62,10 +66,11 @@ ALL_FREE = Freedom(True, True)
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """``unknown`` (9,) mm and rad; ``scale`` of the residuals of the rows kept; ``good`` (n,) the rows kept; ``row_scale`` (n,)
-    of each row; ``miss`` (n,) mm, how far the tip is from where the fit puts it, and ``lean`` (n,) rad the tool axis;
-    ``covariance`` (9, 9) of the fitted unknowns (others 0), ``free`` (9, 9) that if no zero were taken as known; infinite where
-    the rows do not determine an unknown; ``factor``: half the 95 % interval in standard deviations."""
+    """``unknown`` (9,) mm and rad; ``scale`` of the residuals of the rows kept; ``good`` (n,) the rows kept;
+    ``row_scale`` (n,) of each row; ``miss`` (n,) mm, how far the tip is from where the fit puts it, and
+    ``lean`` (n,) rad the tool axis; ``covariance`` (9, 9) of the fitted unknowns (others 0), ``free`` (9, 9)
+    that if no zero were taken as known; infinite where the rows do not determine an unknown; ``factor``: half
+    the 95 % interval in standard deviations."""
 
     layout: Layout
     freedom: Freedom
@@ -86,12 +91,14 @@ class Fit:
 
     @property
     def score(self) -> float:
-        """Less is better: each unit of strangeness must pay by a third of the scale; below rounding nothing is gained."""
+        """Less is better: each unit of strangeness must pay by a third of the scale; below rounding nothing
+        is gained."""
         return math.log(max(self.scale, 1.0)) + math.log(3.0) * self.strange
 
 
 def screened(guess: Guess, pairs: Pairs, base: Floats, linear_zero: bool) -> Fit:
-    """A quick robust fit of the lines (and of the linear zero) at the guess's rotary zeros; certainties are left out."""
+    """A quick robust fit of the lines (and of the linear zero) at the guess's rotary zeros; certainties are
+    left out."""
     freedom = Freedom(linear_zero, any(guess.zeros))
     unknown = np.zeros(UNKNOWNS)
     unknown[ROTARY_ZERO] = guess.zeros
@@ -103,7 +110,8 @@ def screened(guess: Guess, pairs: Pairs, base: Floats, linear_zero: bool) -> Fit
 
 
 def refined(first: Fit, pairs: Pairs, base: Floats) -> Fit:
-    """All unknowns of the fit's freedom together (Gauss-Newton) on the rows that are not wrong, with their certainty."""
+    """All unknowns of the fit's freedom together (Gauss-Newton) on the rows that are not wrong, with their
+    certainty."""
     fit, columns = first, first.freedom.columns
     for _ in range(STEPS):
         rows = rows_of(fit.layout, pairs, base, fit.unknown)
@@ -138,7 +146,11 @@ def _trimmed(rows: Rows, columns: Ints) -> Floats:
     chosen = np.argsort(rng.random((STARTS, count)), axis=1)[:, :SAMPLE]
     for _ in range(IMPROVEMENTS):
         change = _pinv_solved(matrix[chosen].sum(axis=1), right[chosen].sum(axis=1))
-        off = square - 2.0 * change @ right.T + np.einsum("sp,npq,sq->sn", change, matrix, change, optimize=True)
+        off = (
+            square
+            - 2.0 * change @ right.T
+            + np.einsum("sp,npq,sq->sn", change, matrix, change, optimize=True)
+        )
         chosen = np.argpartition(off, kept - 1, axis=1)[:, :kept]
     total = np.take_along_axis(off, chosen, axis=1).sum(axis=1)
     best = chosen[int(np.argmin(total))]
@@ -170,8 +182,11 @@ def judged(layout: Layout, freedom: Freedom, pairs: Pairs, base: Floats, unknown
 
 
 def _solved(rows: Rows, columns: Ints, chosen: Ints) -> tuple[Floats, Floats]:
-    """Change (p,) of the unknowns ``columns`` and its covariance (p, p), infinite on the diagonal where undetermined."""
-    jacobian, residual = _whitened(Rows(*(getattr(rows, name)[chosen] for name in ("residual", "jacobian", "whitener"))), columns)
+    """Change (p,) of the unknowns ``columns`` and its covariance (p, p), infinite on the diagonal where
+    undetermined."""
+    jacobian, residual = _whitened(
+        Rows(*(getattr(rows, name)[chosen] for name in ("residual", "jacobian", "whitener"))), columns
+    )
     units = np.where(columns >= ROTARY_ZERO.start, 1e-2, 1.0)  # a radian moves the tip by 100 mm and more
     table = jacobian.reshape(-1, len(columns)) * units
     u, values, v = np.linalg.svd(table, full_matrices=False)

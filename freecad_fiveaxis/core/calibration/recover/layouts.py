@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which layouts could have made the rotary words: every order, direction and sign, judged by the tool axes alone.
+"""Which layouts could have made the rotary words: every order, direction and sign, judged by the tool axes
+alone.
 
-The tool axis depends on the rotary words and their zeros only, so what is discrete is mostly decided before any offset is
-known. At given directions both zeros follow in closed form: ``a1 . k = D + H cos(w2 - q* - z2)`` is linear in cos z2 and sin z2,
-and z1 is then the mean turn about a1 from ``R2 ez`` to k. Rows are weighted down by their distance (iteratively
-reweighted to the least sum of distances), so that a few wrong ones do not count.
+The tool axis depends on the rotary words and their zeros only, so what is discrete is mostly decided before
+any offset is known. At given directions both zeros follow in closed form: ``a1 . k = D + H cos(w2 - q* -
+z2)`` is linear in cos z2 and sin z2, and z1 is then the mean turn about a1 from ``R2 ez`` to k. Rows are
+weighted down by their distance (iteratively reweighted to the least sum of distances), so that a few wrong
+ones do not count.
 """
 
 from __future__ import annotations
@@ -39,7 +41,8 @@ Zeros = tuple[float, float]
 
 @dataclass(frozen=True)
 class Guess:
-    """A layout (its kind still open), the zeros of its rotary words rad, and how far the axes are off, rad (the median)."""
+    """A layout (its kind still open), the zeros of its rotary words rad, and how far the axes are off, rad
+    (the median)."""
 
     layout: Layout
     zeros: Zeros
@@ -47,10 +50,13 @@ class Guess:
 
 
 def guesses(pairs: Pairs, start: Machine | None = None, zeros: bool = True) -> list[Guess]:
-    """The layouts that explain the tool axes, the plainest first; ``zeros``: with shifted rotary zeros too."""
+    """The layouts that explain the tool axes, the plainest first; ``zeros``: with shifted rotary zeros
+    too."""
     found = [guess for layout in every_layout(pairs.letters, start) for guess in _tried(layout, pairs, zeros)]
     best = min(guess.off for guess in found)
-    passed = [guess for guess in found if guess.off <= max(PASSES * best, AXIS_NOISE + PASSES * pairs.steps.axis)]
+    passed = [
+        guess for guess in found if guess.off <= max(PASSES * best, AXIS_NOISE + PASSES * pairs.steps.axis)
+    ]
     passed.sort(key=lambda guess: (guess.layout.strange + any(guess.zeros), guess.off))
     return passed[:MOST]
 
@@ -138,7 +144,10 @@ def _zeros(layout: Layout, words: Floats, axis: Floats) -> Zeros:
         z2 = math.atan2(sin, cos)
         tool = turns(layout.direction2, words[:, 1] - z2)[:, :, 2]
         back = np.einsum("nij,nj->ni", turns(layout.direction1, -words[:, 0]), axis)
-        sines, cosines = np.cross(tool, back) @ first, (tool * back).sum(axis=1) - (tool @ first) * (back @ first)
+        sines, cosines = (
+            np.cross(tool, back) @ first,
+            (tool * back).sum(axis=1) - (tool @ first) * (back @ first),
+        )
         z1 = -math.atan2(float(weight**2 @ sines), float(weight**2 @ cosines))
         zeros = (z1, z2)
         off = _distances(layout, words, axis, zeros)

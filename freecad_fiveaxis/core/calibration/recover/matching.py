@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which row of the CL path a block of the program came from.
 
-Mostly the n-th block comes from the n-th row, or from the n-th that moves. Where a post has put in rapids or left rows out, the
-two sequences are aligned: the pairing, in order, with the largest sum of likenesses (Needleman & Wunsch 1970, gaps cost nothing).
+Mostly the n-th block comes from the n-th row, or from the n-th that moves. Where a post has put in rapids or
+left rows out, the two sequences are aligned: the pairing, in order, with the largest sum of likenesses
+(Needleman & Wunsch 1970, gaps cost nothing).
 
-likeness   before a machine is known: how near the tool axis of a trial layout comes to that of the row, and whether the last
-           step was equally long (where the rotary words rest, the length of a step is the same in both). Once it is known: how
-           near the tip comes.
+likeness   before a machine is known: how near the tool axis of a trial layout comes to that of the row, and
+           whether the last step was equally long (where the rotary words rest, the length of a step is the
+           same in both). Once it is known: how near the tip comes.
 """
 
 from __future__ import annotations
@@ -27,8 +28,8 @@ from .model import UNKNOWNS, Layout, rows_of
 from .pairs import Pairs, Steps, step_of
 
 MOST = 2000
-"""Rows and blocks that are aligned, or as many more of the one as there are fewer of the other: time and memory grow with their
-product."""
+"""Rows and blocks that are aligned, or as many more of the one as there are fewer of the other: time and
+memory grow with their product."""
 PROBE = 250
 """Rows and blocks by which the layout for the alignment is chosen."""
 STRANGE, ENOUGH = 2.0, 0.3
@@ -57,14 +58,22 @@ class Sequences:
         """Raises ProgramError where hardly any are left."""
         if len(rows) < LEAST:
             text = say(
-                "only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a program that was posted "
+                "only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a "
+                "program that was posted "
                 "from this CL path",
                 count=len(rows),
                 rows=len(self.row),
                 blocks=len(self.line),
             )
             raise ProgramError(text, len(rows))
-        columns = self.tip[rows], self.axis[rows], self.linear[blocks], self.rotary[blocks], self.row[rows], self.line[blocks]
+        columns = (
+            self.tip[rows],
+            self.axis[rows],
+            self.linear[blocks],
+            self.rotary[blocks],
+            self.row[rows],
+            self.line[blocks],
+        )
         return Pairs(self.letters, *columns, self.steps, blocks)
 
 
@@ -73,10 +82,22 @@ def sequences(path: CLPath, program: Program, axis_step: float) -> Sequences:
     own = program.letters[3:]
     letters = "".join(sorted(own))
     degrees = program.words[:, [3 + own.index(letter) for letter in letters]]
-    steps = Steps(step_of(path.tip), axis_step, step_of(program.words[:, :3]), float(np.radians(step_of(degrees, False))))
+    steps = Steps(
+        step_of(path.tip),
+        axis_step,
+        step_of(program.words[:, :3]),
+        float(np.radians(step_of(degrees, False))),
+    )
     every = np.arange(len(path.tip))
     return Sequences(
-        letters, path.tip, path.axis, every, program.words[:, :3], np.radians(degrees), np.asarray(program.line), steps
+        letters,
+        path.tip,
+        path.axis,
+        every,
+        program.words[:, :3],
+        np.radians(degrees),
+        np.asarray(program.line),
+        steps,
     )
 
 
@@ -93,12 +114,17 @@ def in_order(given: Sequences) -> Pairs | None:
 
 
 def aligned(given: Sequences, start: Machine | None = None) -> Pairs:
-    """Paired by the likeness of the axes of that layout which makes most of them alike. Raises ProgramError where none does."""
+    """Paired by the likeness of the axes of that layout which makes most of them alike. Raises ProgramError
+    where none does."""
     head, every = _probe(given), list(every_layout(given.letters, start))
     usual = [layout for layout in every if layout.strange < STRANGE]
     sum_, best = _likest(head, usual)
     if sum_ < ENOUGH * min(len(head.row), len(head.line)):  # letters that are not those of their axes
-        sum_, best = max((sum_, best), _likest(head, [one for one in every if one not in usual]), key=lambda found: found[0])
+        sum_, best = max(
+            (sum_, best),
+            _likest(head, [one for one in every if one not in usual]),
+            key=lambda found: found[0],
+        )
     whole = _whole(given)
     return whole.paired(*_traced(_axis_likeness(whole, best)))
 
@@ -119,7 +145,8 @@ def realigned(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -
 
 
 def _probe(given: Sequences) -> Sequences:
-    """The first rows and blocks; of the longer sequence as many more as it is longer, for the shorter may begin so late."""
+    """The first rows and blocks; of the longer sequence as many more as it is longer, for the shorter may
+    begin so late."""
     late = min(abs(len(given.row) - len(given.line)), MOST - PROBE)
     rows, blocks = (PROBE + late, PROBE) if len(given.row) > len(given.line) else (PROBE, PROBE + late)
     return _head(given, rows, blocks)
@@ -134,21 +161,35 @@ def _whole(given: Sequences) -> Sequences:
 def _head(given: Sequences, rows: int, blocks: int) -> Sequences:
     cl, nc = slice(0, rows), slice(0, blocks)
     return Sequences(
-        given.letters, given.tip[cl], given.axis[cl], given.row[cl], given.linear[nc], given.rotary[nc], given.line[nc],
+        given.letters, given.tip[cl], given.axis[cl], given.row[cl], given.linear[nc], given.rotary[nc],
+        given.line[nc],
         given.steps,
     )  # fmt: skip
 
 
 def _reached(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -> tuple[Floats, Floats]:
     nothing = np.zeros((len(given.line), 3))
-    words = Pairs(given.letters, nothing, nothing, given.linear, given.rotary, given.line, given.line, given.steps, given.line)
+    words = Pairs(
+        given.letters,
+        nothing,
+        nothing,
+        given.linear,
+        given.rotary,
+        given.line,
+        given.line,
+        given.steps,
+        given.line,
+    )
     reached = -rows_of(layout, words, base, unknown).residual
     return reached[:, :3], reached[:, 3:]
 
 
 def _axis_likeness(given: Sequences, layout: Layout) -> Floats:
     _, axis = _reached(given, layout, np.zeros((2, 3)), np.zeros(UNKNOWNS))
-    lengths = (np.linalg.norm(np.diff(where, axis=0, prepend=where[:1]), axis=1) for where in (given.tip, given.linear))
+    lengths = (
+        np.linalg.norm(np.diff(where, axis=0, prepend=where[:1]), axis=1)
+        for where in (given.tip, given.linear)
+    )
     one, two = lengths
     even = _alike(np.abs(one[:, None] - two[None, :]), LENGTH_ALIKE)
     alike = _alike(_distance(given.axis, axis), AXIS_ALIKE)

@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a chain with unknown lines and zeros makes of the words, and how that depends on the unknowns.
 
-kind      table-table, head-table or head-head: where the linear axes stand among the rotary ones (``slot`` of a Chain).
-layout    all that is discrete: kind, which letter is the rotary axis nearer to the work, the directions, and so the signs.
-unknowns  nine numbers: two coordinates of each rotary line (across its direction), the zero of the linear words (three), the
-          zeros of the rotary words (two). With a1, a2 and all nine given (symbols of kinematics, words w and l):
+kind      table-table, head-table or head-head: where the linear axes stand among the rotary ones (``slot`` of
+          a Chain).
+layout    all that is discrete: kind, which letter is the rotary axis nearer to the work, the directions, and
+          so the signs.
+unknowns  nine numbers: two coordinates of each rotary line (across its direction), the zero of the linear
+          words (three), the zeros of the rotary words (two). With a1, a2 and all nine given (symbols of
+          kinematics, words w and l):
 
-              tip = L0 + c1 + R1 (L1 + c2 - c1 + R2 (L2 - c2)),   axis = R1 R2 ez,   R_i = R(a_i, w_i - z_i),  L of (l - e)
+              tip = L0 + c1 + R1 (L1 + c2 - c1 + R2 (L2 - c2)),   axis = R1 R2 ez,   R_i = R(a_i, w_i - z_i),
+              L of (l - e)
 
-          At given rotary zeros the tip is **linear** in the other seven: they are found without a first guess.
-noise     every printed number is off by its rounding. A rotary word's error moves tip and axis together, by its lever arm: the
-          covariance (6, 6) of each row says so, and residuals are whitened with it.
+          At given rotary zeros the tip is **linear** in the other seven: they are found without a first
+          guess.
+noise     every printed number is off by its rounding. A rotary word's error moves tip and axis together, by
+          its lever arm: the covariance (6, 6) of each row says so, and residuals are whitened with it.
 """
 
 from __future__ import annotations
@@ -38,8 +43,9 @@ XYZ = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 @dataclass(frozen=True)
 class Layout:
-    """``letters``: first rotary axis (nearer to the work), second; ``direction1``, ``direction2`` unit; ``linear``: directions of
-    X Y Z; ``strange``: how far it is from what the letters and ISO 841 lead to expect, 0 for the plainest."""
+    """``letters``: first rotary axis (nearer to the work), second; ``direction1``, ``direction2`` unit;
+    ``linear``: directions of X Y Z; ``strange``: how far it is from what the letters and ISO 841 lead to
+    expect, 0 for the plainest."""
 
     slot: tuple[int, int, int]
     letters: str
@@ -77,8 +83,8 @@ def turns(direction: Vector, angle: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """Residuals of one layout: ``residual`` (n, 6) tip mm and axis, ``jacobian`` (n, 6, 9) of what the words give,
-    ``whitener`` (n, 6, 6): times the residual it has unit covariance."""
+    """Residuals of one layout: ``residual`` (n, 6) tip mm and axis, ``jacobian`` (n, 6, 9) of what the words
+    give, ``whitener`` (n, 6, 6): times the residual it has unit covariance."""
 
     residual: Floats
     jacobian: Floats
@@ -86,8 +92,8 @@ class Rows:
 
 
 def rows_of(layout: Layout, pairs: Pairs, base: Floats, unknown: Floats) -> Rows:
-    """Residual, derivative and noise of every pair. ``base`` (2, 3): points from which the lines' coordinates count, mm;
-    ``unknown`` (9,) mm and rad."""
+    """Residual, derivative and noise of every pair. ``base`` (2, 3): points from which the lines' coordinates
+    count, mm; ``unknown`` (9,) mm and rad."""
     order = [pairs.letters.index(letter) for letter in layout.letters]
     turned = pairs.rotary[:, order] - unknown[ROTARY_ZERO]
     first, second = turns(layout.direction1, turned[:, 0]), turns(layout.direction2, turned[:, 1])
@@ -105,7 +111,8 @@ def rows_of(layout: Layout, pairs: Pairs, base: Floats, unknown: Floats) -> Rows
     jacobian[:, :3, 0:2] = (np.eye(3) - first) @ basis1.T
     jacobian[:, :3, 2:4] = (first - both) @ basis2.T
     carried = np.stack(
-        [(np.broadcast_to(np.eye(3), first.shape), first, both)[at] @ moves[j] for j, at in enumerate(slot)], axis=2
+        [(np.broadcast_to(np.eye(3), first.shape), first, both)[at] @ moves[j] for j, at in enumerate(slot)],
+        axis=2,
     )
     jacobian[:, :3, LINEAR_ZERO] = -carried
     turning = np.zeros((len(residual), 6, 2))

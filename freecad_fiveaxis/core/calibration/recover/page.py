@@ -10,7 +10,15 @@ from html import escape
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.sentences import Length, say
-from freecad_fiveaxis.core.studies.setup_map.sheet import Table, findings_list, json_text, page, section, table, text_table
+from freecad_fiveaxis.core.studies.setup_map.sheet import (
+    Table,
+    findings_list,
+    json_text,
+    page,
+    section,
+    table,
+    text_table,
+)
 
 from .parameters import Parameter, parameters
 from .recovery import Recovery
@@ -36,7 +44,9 @@ def verdict(found: Recovery) -> str:
         return text
     same = not any(one.code == Code.POST_AND_MACHINE_DIFFER for one in found.findings)
     name = found.start.name
-    return text + (say(" {name} is that machine.", name=name) if same else say(" {name} is another machine.", name=name))
+    return text + (
+        say(" {name} is that machine.", name=name) if same else say(" {name} is another machine.", name=name)
+    )
 
 
 def recovery_text(found: Recovery) -> str:
@@ -49,8 +59,8 @@ def recovery_text(found: Recovery) -> str:
 
 
 def recovery_json(found: Recovery, inputs: Mapping[str, object] | None = None) -> str:
-    """For scripts: mm, degrees. Keys: version, layout (kind, letters, directions), parameters, rows, scale, largest_miss,
-    left_out (NC lines), others, start_miss, findings, inputs (a job file)."""
+    """For scripts: mm, degrees. Keys: version, layout (kind, letters, directions), parameters, rows, scale,
+    largest_miss, left_out (NC lines), others, start_miss, findings, inputs (a job file)."""
     fit, layout = found.fit, found.fit.layout
     record = {
         "version": VERSION,
@@ -86,11 +96,14 @@ def recovery_html(found: Recovery, title: str = "") -> str:
         section("Findings", findings_list(found.findings)),
         section("The words used here", WORDS),
     ]
-    return page("The machine that the post had in mind", title, verdict(found), "bad" if bad else "good", body)
+    return page(
+        "The machine that the post had in mind", title, verdict(found), "bad" if bad else "good", body
+    )
 
 
 NOTE = (
-    "Certain within: the true value lies that near in 95 of 100 cases, by the rounding of the printed digits and the residuals. "
+    "Certain within: the true value lies that near in 95 of 100 cases, by the rounding of the printed digits "
+    "and the residuals. "
     "The last column: were the zeros of all words unknown too."
 )
 
@@ -98,7 +111,13 @@ NOTE = (
 def _table(found: Recovery) -> Table:
     rows = parameters(found)
     given = any(one.given is not None for one in rows)
-    head = ["parameter", "value", "certain within", "were zeros unknown", *(["machine given", "apart"] if given else [])]
+    head = [
+        "parameter",
+        "value",
+        "certain within",
+        "were zeros unknown",
+        *(["machine given", "apart"] if given else []),
+    ]
     return Table(head, [_cells(one, given) for one in rows])
 
 
@@ -114,4 +133,4 @@ WORDS = """<dl><dt>Line</dt><dd>The line about which a rotary axis turns, with a
 direction, in the machine's frame as in the machine file. Along its direction any point will do.</dd>
 <dt>Zero</dt><dd>The word at which the axis stands where the CL path's zero takes it to be.</dd>
 <dt>Layout</dt><dd>Which rotary axis is nearer to the work, which carry the table, which the tool, and which way they turn.</dd>
-<dt>Row</dt><dd>One tip and tool axis of the CL path with the five words of the program that go with it.</dd></dl>"""
+<dt>Row</dt><dd>One tip and tool axis of the CL path with the five words of the program that go with it.</dd></dl>"""  # noqa: E501

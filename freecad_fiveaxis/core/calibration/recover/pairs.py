@@ -2,8 +2,8 @@
 """What a machine is recovered from: rows of a CL path, each with the words that a post made of it.
 
 pair     one row: tip and tool axis as commanded, and the five words that are meant to bring them about.
-step     of a column: what its last printed digit is worth. A rounded number is off by at most half of it, evenly spread, so
-         its standard deviation is the step over the square root of 12.
+step     of a column: what its last printed digit is worth. A rounded number is off by at most half of it,
+         evenly spread, so its standard deviation is the step over the square root of 12.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ class Steps:
 
 @dataclass(frozen=True, eq=False)
 class Pairs:
-    """``letters`` of the two rotary words, in the alphabet's order; ``tip`` (n, 3) mm, ``axis`` (n, 3) unit, ``linear`` (n, 3)
-    mm for X Y Z, ``rotary`` (n, 2) **rad** by ``letters``; ``row`` (n,) of the CL path, ``line`` (n,) of the NC file,
-    ``block`` (n,) of the program; lines come again where the program loops."""
+    """``letters`` of the two rotary words, in the alphabet's order; ``tip`` (n, 3) mm, ``axis`` (n, 3) unit,
+    ``linear`` (n, 3) mm for X Y Z, ``rotary`` (n, 2) **rad** by ``letters``; ``row`` (n,) of the CL path,
+    ``line`` (n,) of the NC file, ``block`` (n,) of the program; lines come again where the program loops."""
 
     letters: str
     tip: Floats
@@ -63,12 +63,23 @@ class Pairs:
     def chosen(self, rows: Ints) -> Pairs:
         """Some of the rows."""
         tip, axis, linear, rotary = self.tip[rows], self.axis[rows], self.linear[rows], self.rotary[rows]
-        return Pairs(self.letters, tip, axis, linear, rotary, self.row[rows], self.line[rows], self.steps, self.block[rows])
+        return Pairs(
+            self.letters,
+            tip,
+            axis,
+            linear,
+            rotary,
+            self.row[rows],
+            self.line[rows],
+            self.steps,
+            self.block[rows],
+        )
 
 
 def step_of(column: Floats, inch: bool = True) -> float:
-    """What the last printed digit of the numbers is worth, by the power of ten of which all are multiples; whole numbers count as
-    printed with three decimals. ``inch``: in millimetres, but perhaps printed in inches, with four decimals or more."""
+    """What the last printed digit of the numbers is worth, by the power of ten of which all are multiples;
+    whole numbers count as printed with three decimals. ``inch``: in millimetres, but perhaps printed in
+    inches, with four decimals or more."""
     values = np.ravel(column)
     decimals = max(_decimals(values), COARSEST)
     if inch and decimals > COARSEST + 1:
@@ -87,7 +98,8 @@ def _decimals(values: Floats) -> int:
 
 
 def printed_axis_step(text: bytes) -> float:
-    """The step of the tool axes of an APT text, by the longest of their printed numbers; AXIS_STEP where there are none."""
+    """The step of the tool axes of an APT text, by the longest of their printed numbers; AXIS_STEP where
+    there are none."""
     most = 0
     for statement in _GOTO.findall(text[:TEXT_LOOKED_AT].upper()):
         numbers = statement.split(b"$")[0].split(b",")[3:6]
@@ -96,14 +108,18 @@ def printed_axis_step(text: bytes) -> float:
 
 
 def rotary_letters(text: bytes) -> str:
-    """The two letters of the rotary words of an NC text, as "AC". Raises ProgramError where there are not two."""
+    """The two letters of the rotary words of an NC text, as "AC". Raises ProgramError where there are not
+    two."""
     plain = _COMMENTS.sub(b" ", text[:TEXT_LOOKED_AT]).upper()
     found = {letter.decode() for letter in _ROTARY_WORD.findall(plain)}
     letters = "".join(letter for letter in ROTARY_LETTERS if letter in found)
     if len(letters) != 2:
         names = " ".join(letters) or "none"
         raise ProgramError(
-            say("the program has rotary words of {names}; a five-axis machine is recovered from two of A B C", names=names),
+            say(
+                "the program has rotary words of {names}; a five-axis machine is recovered from two of A B C",
+                names=names,
+            ),
             letters,
         )
     return letters

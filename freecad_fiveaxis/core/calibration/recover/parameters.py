@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fitted numbers as people name them: coordinates of the rotary lines and zeros of the words, each with its certainty."""
+"""The fitted numbers as people name them: coordinates of the rotary lines and zeros of the words, each with
+its certainty."""
 
 from __future__ import annotations
 
@@ -17,10 +18,12 @@ from .recovery import Recovery
 
 @dataclass(frozen=True)
 class Parameter:
-    """``name`` as "A line, Y"; ``value`` in ``unit`` (mm or deg), of lines in the machine frame, as in the file.
+    """``name`` as "A line, Y"; ``value`` in ``unit`` (mm or deg), of lines in the machine frame, as in the
+    file.
 
-    ``certainty`` half the width of the 95 % interval, infinite where the rows do not determine it; ``fitted``: False where it
-    is taken as 0; ``certainty_free``: were no zero of any word taken as known. ``given``: of the machine to compare with.
+    ``certainty`` half the width of the 95 % interval, infinite where the rows do not determine it;
+    ``fitted``: False where it is taken as 0; ``certainty_free``: were no zero of any word taken as known.
+    ``given``: of the machine to compare with.
     """
 
     name: str
@@ -51,7 +54,8 @@ def parameters(found: Recovery) -> tuple[Parameter, ...]:
     kinds = [1.0] * 7 + [180.0 / math.pi] * 2
     return tuple(
         Parameter(
-            names[k], "mm" if k < ROTARY_ZERO.start else "deg", values[k], float(fixed[k]) * kinds[k], float(free[k]) * kinds[k],
+            names[k], "mm" if k < ROTARY_ZERO.start else "deg", values[k], float(fixed[k]) * kinds[k],
+            float(free[k]) * kinds[k],
             k in fitted, given[k],
         )
         for k in range(len(values))
@@ -77,8 +81,11 @@ def point_of(machine: Machine, letter: str) -> Floats:
     return np.array(next(axis.point for axis in machine.rotary if axis.letter == letter))
 
 
-def _given(start: Machine | None, letter: str, way: Floats, direction: tuple[float, float, float]) -> float | None:
-    """The same coordinate of the machine to compare with, where its axis of that letter has the same line direction."""
+def _given(
+    start: Machine | None, letter: str, way: Floats, direction: tuple[float, float, float]
+) -> float | None:
+    """The same coordinate of the machine to compare with, where its axis of that letter has the same line
+    direction."""
     same = [] if start is None else [axis for axis in start.rotary if axis.letter == letter]
     if not same or np.linalg.norm(np.cross(same[0].direction, direction)) > 1e-6:
         return None

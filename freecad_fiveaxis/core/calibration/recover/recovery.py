@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The machine that a post had in mind, from a CL path and the program that was made of it.
 
-Every layout that explains the tool axes (:mod:`layouts`) is tried on the tips as table-table, head-table and head-head, with
-and without a shifted linear zero; the plainest that explains the rows within their rounding is taken, and fitted to all of
-them. What explains them as well is named.
+Every layout that explains the tool axes (:mod:`layouts`) is tried on the tips as table-table, head-table and
+head-head, with and without a shifted linear zero; the plainest that explains the rows within their rounding
+is taken, and fitted to all of them. What explains them as well is named.
 """
 
 from __future__ import annotations
@@ -30,7 +30,8 @@ from .model import HEAD_HEAD, LINES, ROTARY_ZERO, TABLE_TABLE, Layout, across
 from .pairs import AXIS_STEP, Pairs
 
 TRIED, FITTED = 150, 20_000
-"""Rows on which the layouts are tried, and rows that the last fit looks at, evenly spread over the program."""
+"""Rows on which the layouts are tried, and rows that the last fit looks at, evenly spread over the
+program."""
 EQUAL = 3.0
 """Scales within this factor of each other, or of rounding, are no reason to prefer one layout."""
 LEANING = 0.01
@@ -43,9 +44,10 @@ ASSUMED_RATE, ASSUMED_TURN = 10_000.0, math.radians(3600.0)
 
 @dataclass(frozen=True, eq=False)
 class Recovery:
-    """``machine`` as written; ``fit`` of it; ``pairs`` it was fitted to; ``others``: fits of layouts that explain the rows as
-    well; ``start``: the machine that was given, with ``start_miss`` mm: how far it leaves the tips, at most, in the good rows
-    (infinite where its letters are others); ``setup`` for both machines; ``skipped``: blocks between the pairs without a row."""
+    """``machine`` as written; ``fit`` of it; ``pairs`` it was fitted to; ``others``: fits of layouts that
+    explain the rows as well; ``start``: the machine that was given, with ``start_miss`` mm: how far it leaves
+    the tips, at most, in the good rows (infinite where its letters are others); ``setup`` for both machines;
+    ``skipped``: blocks between the pairs without a row."""
 
     machine: Machine
     fit: Fit
@@ -59,14 +61,16 @@ class Recovery:
 
 
 def recover(
-    path: CLPath, program: Program, start: Machine | None = None, setup: Setup | None = None, axis_step: float = AXIS_STEP,
+    path: CLPath, program: Program, start: Machine | None = None, setup: Setup | None = None,
+    axis_step: float = AXIS_STEP,
     name: str = "recovered", progress: Progress = silent,
 ) -> Recovery:  # fmt: skip
     """The machine fitted to a path and its program; findings are left to :mod:`verdicts`.
 
-    ``program.letters[3:]``: its two rotary letters, in any order. ``start``: a machine to compare with, whose limits, rates and
-    undetermined coordinates are kept. ``setup``: where the work zero is to stand and the tool length, for the machine file.
-    ``axis_step``: of the printed tool axes. Raises ProgramError for rows from which nothing can be learnt.
+    ``program.letters[3:]``: its two rotary letters, in any order. ``start``: a machine to compare with, whose
+    limits, rates and undetermined coordinates are kept. ``setup``: where the work zero is to stand and the
+    tool length, for the machine file. ``axis_step``: of the printed tool axes. Raises ProgramError for rows
+    from which nothing can be learnt.
     """
     given, setup = sequences(path, program, axis_step), setup or Setup()
     progress("recover", 0.0)
@@ -109,11 +113,14 @@ def _rotary_zeros(fit: Fit) -> tuple[float, float]:
 
 
 def _best(pairs: Pairs, start: Machine | None, setup: Setup, known: list[Guess] | None = None) -> list[Fit]:
-    """The best fit, then those of other layouts that are as good; of the ``known`` layouts where these are given."""
+    """The best fit, then those of other layouts that are as good; of the ``known`` layouts where these are
+    given."""
     sample = pairs.chosen(_spread(len(pairs.row), TRIED))
     _check(sample)
     fits = _screened(known or _kinds(guesses(sample, start, False), start), sample, start, setup)
-    if known is None and fits[0].scale > EQUAL:  # only then can a shifted rotary zero be the plainest explanation
+    if (
+        known is None and fits[0].scale > EQUAL
+    ):  # only then can a shifted rotary zero be the plainest explanation
         fits = _screened(_kinds(guesses(sample, start), start), sample, start, setup)
     best = fits[0]
     alike = [fit for fit in fits[1:] if _as_good(fit, best) and not _same(fit.layout, best.layout)]
@@ -141,27 +148,40 @@ def _as_good(fit: Fit, best: Fit) -> bool:
 def _same(one: Layout, two: Layout) -> bool:
     return (one.slot, one.letters) == (two.slot, two.letters) and all(
         np.allclose(a, b, rtol=0, atol=1e-6)
-        for a, b in ((one.direction1, two.direction1), (one.direction2, two.direction2), (one.linear, two.linear))
+        for a, b in (
+            (one.direction1, two.direction1),
+            (one.direction2, two.direction2),
+            (one.linear, two.linear),
+        )
     )
 
 
 def _check(pairs: Pairs) -> None:
     """Raises ProgramError where the rows cannot tell anything."""
-    farthest = max(float(np.abs(column).max(initial=0.0)) for column in (pairs.tip, pairs.linear, pairs.rotary))
+    farthest = max(
+        float(np.abs(column).max(initial=0.0)) for column in (pairs.tip, pairs.linear, pairs.rotary)
+    )
     if not farthest <= FARTHEST:
         raise ProgramError(
-            say("a coordinate of {farthest} mm or rad is beyond any machine; correct it", farthest=farthest), farthest
+            say("a coordinate of {farthest} mm or rad is beyond any machine; correct it", farthest=farthest),
+            farthest,
         )
     turned = float(np.ptp(pairs.rotary, axis=0).max())
     if turned < 1e-6:
         raise ProgramError(
-            say("the rotary words never change: such rows say nothing of pivots; give a five-axis program"), turned
+            say("the rotary words never change: such rows say nothing of pivots; give a five-axis program"),
+            turned,
         )
     leaning = np.linalg.norm(pairs.axis[:, :2], axis=1) > LEANING
-    off = float(np.median(np.linalg.norm(pairs.tip - pairs.linear, axis=1)[leaning])) if leaning.any() else math.inf
+    off = (
+        float(np.median(np.linalg.norm(pairs.tip - pairs.linear, axis=1)[leaning]))
+        if leaning.any()
+        else math.inf
+    )
     if off < 10.0 * (pairs.steps.tip + pairs.steps.linear):
         text = say(
-            "X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots to the controller "
+            "X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots "
+            "to the controller "
             "(RTCP); post it without tool centre point control"
         )
         raise ProgramError(text, off)
@@ -172,8 +192,8 @@ def _spread(count: int, most: int) -> Ints:
 
 
 def base_points(layout: Layout, start: Machine | None, setup: Setup) -> Floats:
-    """The points (2, 3) mm, work frame, from which the coordinates of the two lines count: those of the machine that is given
-    where its axes come in the same order, else the work zero."""
+    """The points (2, 3) mm, work frame, from which the coordinates of the two lines count: those of the
+    machine that is given where its axes come in the same order, else the work zero."""
     if start is None or "".join(axis.letter for axis in start.rotary) != layout.letters:
         return np.zeros((2, 3))
     kinematics = chain(start, setup)
@@ -208,11 +228,15 @@ def _without_points(layout: Layout, start: Machine | None, name: str) -> Machine
         if (own.slot, own.letters) == (layout.slot, layout.letters):
             given = dict(zip(layout.letters, (layout.direction1, layout.direction2), strict=True))
             given |= dict(zip("XYZ", layout.linear, strict=True))
-            own_axes = (replace(axis, direction=given[axis.letter], point=(0.0, 0.0, 0.0)) for axis in start.axes)
+            own_axes = (
+                replace(axis, direction=given[axis.letter], point=(0.0, 0.0, 0.0)) for axis in start.axes
+            )
             return replace(start, axes=tuple(own_axes), name=name)
     first, second = _rotary(layout, start)
     linear = tuple(_linear(layout, start))
-    axes = {TABLE_TABLE: (first, second, *linear), HEAD_HEAD: (*linear, first, second)}.get(layout.slot, (first, *linear, second))
+    axes = {TABLE_TABLE: (first, second, *linear), HEAD_HEAD: (*linear, first, second)}.get(
+        layout.slot, (first, *linear, second)
+    )
     if start is None:
         return Machine(name, axes)
     return replace(start, axes=axes, name=name, description="")
@@ -230,7 +254,9 @@ def _rotary(layout: Layout, start: Machine | None) -> tuple[Axis, Axis]:
 
 def _linear(layout: Layout, start: Machine | None) -> list[Axis]:
     drives = (_drive(letter, False, start) for letter in "XYZ")
-    return [replace(drive, side="head", direction=way) for drive, way in zip(drives, layout.linear, strict=True)]
+    return [
+        replace(drive, side="head", direction=way) for drive, way in zip(drives, layout.linear, strict=True)
+    ]
 
 
 def _drive(letter: str, rotary: bool, start: Machine | None) -> Axis:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is poor about a recovered machine, and where the machine that was given differs from it, in plain words."""
+"""What is poor about a recovered machine, and where the machine that was given differs from it, in plain
+words."""
 
 from __future__ import annotations
 
@@ -28,7 +29,8 @@ UNSURE = 5.0
 
 
 def recovery_findings(found: Recovery, tolerance: float) -> tuple[Finding, ...]:
-    """All of them. ``tolerance`` mm: offsets that are that certain, and that near to the given ones, are good."""
+    """All of them. ``tolerance`` mm: offsets that are that certain, and that near to the given ones, are
+    good."""
     fits = parameters(found)
     return (
         *_layouts(found),
@@ -58,7 +60,8 @@ def _layouts(found: Recovery) -> Iterator[Finding]:
     if found.others:
         more = joined((describe(fit.layout) for fit in found.others[:3]), "; ")
         text = say(
-            "{count} other layouts explain the rows as well: {more}. The plainest is written; give more rows, "
+            "{count} other layouts explain the rows as well: {more}. The plainest is written; give more "
+            "rows, "
             "with larger turns of both rotary axes, or the machine with {machine}.",
             count=len(found.others),
             more=more,
@@ -71,9 +74,12 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
     fit, pairs = found.fit, found.pairs
     wrong = np.flatnonzero(~fit.good)
     if len(wrong):
-        lines = ", ".join(str(line) for line in pairs.line[wrong[:NAMED]].tolist()) + (", ..." if len(wrong) > NAMED else "")
+        lines = ", ".join(str(line) for line in pairs.line[wrong[:NAMED]].tolist()) + (
+            ", ..." if len(wrong) > NAMED else ""
+        )
         text = say(
-            "{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off by "
+            "{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off "
+            "by "
             "up to {miss}. Look at them: they are wrong in the CL path or in the program.",
             count=len(wrong),
             all=len(fit.good),
@@ -86,7 +92,8 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
     if fit.scale > EQUAL and (worst > tolerance or lean > LEAST_LEAN):
         text = say(
             "The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding "
-            "explains. The program may come from another CL path, or its machine have directions or axes that are"
+            "explains. The program may come from another CL path, or its machine have directions or axes "
+            "that are"
             " not tried here.",
             worst=Length(worst, ".4g"),
             lean=Angle(lean, ".3g"),
@@ -95,7 +102,8 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
         yield report_finding(Code.POOR_FIT, text, worst, tolerance)
     if found.skipped:
         text = say(
-            "{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.", skipped=found.skipped
+            "{skipped} blocks have no row of the CL path (moves of the post's own); they are passed over.",
+            skipped=found.skipped,
         )
         yield report_finding(Code.BLOCKS_WITHOUT_ROW, text, float(found.skipped))
 
@@ -107,7 +115,8 @@ def _certainties(found: Recovery, fits: tuple[Parameter, ...], tolerance: float)
         kept = say("as in the machine given") if one.given is not None else say("as 0")
         if not one.determined:
             text = say(
-                "The rows do not determine {name}; it is written {kept}. Give rows in which the rotary axes turn farther.",
+                "The rows do not determine {name}; it is written {kept}. Give rows in which the rotary axes "
+                "turn farther.",
                 name=one.name,
                 kept=kept,
             )
@@ -131,7 +140,11 @@ def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
             continue
         if _elsewhere(one):
             what = say("the work offset") if one.unit == "mm" else say("the axis' zero in the controller")
-            what += " or the tool's point that is driven (tip, centre, gauge point)" if one.name == "Z zero" else ""
+            what += (
+                " or the tool's point that is driven (tip, centre, gauge point)"
+                if one.name == "Z zero"
+                else ""
+            )
             text = say(
                 "The program counts {name} from {value} (within {certainty}), not from the CL path's zero. A "
                 "machine file cannot hold that: correct {what}, or the post.",
@@ -143,11 +156,14 @@ def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
             severity = Severity.WARNING if one.unit == "mm" else Severity.ERROR
             yield report_finding(Code.ZERO_ELSEWHERE, text, one.value, 0.0, unit=one.unit, severity=severity)
     assumed = [
-        one.name[0] for one in fits[4:] if not one.fitted and not one.certainty_free < (100.0 if one.unit == "mm" else UNSURE)
+        one.name[0]
+        for one in fits[4:]
+        if not one.fitted and not one.certainty_free < (100.0 if one.unit == "mm" else UNSURE)
     ]
     if assumed:
         text = say(
-            "The zeros of {assumed} are taken as right: these rows could not tell them apart from the offsets. "
+            "The zeros of {assumed} are taken as right: these rows could not tell them apart from the "
+            "offsets. "
             "Give rows with larger turns to have them proven too.",
             assumed=", ".join(assumed),
         )
@@ -156,14 +172,19 @@ def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
 
 def _elsewhere(one: Parameter) -> bool:
     """Whether a zero lies elsewhere than the CL path's, beyond its certainty."""
-    return one.fitted and one.determined and abs(one.value) > max(one.certainty, 1e-3 if one.unit == "mm" else 1e-4)
+    return (
+        one.fitted
+        and one.determined
+        and abs(one.value) > max(one.certainty, 1e-3 if one.unit == "mm" else 1e-4)
+    )
 
 
 def _shifted(zeros: list[Parameter]) -> Finding:
     """Zeros of several linear axes that lie elsewhere are one thing: the work zero."""
     shift = float(np.linalg.norm([one.value for one in zeros]))
     text = say(
-        "The work zero is shifted: the program counts {axes} from {values} (within {certainty}), not from the CL path's zero. A "
+        "The work zero is shifted: the program counts {axes} from {values} (within {certainty}), not from "
+        "the CL path's zero. A "
         "machine file cannot hold that: correct the work offset, or the post.",
         axes=", ".join(one.name[0] for one in zeros),
         values=", ".join(f"{one.value:.4f}" for one in zeros),
@@ -176,7 +197,8 @@ def _signs(found: Recovery) -> Iterator[Finding]:
     for axis in found.machine.rotary:
         if float(np.sum(axis.direction)) < 0.0:
             text = say(
-                "Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, against ISO "
+                "Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, "
+                "against ISO "
                 "841; the direction in the file is reversed accordingly.",
                 letter=axis.letter,
                 plus=_plus(axis),
@@ -196,7 +218,9 @@ def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) 
     code, effect = Code.POST_AND_MACHINE_DIFFER, _effect(found)
     if own.slot != layout.slot:
         kinds = {"kind": layout.kind, "name": start.name, "own": KINDS.get(own.slot, own.kind)}
-        yield report_finding(code, say("The machine that the post had in mind is {kind}, {name} is {own}.", **kinds) + effect)
+        yield report_finding(
+            code, say("The machine that the post had in mind is {kind}, {name} is {own}.", **kinds) + effect
+        )
     if set(own.letters) != set(layout.letters):
         text = say(
             "The program has rotary words {letters}, {name} has {own}.",
@@ -221,7 +245,8 @@ def _mismatches(found: Recovery, fits: tuple[Parameter, ...], tolerance: float) 
         limit = max(one.certainty, tolerance)
         if one.determined and one.given is not None and one.apart > limit:
             text = say(
-                "{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} apart.{effect}",
+                "{name}: the post has {value} (within {certainty}), {machine} has {given}, {apart} "
+                "apart.{effect}",
                 name=one.name,
                 value=Length(round(one.value, 4) + 0.0, ".4f"),
                 certainty=Length(one.certainty, ".2g", bare=True),
@@ -238,7 +263,8 @@ def _direction_mismatch(axis: Axis, direction: Floats, name: str, effect: str) -
     angle = math.degrees(math.acos(float(np.clip(own @ direction, -1.0, 1.0))))
     if angle > 179.9:
         text = say(
-            "{letter} turns the other way: the post's positive {letter} is the negative one of {name}.{effect}",
+            "{letter} turns the other way: the post's positive {letter} is the negative one of "
+            "{name}.{effect}",
             letter=axis.letter,
             name=name,
             effect=effect,
@@ -272,14 +298,16 @@ def _assumed(found: Recovery) -> Iterator[Finding]:
     if unknown := [axis.letter for axis in found.machine.axes if axis.letter not in known]:
         of = say(" of {axes}", axes=", ".join(unknown)) if known else ""
         text = say(
-            "Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row tells "
+            "Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row "
+            "tells "
             "them. Correct them from the machine's data sheet.",
             of=of,
         )
         yield report_finding(Code.LIMITS_UNKNOWN, text)
     if any(axis.side == "head" for axis in found.machine.rotary) and not found.setup.tool_length:
         text = say(
-            "A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to have the"
+            "A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to "
+            "have the"
             " gauge point's written; else use the file with tool length 0.",
             tool_length=Option("tool_length"),
         )

@@ -4,4 +4,13 @@
 from .stl import read_corners, read_stl, stl_bytes, write_stl
 from .triangles import Mesh, from_faces, from_triangles, join_loose
 
-__all__ = ["Mesh", "from_faces", "from_triangles", "join_loose", "read_corners", "read_stl", "stl_bytes", "write_stl"]
+__all__ = [
+    "Mesh",
+    "from_faces",
+    "from_triangles",
+    "join_loose",
+    "read_corners",
+    "read_stl",
+    "stl_bytes",
+    "write_stl",
+]

@@ -22,8 +22,9 @@ from .words import T, Words, sort_during
 class HalfEdges:
     """All half-edges of a mesh, sorted by edge and sense.
 
-    ``word`` (3 f,) ascending: lower vertex, upper vertex, sense (0 from lower to upper), and below them ``low + 2`` bits for
-    the half-edge k << low | i, which leaves corner k of facet i; where that is too wide, ``half`` has the half-edges.
+    ``word`` (3 f,) ascending: lower vertex, upper vertex, sense (0 from lower to upper), and below them ``low
+    + 2`` bits for the half-edge k << low | i, which leaves corner k of facet i; where that is too wide,
+    ``half`` has the half-edges.
     """
 
     word: Words
@@ -41,11 +42,15 @@ class HalfEdges:
         return (self.word[row] & np.uint64((1 << self.low + 2) - 1)).view(np.int64)
 
     def paired(self) -> bool:
-        """True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and 2 i + 1."""
+        """True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and 2 i +
+        1."""
         if len(self.word) % 2:
             return False
         bits = 0 if self.half is not None else self.low + 2
-        least, most = np.uint64(1 << bits), np.uint64((2 << bits) - 1)  # where two words differ in the sense and below it
+        least, most = (
+            np.uint64(1 << bits),
+            np.uint64((2 << bits) - 1),
+        )  # where two words differ in the sense and below it
         for part in cache_chunks(len(self.word) // 2):
             row = self.word[2 * part.start : 2 * part.stop]
             differ = row[0::2] ^ row[1::2]
@@ -55,7 +60,8 @@ class HalfEdges:
 
 
 def sorted_half_edges(face: Ints, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
-    """The half-edges of ``face`` (f, 3), rows of so many ``vertices``, and what ``work`` gives, done in the meantime.
+    """The half-edges of ``face`` (f, 3), rows of so many ``vertices``, and what ``work`` gives, done in the
+    meantime.
 
     Edge and half-edge share one word while they fit.
     """
@@ -71,9 +77,11 @@ def sorted_half_edges(face: Ints, vertices: int, work: Callable[[], T]) -> tuple
 
 
 def _words(face: Ints, width: int, low: int | None) -> Words:
-    """Words (3 f,) of edge and sense, ``width`` bits a vertex, and below them the half-edge where ``low`` is given.
+    """Words (3 f,) of edge and sense, ``width`` bits a vertex, and below them the half-edge where ``low`` is
+    given.
 
-    Written from start to end and, with a sense of 1, from end to start, the smaller word has the lower vertex first.
+    Written from start to end and, with a sense of 1, from end to start, the smaller word has the lower vertex
+    first.
     """
     shift = 0 if low is None else low + 2
     start, end, sense = np.uint64(shift + 1 + width), np.uint64(shift + 1), np.uint64(1 << shift)

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facets that ought to hang together are joined where that is safe: doubled facets, corners a rounding apart, T-junctions.
+"""Facets that ought to hang together are joined where that is safe: doubled facets, corners a rounding apart,
+T-junctions.
 
 doubled     a facet with the same corners in the same sense as another: one is kept.
-cluster     corners on the border that lie nearer than ``NEAR`` of the shortest side there: one vertex of them.
+cluster     corners on the border that lie nearer than ``NEAR`` of the shortest side there: one vertex of
+            them.
 T-junction  a vertex on the side of a facet that ends there: that facet is divided at it.
-flawed      an edge with more than two facets, with two that run along it in the same sense, or that fold back onto each other as
-            both sides of a thin wall do. What would make one, or a facet without area, stays as it is.
+flawed      an edge with more than two facets, with two that run along it in the same sense, or that fold back
+            onto each other as both sides of a thin wall do. What would make one, or a facet without area,
+            stays as it is.
 
-Only facets with a vertex on the border are looked at; arrays of half-edges (3 f,) have side k of facet i in row 3 i + k.
+Only facets with a vertex on the border are looked at; arrays of half-edges (3 f,) have side k of facet i in
+row 3 i + k.
 """
 
 from __future__ import annotations
@@ -20,10 +24,12 @@ import scipy
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 NEAR = 1e-5
-"""Of the shortest side at a place: what is nearer lies there. An STL file's own rounding is 1e-7 of the part's size."""
+"""Of the shortest side at a place: what is nearer lies there. An STL file's own rounding is 1e-7 of the
+part's size."""
 
 FOLDED = 0.14
-"""Sum of two unit normals that is shorter: facets at less than 8 deg from each other, as the two sides of a thin wall."""
+"""Sum of two unit normals that is shorter: facets at less than 8 deg from each other, as the two sides of a
+thin wall."""
 
 NEIGHBOURS = 12
 """Corners at one place, at most; a vertex of a usual mesh has six facets."""
@@ -36,8 +42,9 @@ ROUNDS = 8
 
 
 class Joined(NamedTuple):
-    """``face`` (f, 3) facets as rows of the old vertices; ``doubled`` (d,) a vertex of each facet left out, ``corners`` (c,)
-    vertices that others stand for now, ``junctions`` (t,) vertices at which facets were divided."""
+    """``face`` (f, 3) facets as rows of the old vertices; ``doubled`` (d,) a vertex of each facet left out,
+    ``corners`` (c,) vertices that others stand for now, ``junctions`` (t,) vertices at which facets were
+    divided."""
 
     face: Ints
     doubled: Ints
@@ -46,7 +53,8 @@ class Joined(NamedTuple):
 
 
 def join_facets(vertex: Floats, face: Ints, rim: Bools) -> Joined | None:
-    """What becomes of facets (f, 3) of vertices (v, 3) mm of which those in ``rim`` (v,) lie on the border; None: nothing."""
+    """What becomes of facets (f, 3) of vertices (v, 3) mm of which those in ``rim`` (v,) lie on the border;
+    None: nothing."""
     near = rim[face].any(axis=1)
     kept, doubled = _without_doubled(np.ascontiguousarray(face[near]))
     kept, corners = _join_corners(vertex, kept, rim)
@@ -57,7 +65,8 @@ def join_facets(vertex: Floats, face: Ints, rim: Bools) -> Joined | None:
 
 
 class _Sides(NamedTuple):
-    """``start``, ``end`` (3 f,) vertices of the half-edges, ``edge`` (3 f,) their edges, ``shared`` (3 f,) half-edges of it."""
+    """``start``, ``end`` (3 f,) vertices of the half-edges, ``edge`` (3 f,) their edges, ``shared`` (3 f,)
+    half-edges of it."""
 
     start: Ints
     end: Ints
@@ -98,13 +107,16 @@ def _normals(vertex: Floats, face: Ints) -> Floats:
 
 def _shortest(vertex: Floats, side: _Sides) -> Floats:
     """The shortest side (v,) mm at each vertex; without end where there is none."""
-    shortest, length = np.full(len(vertex), np.inf), np.linalg.norm(vertex[side.end] - vertex[side.start], axis=1)
+    shortest, length = (
+        np.full(len(vertex), np.inf),
+        np.linalg.norm(vertex[side.end] - vertex[side.start], axis=1),
+    )
     for at in (side.start, side.end):
         np.minimum.at(shortest, at, length)
     return shortest
 
 
-# ------------------------------------------------------------------------------------------------ doubled facets
+# --------------------------------------------------------------------------------------------- doubled facets
 
 
 def _without_doubled(face: Ints) -> tuple[Ints, Ints]:
@@ -136,7 +148,10 @@ def _join_corners(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints]:
 
 def _clusters(vertex: Floats, side: _Sides, was_open: Bools) -> Ints:
     """For each vertex (v,) the first one of its cluster."""
-    place, corner = np.arange(len(vertex)), np.unique(np.concatenate([side.start[was_open], side.end[was_open]]))
+    place, corner = (
+        np.arange(len(vertex)),
+        np.unique(np.concatenate([side.start[was_open], side.end[was_open]])),
+    )
     near = NEAR * _shortest(vertex, side)[corner]
     if len(corner) < 2:
         return place
@@ -146,14 +161,17 @@ def _clusters(vertex: Floats, side: _Sides, was_open: Bools) -> Ints:
     one, rank = np.nonzero(away <= near[:, None])
     two = other[one, rank]
     close = away[one, rank] <= near[two]
-    graph = scipy.sparse.coo_matrix((np.ones(int(close.sum())), (one[close], two[close])), (len(corner), len(corner)))
+    graph = scipy.sparse.coo_matrix(
+        (np.ones(int(close.sum())), (one[close], two[close])), (len(corner), len(corner))
+    )
     number = scipy.sparse.csgraph.connected_components(graph, directed=False)[1]
     place[corner] = corner[np.unique(number, return_index=True)[1]][number]
     return place
 
 
 def _unfit(vertex: Floats, face: Ints, place: Ints, was_open: Bools) -> Bools:
-    """First vertices (v,) of clusters that would make a facet without area or a flawed edge, or that close no edge."""
+    """First vertices (v,) of clusters that would make a facet without area or a flawed edge, or that close no
+    edge."""
     new = place[face]
     side, merged, wrong = _sides(new), np.zeros(len(place), np.bool_), np.zeros(len(place), np.bool_)
     merged[place[place != np.arange(len(place))]] = True
@@ -200,7 +218,8 @@ def _split_junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints
 
 
 def _junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints, Floats]:
-    """Half-edges (j,) on the border on which other vertices (j,) of it lie, and where: shares (j,); one side of a facet only."""
+    """Half-edges (j,) on the border on which other vertices (j,) of it lie, and where: shares (j,); one side
+    of a facet only."""
     side = _sides(face)
     half = np.flatnonzero(_open(side, rim))
     corner = np.unique(side.start[half])
@@ -214,7 +233,12 @@ def _junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints, Floa
     length = np.linalg.norm(way, axis=1)
     along = np.einsum("ij,ij->i", vertex[at] - start, way) / length
     off = np.linalg.norm(vertex[at] - start - (along / length)[:, None] * way, axis=1)
-    on = (off <= near) & (along > near) & (along < length - near) & (face[half // 3] != at[:, None]).all(axis=1)
+    on = (
+        (off <= near)
+        & (along > near)
+        & (along < length - near)
+        & (face[half // 3] != at[:, None]).all(axis=1)
+    )
     half, at, share = half[on], at[on], (along / length)[on]
     first = np.full(len(face), 3)
     np.minimum.at(first, half // 3, half % 3)
@@ -223,8 +247,8 @@ def _junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints, Floa
 
 
 def _candidates(point: Floats, start: Floats, end: Floats, near: Floats) -> tuple[Ints, Ints]:
-    """Pairs of segments (s,) and of points (p, 3) that may be nearer to them than ``near``: segments are halved until few
-    points are about each."""
+    """Pairs of segments (s,) and of points (p, 3) that may be nearer to them than ``near``: segments are
+    halved until few points are about each."""
     tree, row, low, size = scipy.spatial.cKDTree(point), np.arange(len(start)), np.zeros(len(start)), 1.0
     length, segments, points = np.linalg.norm(end - start, axis=1), [], []
     most = min(NEIGHBOURS, len(point))
@@ -245,8 +269,8 @@ def _candidates(point: Floats, start: Floats, end: Floats, near: Floats) -> tupl
 
 
 def _divided(face: Ints, half: Ints, at: Ints, share: Floats) -> tuple[Ints, Ints]:
-    """Facets divided at vertices ``at`` (j,) of their half-edges (j,), and whose part (g,) each is; its side 0 lies on the side
-    that was divided."""
+    """Facets divided at vertices ``at`` (j,) of their half-edges (j,), and whose part (g,) each is; its side
+    0 lies on the side that was divided."""
     facet, first = np.unique(half // 3, return_index=True)
     turn = (half[first] % 3)[:, None] + np.arange(3)
     a, b, c = np.take_along_axis(face[facet], turn % 3, axis=1).T

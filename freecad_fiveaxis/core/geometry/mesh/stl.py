@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """STL files in and out, binary and ASCII.
 
-binary  80 bytes of header, a 32-bit count of facets, then 50 bytes a facet: normal and three corners as 32-bit floats,
-        and a 16-bit attribute. The header may well begin with "solid"; the count tells the two kinds apart.
-ASCII   ``solid``, then ``facet normal x y z / outer loop / vertex x y z (three times) / endloop / endfacet``, ``endsolid``.
+binary  80 bytes of header, a 32-bit count of facets, then 50 bytes a facet: normal and three corners as
+        32-bit floats, and a 16-bit attribute. The header may well begin with "solid"; the count tells the two
+        kinds apart.
+ASCII   ``solid``, then ``facet normal x y z / outer loop / vertex x y z (three times) / endloop / endfacet``,
+        ``endsolid``.
 
-The normals of a file are not used: those of a mesh follow from its vertices. (Source: the StereoLithography Interface
-Specification, 3D Systems, 1989, as described in M. Burns, Automated Fabrication, 1993, section 6.5.)
+The normals of a file are not used: those of a mesh follow from its vertices. (Source: the StereoLithography
+Interface Specification, 3D Systems, 1989, as described in M. Burns, Automated Fabrication, 1993, section
+6.5.)
 """
 
 from __future__ import annotations
@@ -33,7 +36,8 @@ HEADER = 84  # bytes: header text and count
 RECORD = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("attribute", "<u2")])
 
 _BYTES = 190
-"""Of memory for each facet at least, from its record to the welded mesh: measured, 195 at two million facets."""
+"""Of memory for each facet at least, from its record to the welded mesh: measured, 195 at two million
+facets."""
 
 _ASCII_BYTES = 400
 """Of an ASCII file for each facet, at most: with all digits of its twelve numbers, and indented."""
@@ -51,27 +55,33 @@ _ASCII_FACET = "facet normal %.6f %.6f %.6f\n outer loop\n" + 3 * _ASCII_VERTEX 
 
 
 def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
-    """Read a binary or ASCII STL file into a welded mesh, mm; facets that ought to hang together are joined where that is safe.
+    """Read a binary or ASCII STL file into a welded mesh, mm; facets that ought to hang together are joined
+    where that is safe.
 
-    Raises FileError where the file cannot be read, MeshError where it is empty, cut off, no STL, or holds no usable
-    facet (see :func:`~freecad_fiveaxis.core.geometry.mesh.from_triangles`).
+    Raises FileError where the file cannot be read, MeshError where it is empty, cut off, no STL, or holds no
+    usable facet (see :func:`~freecad_fiveaxis.core.geometry.mesh.from_triangles`).
     """
     progress("read STL", 0.0)
     try:
         mesh = join_loose(from_columns(_columns(path, progress)))
     except MeshError as problem:
-        raise MeshError(say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value) from problem
+        raise MeshError(
+            say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value
+        ) from problem
     progress("weld", 1.0)
     return mesh
 
 
 def read_corners(path: str | os.PathLike[str], progress: Progress = silent) -> Floats:
-    """Read the facets (f, 3, 3) of an STL file as they stand in it, in whatever unit: nothing is welded. Raises as
+    """Read the facets (f, 3, 3) of an STL file as they stand in it, in whatever unit: nothing is welded.
+    Raises as
     :func:`read_stl` for a file that is no STL."""
     try:
         return np.asarray(_columns(path, progress).T, dtype=np.float64)
     except MeshError as problem:
-        raise MeshError(say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value) from problem
+        raise MeshError(
+            say("{name}: {problem}", name=Path(path).name, problem=problem), problem.value
+        ) from problem
 
 
 def stl_bytes(mesh: Mesh) -> bytes:
@@ -80,10 +90,11 @@ def stl_bytes(mesh: Mesh) -> bytes:
 
 
 def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> None:
-    """Write a mesh as a binary STL file, coordinates in mm as 32-bit floats, or as an ASCII one with all digits.
+    """Write a mesh as a binary STL file, coordinates in mm as 32-bit floats, or as an ASCII one with all
+    digits.
 
-    The file is written beside its place and then renamed, so there is never half a file. Raises FileError where the
-    folder cannot be written.
+    The file is written beside its place and then renamed, so there is never half a file. Raises FileError
+    where the folder cannot be written.
     """
     write_whole(path, b"".join(_ascii_pieces(mesh)) if ascii else stl_bytes(mesh))
 
@@ -91,7 +102,9 @@ def write_stl(mesh: Mesh, path: str | os.PathLike[str], ascii: bool = False) -> 
 def _columns(path: str | os.PathLike[str], progress: Progress) -> NDArray[np.float32] | Floats:
     """Corners (3, 3, f): x y z, corner, facet."""
     content = _content(path)
-    columns = np.ascontiguousarray(_ascii_corners(content, progress).T) if isinstance(content, bytes) else content
+    columns = (
+        np.ascontiguousarray(_ascii_corners(content, progress).T) if isinstance(content, bytes) else content
+    )
     progress("weld", 0.5)
     return columns
 
@@ -113,7 +126,12 @@ def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
         raise
     except OSError as problem:
         raise FileError(
-            say("STL file {path} cannot be read: {strerror}", path=os.fspath(path), strerror=problem.strerror or problem), path
+            say(
+                "STL file {path} cannot be read: {strerror}",
+                path=os.fspath(path),
+                strerror=problem.strerror or problem,
+            ),
+            path,
         ) from problem
     _check_text(data, facets)
     return data
@@ -134,12 +152,17 @@ def _check_text(data: bytes, facets: int) -> None:
         return
     if size < HEADER or not _CONTROL.search(data[:1024]):
         raise MeshError(
-            say("this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header", size=size), size
+            say(
+                "this is no STL file: its {size} bytes neither begin with 'solid' nor hold a binary header",
+                size=size,
+            ),
+            size,
         )
     held = (size - HEADER) / RECORD.itemsize
     raise MeshError(
         say(
-            "the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no STL; export it again",
+            "the header announces {facets} facets, but the file holds {held}: it is cut off, damaged or no "
+            "STL; export it again",
             facets=facets,
             held=Number(held),
         ),
@@ -153,8 +176,8 @@ def _check_text(data: bytes, facets: int) -> None:
 def _binary_columns(stream: BufferedReader | BytesIO, facets: int) -> NDArray[np.float32]:
     """Corners (3, 3, f): x y z, corner, facet.
 
-    Read in portions that stay in the cache. Each is first copied to aligned memory: the records are 50 bytes long, and
-    numpy is slow on odd addresses.
+    Read in portions that stay in the cache. Each is first copied to aligned memory: the records are 50 bytes
+    long, and numpy is slow on odd addresses.
     """
     packed = np.dtype([("normal", "V12"), ("corner", "V36"), ("attribute", "V2")])
     portion, aligned = np.empty(_ROWS, dtype=packed), np.empty(_ROWS, dtype="V36")
@@ -230,7 +253,10 @@ def _ascii_error(word: list[bytes], before: int) -> MeshError:
                 odd,
             )
     return MeshError(
-        say("the file ends within facet {facet}: it is cut off; export it again", facet=before + len(word) // _PER_FACET + 1),
+        say(
+            "the file ends within facet {facet}: it is cut off; export it again",
+            facet=before + len(word) // _PER_FACET + 1,
+        ),
         len(word),
     )
 

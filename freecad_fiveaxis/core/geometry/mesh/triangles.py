@@ -5,9 +5,9 @@ facet      one triangle, counter-clockwise seen from outside.
 half-edge  one side of a facet, in the facet's own sense.
 co-edge    one edge of the mesh with the two facets that share it (Lin & Ye, Fig. 7); at a border it has one.
 
-A facet without area is left out. Where more than two facets meet in an edge, or two facets run along it in the same
-sense, nothing tells which of them belong together: each gets a border co-edge of its own. A closed mesh whose volume
-is negative is turned outward. Each of these is a finding with its place.
+A facet without area is left out. Where more than two facets meet in an edge, or two facets run along it in
+the same sense, nothing tells which of them belong together: each gets a border co-edge of its own. A closed
+mesh whose volume is negative is turned outward. Each of these is a finding with its place.
 """
 
 from __future__ import annotations
@@ -35,8 +35,13 @@ from .words import T, Words
 S = TypeVar("S", np.float64, np.int64)
 
 LARGEST = 1e6  # mm; no machine reaches a kilometre, so the units are wrong
-LEAST = 1e-6  # mm; a part that is smaller is a slip of the units too, and squares of its sides would be no numbers
-FLAT = 2.0**-50  # height of a facet over the part's largest coordinate where the coordinates' own rounding (2**-53) makes it up
+# mm; a part that is smaller is a slip of the units too, and squares of its sides would be no numbers
+LEAST = 1e-6
+FLAT = (
+    2.0**-50
+    # height of a facet over the part's largest coordinate where the coordinates' own rounding (2**-53) makes
+    # it up
+)
 HOLLOW = 1e-12  # volume over that of the box around the part where its sign is rounding
 
 
@@ -44,12 +49,13 @@ HOLLOW = 1e-12  # volume over that of the box around the part where its sign is 
 class Mesh:
     """A welded triangle mesh, mm.
 
-    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the vertices;
-    ``area`` (f,) mm2; ``coedge_vertex`` (e, 2) the ends of each co-edge; ``coedge_face`` (e, 2) the facets on its two sides,
-    the second -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet: column k joins vertices k and k + 1.
+    ``vertex`` (v, 3); ``face`` (f, 3) vertex rows; ``normal`` (f, 3) unit, by the right-hand rule from the
+    vertices; ``area`` (f,) mm2; ``coedge_vertex`` (e, 2) the ends of each co-edge; ``coedge_face`` (e, 2) the
+    facets on its two sides, the second -1 at a border; ``face_coedge`` (f, 3) the co-edges of each facet:
+    column k joins vertices k and k + 1.
 
-    The first facet of a co-edge runs along it from ``coedge_vertex[:, 0]`` to ``[:, 1]``, the second one back.
-    ``allowance`` (f,) mm: so far a tool keeps off each facet; None: it may touch all of them.
+    The first facet of a co-edge runs along it from ``coedge_vertex[:, 0]`` to ``[:, 1]``, the second one
+    back. ``allowance`` (f,) mm: so far a tool keeps off each facet; None: it may touch all of them.
     """
 
     vertex: Floats
@@ -78,8 +84,9 @@ class Mesh:
 def from_triangles(corners: ArrayLike) -> Mesh:
     """Weld loose triangles into a mesh.
 
-    ``corners`` (f, 3, 3) mm: facet, corner, x y z; float32 or float64. Raises MeshError for zero facets, coordinates
-    that are not finite or beyond ``LARGEST``, all of them within ``LEAST``, and where no facet has an area.
+    ``corners`` (f, 3, 3) mm: facet, corner, x y z; float32 or float64. Raises MeshError for zero facets,
+    coordinates that are not finite or beyond ``LARGEST``, all of them within ``LEAST``, and where no facet
+    has an area.
     """
     array = _numbers(corners, say("triangle corners"), (3, 3))
     column = np.empty((3, 3, len(array)), dtype=np.float32 if array.dtype == np.float32 else np.float64)
@@ -89,7 +96,8 @@ def from_triangles(corners: ArrayLike) -> Mesh:
 
 
 def from_columns(column: Reals) -> Mesh:
-    """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0 becomes 0 in them."""
+    """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0
+    becomes 0 in them."""
     _numbers(column.T, say("triangle corners"), (3, 3))
     vertex, face, shape, halves = _welded(column)
     del column  # nobody needs it any more, and the rest needs room
@@ -99,14 +107,17 @@ def from_columns(column: Reals) -> Mesh:
 def from_faces(vertex: ArrayLike, face: ArrayLike) -> Mesh:
     """Mesh of an indexed triangle set: ``vertex`` (v, 3) mm, ``face`` (f, 3) rows of it.
 
-    Nothing is welded; vertices that no facet uses are left out. Raises MeshError as :func:`from_triangles` does, and
-    for a vertex row that does not exist.
+    Nothing is welded; vertices that no facet uses are left out. Raises MeshError as :func:`from_triangles`
+    does, and for a vertex row that does not exist.
     """
     point = np.array(_numbers(vertex, say("vertices"), (3,)), dtype=np.float64, order="F")
     row = _numbers(face, say("facets"), (3,))
     if row.dtype.kind not in "iu":
         raise MeshError(
-            say("facets are given as {dtype} numbers: give integer rows of the vertex table", dtype=row.dtype), str(row.dtype)
+            say(
+                "facets are given as {dtype} numbers: give integer rows of the vertex table", dtype=row.dtype
+            ),
+            str(row.dtype),
         )
     row = np.array(row, dtype=np.int64, order="F")
     low, high = int(row.min()), int(row.max())
@@ -143,19 +154,26 @@ def _numbers(given: ArrayLike, what: str, row: tuple[int, ...]) -> NDArray[Any]:
     try:
         array = np.asarray(given)
     except ValueError as problem:
-        raise MeshError(say("the {what} form no regular table: {problem}", what=what, problem=problem), None) from problem
+        raise MeshError(
+            say("the {what} form no regular table: {problem}", what=what, problem=problem), None
+        ) from problem
     if array.size == 0:
-        raise MeshError(say("the mesh has no facets: export a solid or a surface with at least one triangle"), 0)
+        raise MeshError(
+            say("the mesh has no facets: export a solid or a surface with at least one triangle"), 0
+        )
     if array.dtype.kind not in "iuf" or array.shape[1:] != row:
         form = f"{array.dtype} of shape {array.shape}"
         wanted = f"(n, {', '.join(map(str, row))})"
-        raise MeshError(say("the {what} are {form}: give numbers of shape {wanted}", what=what, form=form, wanted=wanted), form)
+        raise MeshError(
+            say("the {what} are {form}: give numbers of shape {wanted}", what=what, form=form, wanted=wanted),
+            form,
+        )
     return array
 
 
 def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
-    """Least and largest of each of the three columns, or MeshError where one holds a coordinate that no part can have, or all
-    of them together a size that none has."""
+    """Least and largest of each of the three columns, or MeshError where one holds a coordinate that no part
+    can have, or all of them together a size that none has."""
     with np.errstate(invalid="ignore"):
         low, high = column.min(axis=1), column.max(axis=1)
         if np.maximum(-low, high).max() <= LARGEST:  # no NaN: it would come out of all three
@@ -167,7 +185,8 @@ def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
     if not np.isfinite(value):
         raise MeshError(
             say(
-                "{what} {number} of {rows} has {axis} = {value}: coordinates must be finite numbers; export the mesh again",
+                "{what} {number} of {rows} has {axis} = {value}: coordinates must be finite numbers; export "
+                "the mesh again",
                 value=value,
                 **given,
             ),
@@ -175,7 +194,8 @@ def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
         )
     raise MeshError(
         say(
-            "{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of the export",
+            "{what} {number} of {rows} has {axis} = {value}, and no part exceeds {most}: check the units of "
+            "the export",
             value=Length(value),
             most=Length(LARGEST),
             **given,
@@ -185,7 +205,8 @@ def _range(column: Reals, rows: int, what: str) -> tuple[Reals, Reals]:
 
 
 def _check_size(size: float) -> None:
-    """Raise MeshError for a part that is ``size`` mm long, less than any; where it is but a point, no facet has an area."""
+    """Raise MeshError for a part that is ``size`` mm long, less than any; where it is but a point, no facet
+    has an area."""
     if 0.0 < size < LEAST:
         raise MeshError(
             say(
@@ -201,7 +222,8 @@ def _check_size(size: float) -> None:
 
 
 def _welded(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
-    """Vertices, facets, flat ones included, their shape, and the half-edges of those that stay, from corners (3, 3, f)."""
+    """Vertices, facets, flat ones included, their shape, and the half-edges of those that stay, from corners
+    (3, 3, f)."""
     facets = column.shape[2]
     # row k f + i is corner k of facet i, as in a Fortran-ordered ``face``
     corners = column.reshape(3, -1)
@@ -219,11 +241,18 @@ def _welded(column: Reals) -> tuple[Floats, Ints, _Shape, HalfEdges]:
 
 
 def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh:
-    """Mesh of Fortran-ordered vertices and facets, flat ones included, their shape, and the half-edges of those that stay."""
+    """Mesh of Fortran-ordered vertices and facets, flat ones included, their shape, and the half-edges of
+    those that stay."""
     findings = [_flat_finding(vertex, face, shape.flat)] if len(shape.flat) else []
-    face, normal, area = _without(face, shape.flat), _without(shape.normal, shape.flat), _without(shape.area, shape.flat)
+    face, normal, area = (
+        _without(face, shape.flat),
+        _without(shape.normal, shape.flat),
+        _without(shape.area, shape.flat),
+    )
     edges = _coedges(vertex, face, halves)
-    mesh = Mesh(vertex, face, normal, area, edges.vertex, edges.face, edges.of_face, (*findings, *edges.findings))
+    mesh = Mesh(
+        vertex, face, normal, area, edges.vertex, edges.face, edges.of_face, (*findings, *edges.findings)
+    )
     return _turned(mesh) if edges.closed and shape.inward else mesh
 
 
@@ -237,14 +266,19 @@ def join_loose(mesh: Mesh) -> Mesh:
         return mesh
     joined = from_faces(mesh.vertex, found.face)
     kept = [one for one in mesh.findings if one.code == Code.DEGENERATE_FACETS]
-    findings = [_join_finding(mesh.vertex, *one) for one in zip(_JOIN_FINDINGS, found[1:], strict=True) if len(one[1])]
+    findings = [
+        _join_finding(mesh.vertex, *one) for one in zip(_JOIN_FINDINGS, found[1:], strict=True) if len(one[1])
+    ]
     return replace(joined, findings=(*kept, *findings, *joined.findings))
 
 
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
     """The half-edges of the facets that stay, and what ``work`` gives, done in the meantime."""
     if len(shape.flat) == len(face):
-        raise MeshError(say("none of the {count} facets has an area: check the units and the export", count=len(face)), len(face))
+        raise MeshError(
+            say("none of the {count} facets has an area: check the units and the export", count=len(face)),
+            len(face),
+        )
     return sorted_half_edges(_without(face, shape.flat), vertices, work)
 
 
@@ -266,7 +300,8 @@ def _turned(mesh: Mesh) -> Mesh:
     """The same facets seen from the other side."""
     place = _place(mesh.vertex, mesh.face[0])
     text = say(
-        "All {count} facets looked inward and were turned outward; check the export if only some of them should.",
+        "All {count} facets looked inward and were turned outward; check the export if only some of them "
+        "should.",
         count=len(mesh.face),
     )
     finding = report_finding(Code.INWARD_FACETS, text, float(len(mesh.face)), 0.0, place=place)
@@ -286,8 +321,8 @@ def _turned(mesh: Mesh) -> Mesh:
 class _Shape:
     """What the corners alone tell.
 
-    ``normal`` (f, 3) unit; ``area`` (f,) mm2; ``flat`` rows of facets without area; ``inward`` True where the volume of a closed
-    mesh is negative.
+    ``normal`` (f, 3) unit; ``area`` (f,) mm2; ``flat`` rows of facets without area; ``inward`` True where the
+    volume of a closed mesh is negative.
     """
 
     normal: Floats
@@ -297,7 +332,8 @@ class _Shape:
 
 
 def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high: Reals) -> _Shape:
-    """Shape of so many ``facets``: ``corner`` gives x y z of corner k of some of them, ``low`` and ``high`` bound them all."""
+    """Shape of so many ``facets``: ``corner`` gives x y z of corner k of some of them, ``low`` and ``high``
+    bound them all."""
     low, high = low.astype(np.float64), high.astype(np.float64)
     side, least = float((high - low).max()), FLAT * float(np.maximum(-low, high).max())
     normal, area = np.empty((3, facets)), np.empty(facets)
@@ -329,7 +365,8 @@ def _shape(corner: Callable[[int, slice], Floats], facets: int, low: Reals, high
 
 @dataclass(frozen=True)
 class _Coedges:
-    """The co-edge columns of a Mesh (``vertex``, ``face``, ``of_face``), findings, and whether the mesh is closed."""
+    """The co-edge columns of a Mesh (``vertex``, ``face``, ``of_face``), findings, and whether the mesh is
+    closed."""
 
     vertex: Ints
     face: Ints
@@ -343,7 +380,10 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
     number, alone, closed = len(halves.word) // 2, np.empty(0, dtype=np.int64), True
     pairs: Iterator[tuple[slice | Ints, slice | Ints]]
     if halves.paired():
-        pairs = ((slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2)) for at in chunks(number))
+        pairs = (
+            (slice(2 * at.start, 2 * at.stop, 2), slice(2 * at.start + 1, 2 * at.stop, 2))
+            for at in chunks(number)
+        )
     else:
         first, alone = partners(halves.keys(slice(None)))
         number = len(first)
@@ -351,7 +391,9 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
         findings, closed = _edge_findings(halves.keys(alone), halves.numbers(alone), halves.low, vertex, face)
     width, facet = int(len(vertex) - 1).bit_length(), (1 << halves.low) - 1
     ends, sides = np.empty((2, 2, number + len(alone)), dtype=np.int64)
-    of_face = np.empty(3 << halves.low, dtype=np.int64)  # as wide as half-edge numbers are, so that they address it
+    of_face = np.empty(
+        3 << halves.low, dtype=np.int64
+    )  # as wide as half-edge numbers are, so that they address it
 
     def fill(at: slice, there: slice | Ints, back: slice | Ints) -> None:
         _put_ends(halves.keys(there), width, ends[:, at])
@@ -360,7 +402,9 @@ def _coedges(vertex: Floats, face: Ints, halves: HalfEdges) -> _Coedges:
         np.bitwise_and(two, facet, out=sides[1, at])
         of_face[one] = of_face[two] = np.arange(at.start, at.stop)
 
-    in_threads(lambda rows: fill(*rows), [(at, *pair) for at, pair in zip(chunks(number), pairs, strict=True)])
+    in_threads(
+        lambda rows: fill(*rows), [(at, *pair) for at, pair in zip(chunks(number), pairs, strict=True)]
+    )
     edge, one = halves.keys(alone), halves.numbers(alone)
     _put_ends(edge, width, ends[:, number:])
     against = number + np.flatnonzero(edge & np.uint64(1))
@@ -381,11 +425,19 @@ def _put_ends(edge: Words, width: int, out: Ints) -> None:
 # ------------------------------------------------------------------------------------------------ findings
 
 _JOIN_FINDINGS = (
-    (Code.DOUBLED_FACETS, Template("{count} facets were there twice, the first at {at}; one of each was kept.")),
-    (Code.CORNERS_JOINED, Template("{count} corners next to others, the first at {at}, were joined with them.")),
+    (
+        Code.DOUBLED_FACETS,
+        Template("{count} facets were there twice, the first at {at}; one of each was kept."),
+    ),
+    (
+        Code.CORNERS_JOINED,
+        Template("{count} corners next to others, the first at {at}, were joined with them."),
+    ),
     (
         Code.T_JUNCTIONS_JOINED,
-        Template("{count} corners lie on a side of another facet, the first at {at}; that facet was divided there."),
+        Template(
+            "{count} corners lie on a side of another facet, the first at {at}; that facet was divided there."
+        ),
     ),
 )
 
@@ -400,28 +452,33 @@ _EDGE_FINDINGS = (
     (
         Code.OPEN_SHELL,
         Template(
-            "{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD if it is meant to be "
+            "{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD "
+            "if it is meant to be "
             "solid."
         ),
     ),
     (
         Code.INCONSISTENT_WINDING,
         Template(
-            "{edges} edges have two facets that run along them in the same sense, the first at {at}; passes end there. Unify the "
+            "{edges} edges have two facets that run along them in the same sense, the first at {at}; passes "
+            "end there. Unify the "
             "facet normals."
         ),
     ),
     (
         Code.NON_MANIFOLD_EDGES,
         Template(
-            "{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite the bodies that "
+            "{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite "
+            "the bodies that "
             "meet there."
         ),
     ),
 )
 
 
-def _edge_findings(key: Words, half: Ints, low: int, vertex: Floats, face: Ints) -> tuple[list[Finding], bool]:
+def _edge_findings(
+    key: Words, half: Ints, low: int, vertex: Floats, face: Ints
+) -> tuple[list[Finding], bool]:
     """Findings on the half-edges without a partner, and whether the mesh is closed all the same.
 
     It is closed when every edge is run along as often in one sense as in the other.

@@ -22,16 +22,18 @@ Reals = NDArray[np.floating]  # float32 as in an STL file, or float64
 
 _CELLS = 255.0  # of the bounding box along each of its two longer sides, that number the vertices
 _SHORTEST = 1e-30  # mm; a side that no cell can divide in 32-bit floats
-_FACTORS = np.array((0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93), dtype=np.uint64)  # odd, with well mixed bits
+_FACTORS = np.array(
+    (0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0xD6E8FEB86659FD93), dtype=np.uint64
+)  # odd, with well mixed bits
 
 
 def weld(column: Reals, low: Reals, high: Reals, work: Callable[[], T]) -> tuple[Reals, Ints, T]:
-    """Vertices (3, v), the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``, and what ``work``
-    gives, done in the meantime. :func:`separate` has to follow.
+    """Vertices (3, v), the vertex row (n,) of each of the n corners whose x, y, z are the rows of ``column``,
+    and what ``work`` gives, done in the meantime. :func:`separate` has to follow.
 
-    ``low`` and ``high`` (3,) bound the corners. Sorts words of cell, hash and corner number. The cell (of the bounding box,
-    seen along its shortest side) goes first so that vertices that lie close get close numbers: everything that follows then
-    runs in the cache.
+    ``low`` and ``high`` (3,) bound the corners. Sorts words of cell, hash and corner number. The cell (of the
+    bounding box, seen along its shortest side) goes first so that vertices that lie close get close numbers:
+    everything that follows then runs in the cache.
     """
     bits = int(column.shape[1] - 1).bit_length()
     key = _corner_keys(column, low, high, bits)
@@ -67,7 +69,8 @@ def _corner_keys(column: Reals, low: Reals, high: Reals, bits: int) -> Words:
 
 
 def _number(key: Words, bits: int) -> tuple[Ints, Ints]:
-    """Vertex row (n,) of each corner and the first corner (v,) of each vertex, from ascending keys; these lose ``bits`` bits."""
+    """Vertex row (n,) of each corner and the first corner (v,) of each vertex, from ascending keys; these
+    lose ``bits`` bits."""
     row = np.empty(len(key), dtype=np.int64)
     first: list[Ints] = []
     before, vertices = np.uint64((1 << 64) - 1), 0  # no key, which has fewer bits
@@ -80,7 +83,9 @@ def _number(key: Words, bits: int) -> tuple[Ints, Ints]:
         np.not_equal(word[1:], word[:-1], out=new[1:])
         start = np.flatnonzero(new)
         first.append(corner.take(start))
-        bound = np.concatenate(([0], start, [len(word)]))  # the first rows may be those of the last vertex before
+        bound = np.concatenate(
+            ([0], start, [len(word)])
+        )  # the first rows may be those of the last vertex before
         row[corner] = np.arange(vertices - 1, vertices + len(start)).repeat(bound[1:] - bound[:-1])
         before, vertices = word[-1], vertices + len(start)
     return row, np.concatenate(first)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes that were attached to a draft as bodies: each is an STL in a folder of its own until the draft is saved.
+"""Meshes that were attached to a draft as bodies: each is an STL in a folder of its own until the draft is
+saved.
 
 beside    with the draft each is written beside the machine's file, named after both, where no file is yet.
 """
@@ -29,7 +30,8 @@ class AttachedMeshes:
         self._numbers = count(1)
 
     def add(self, mesh: Mesh) -> str:
-        """Keep a mesh, mm in the machine frame with every joint at zero; returns the name of its file. Raises FileError."""
+        """Keep a mesh, mm in the machine frame with every joint at zero; returns the name of its file. Raises
+        FileError."""
         if self._folder is None:
             self._folder = TemporaryDirectory(prefix="fiveaxis-machine-")
         path = os.path.join(self._folder.name, f"{next(self._numbers)}{SUFFIX}")
@@ -50,8 +52,8 @@ class AttachedMeshes:
 def attach_bodies(
     draft: MachineDraft, surfaces: Sequence[tuple[str, Mesh]], carrier: str, attached: AttachedMeshes
 ) -> MachineDraft:
-    """Add bodies of a ``carrier`` after labels and meshes, mm in the machine frame with every joint at zero; a label that is a
-    body's name already gets a number. Raises FileError."""
+    """Add bodies of a ``carrier`` after labels and meshes, mm in the machine frame with every joint at zero;
+    a label that is a body's name already gets a number. Raises FileError."""
     bodies = list(draft.bodies)
     for label, mesh in surfaces:
         name = free_body_name(label, [body.name for body in bodies])
@@ -59,9 +61,11 @@ def attach_bodies(
     return replace(draft, bodies=tuple(bodies))
 
 
-def name_attached(draft: MachineDraft, target: Path, attached: AttachedMeshes) -> tuple[MachineDraft, dict[str, bytes]]:
-    """Give the draft as it will be in the machine file ``target``, the attached meshes beside it, and what is to be written under
-    their new names. Raises FileError."""
+def name_attached(
+    draft: MachineDraft, target: Path, attached: AttachedMeshes
+) -> tuple[MachineDraft, dict[str, bytes]]:
+    """Give the draft as it will be in the machine file ``target``, the attached meshes beside it, and what is
+    to be written under their new names. Raises FileError."""
     bodies: list[MachineBody] = []
     files: dict[str, bytes] = {}
     for body in draft.bodies:

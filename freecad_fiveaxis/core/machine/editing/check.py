@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is wrong with a draft, and what it leaves open: by the reader of machine files itself, axis by axis and body by body.
+"""What is wrong with a draft, and what it leaves open: by the reader of machine files itself, axis by axis
+and body by body.
 
-field     what a problem is about: "axes.A" is one axis, "bodies.platter" a body, "axes" are all together, "machine" is the rest.
+field     what a problem is about: "axes.A" is one axis, "bodies.platter" a body, "axes" are all together,
+          "machine" is the rest.
 """
 
 from __future__ import annotations
@@ -30,7 +32,8 @@ AXES, MACHINE = "axes", "machine"
 
 @dataclass(frozen=True)
 class Problem:
-    """``field`` as at the head of the module; ``text`` names value and remedy; an ERROR keeps the draft from being written."""
+    """``field`` as at the head of the module; ``text`` names value and remedy; an ERROR keeps the draft from
+    being written."""
 
     field: str
     text: str
@@ -38,8 +41,8 @@ class Problem:
 
 
 def check_draft(draft: MachineDraft) -> tuple[Machine | None, tuple[Problem, ...]]:
-    """Give the machine of a draft, None where some problem is an error, and the problems, errors first. Its bodies' files have
-    their whole names."""
+    """Give the machine of a draft, None where some problem is an error, and the problems, errors first. Its
+    bodies' files have their whole names."""
     found = [*_repeated_letters(draft), *_axis_errors(draft), *_body_errors(draft)]
     machine: Machine | None = None
     if not found:
@@ -59,7 +62,10 @@ def _repeated_letters(draft: MachineDraft) -> list[Problem]:
     letters = draft.letters()
     twice = sorted({letter for letter in letters if letters.count(letter) > 1})
     return [
-        Problem(f"{AXES}.{letter}", say("two axes are called {letter}; give each a letter of its own", letter=letter))
+        Problem(
+            f"{AXES}.{letter}",
+            say("two axes are called {letter}; give each a letter of its own", letter=letter),
+        )
         for letter in twice
     ]
 
@@ -71,7 +77,10 @@ def _axis_errors(draft: MachineDraft) -> Iterator[Problem]:
 
 def _check_axis(axis: AxisDraft, unit: float) -> None:
     if axis.max_rate is None:
-        raise MachineError(say("axis {letter} has no maximum rate; give what its drive reaches", letter=axis.letter), axis.letter)
+        raise MachineError(
+            say("axis {letter} has no maximum rate; give what its drive reaches", letter=axis.letter),
+            axis.letter,
+        )
     read_axis(axis.letter, {axis.letter: axis_data(axis, unit)}, unit)
 
 
@@ -109,10 +118,15 @@ def _open_questions(draft: MachineDraft) -> Iterator[Problem]:
     """What a machine may leave out, and what then is not looked at."""
     for axis in draft.axes:
         if not axis.rotary and (math.isinf(axis.low) or math.isinf(axis.high)):
-            text = say("axis {letter} has no end; give its limits, or its travel is not checked", letter=axis.letter)
+            text = say(
+                "axis {letter} has no end; give its limits, or its travel is not checked", letter=axis.letter
+            )
             yield Problem(f"{AXES}.{axis.letter}", text, Severity.WARNING)
         if axis.rotary and not axis.low <= 0.0 <= axis.high:
-            text = say("axis {letter} cannot stand at 0; programs begin with their rotary axes there", letter=axis.letter)
+            text = say(
+                "axis {letter} cannot stand at 0; programs begin with their rotary axes there",
+                letter=axis.letter,
+            )
             yield Problem(f"{AXES}.{axis.letter}", text, Severity.WARNING)
     if draft.table is None:
         text = say("the height of the table's face is not known; setup leaves Z alone without it")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A machine file as a draft: plain values to be edited, and the objects of the file that they were read from.
 
-values    mm, degrees, mm/min and degrees/min, whatever the file's unit is. A value that is not changed is written as it stood.
+values    mm, degrees, mm/min and degrees/min, whatever the file's unit is. A value that is not changed is
+          written as it stood.
 source    what the file held, an axis's own or the whole: every key that a draft knows nothing of stays in it.
 unit      mm for one of the file's lengths.
 """
@@ -27,9 +28,9 @@ Side = Literal["table", "head"]
 
 @dataclass(frozen=True)
 class AxisDraft:
-    """One axis. ``direction`` as given, of any length; ``point`` mm, of a rotary axis's line with all joints zero; ``low`` and
-    ``high`` mm or degrees, infinite for no limit; ``max_rate`` mm/min or degrees/min, None while it is not known. Nothing of it
-    is checked here (:mod:`.check`)."""
+    """One axis. ``direction`` as given, of any length; ``point`` mm, of a rotary axis's line with all joints
+    zero; ``low`` and ``high`` mm or degrees, infinite for no limit; ``max_rate`` mm/min or degrees/min, None
+    while it is not known. Nothing of it is checked here (:mod:`.check`)."""
 
     letter: str
     rotary: bool
@@ -45,9 +46,10 @@ class AxisDraft:
 
 @dataclass(frozen=True)
 class MachineDraft:
-    """A machine. ``axes`` from the work to the tool, the table's before the head's; ``units``: "metric" or "imperial", of its
-    file; ``gauge_point`` and ``origin`` (3,) mm and ``table`` mm as of :class:`~..model.Machine`; ``bodies`` with the whole names
-    of their files. ``order``: letters and sides of the axes as the file has them."""
+    """A machine. ``axes`` from the work to the tool, the table's before the head's; ``units``: "metric" or
+    "imperial", of its file; ``gauge_point`` and ``origin`` (3,) mm and ``table`` mm as of
+    :class:`~..model.Machine`; ``bodies`` with the whole names of their files. ``order``: letters and sides of
+    the axes as the file has them."""
 
     name: str
     description: str
@@ -74,7 +76,8 @@ class MachineDraft:
 
 
 def read_draft(name_or_path: str | os.PathLike[str]) -> MachineDraft:
-    """Read a machine by its shipped name or its file. Raises MachineError or FileError, as :func:`~..load_machine` does."""
+    """Read a machine by its shipped name or its file. Raises MachineError or FileError, as
+    :func:`~..load_machine` does."""
     given = os.fspath(name_or_path)
     machine = load_machine(given)
     path = machine_path(given)
@@ -83,10 +86,15 @@ def read_draft(name_or_path: str | os.PathLike[str]) -> MachineDraft:
     source = parse_json(read_bytes(path, "machine file"))
     units = source["machine"]["units"]
     axes = as_today(source["machine"]["axes"])
-    chained = tuple(read_axis_draft(one.letter, _today(axes[one.letter]), UNITS[units]) for one in machine.fitted)
-    bodies = tuple(replace(one, file=str(Path(one.file).absolute()) if one.file else "") for one in machine.bodies)
+    chained = tuple(
+        read_axis_draft(one.letter, _today(axes[one.letter]), UNITS[units]) for one in machine.fitted
+    )
+    bodies = tuple(
+        replace(one, file=str(Path(one.file).absolute()) if one.file else "") for one in machine.bodies
+    )
     return MachineDraft(
-        machine.name, machine.description, units, machine.controller, machine.gauge_point, machine.origin, machine.table, chained,
+        machine.name, machine.description, units, machine.controller, machine.gauge_point, machine.origin,
+        machine.table, chained,
         bodies, source, tuple((axis.letter, axis.side) for axis in chained), bodies,
     )  # fmt: skip
 
@@ -104,7 +112,9 @@ def read_axis_draft(letter: str, axis: JsonObject, unit: float) -> AxisDraft:
     low, high = (_limit(scale * axis["limits"][key]) for key in ("min", "max"))
     side: Side = "table" if axis["role"].startswith("table") else "head"
     wrap = axis.get("wrap_strategy", "unwound") if rotary else "unwound"
-    return AxisDraft(letter, rotary, side, direction, point, low, high, scale * axis["max_velocity"], wrap, axis)
+    return AxisDraft(
+        letter, rotary, side, direction, point, low, high, scale * axis["max_velocity"], wrap, axis
+    )
 
 
 def _limit(value: float) -> float:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A draft as a new machine file: what was changed is written anew, all else stands as it stood.
 
-parents   where order or side of an axis was changed, or one is new, each axis of a side is carried by the one before it, from
-          the base outwards.
-files     STL files of bodies are named relative to the machine's file where they lie in its folder, else by their whole names.
+parents   where order or side of an axis was changed, or one is new, each axis of a side is carried by the one
+          before it, from the base outwards.
+files     STL files of bodies are named relative to the machine's file where they lie in its folder, else by
+          their whole names.
 """
 
 from __future__ import annotations
@@ -83,7 +84,10 @@ def _axes_data(draft: MachineDraft) -> dict[str, Any]:
             for place, letter in enumerate(side):
                 found[letter] |= {"parent": side[place - 1] if place else None, "sequence": place}
     before = list(draft.source["machine"]["axes"])
-    return {letter: found[letter] for letter in sorted(found, key=lambda one: (before.index(one) if one in before else 9, one))}
+    return {
+        letter: found[letter]
+        for letter in sorted(found, key=lambda one: (before.index(one) if one in before else 9, one))
+    }
 
 
 def axis_data(axis: AxisDraft, unit: float) -> dict[str, Any]:
@@ -91,18 +95,27 @@ def axis_data(axis: AxisDraft, unit: float) -> dict[str, Any]:
     before = read_axis_draft(axis.letter, axis.source, unit) if axis.source else None
     if before is not None and before.rotary != axis.rotary:
         before = None
-    data = copy.deepcopy({key: value for key, value in axis.source.items() if axis.rotary or key not in TURNING})
+    data = copy.deepcopy(
+        {key: value for key, value in axis.source.items() if axis.rotary or key not in TURNING}
+    )
     scale = 1.0 if axis.rotary else unit
 
     def changed(*names: str) -> bool:
         return before is None or any(getattr(before, name) != getattr(axis, name) for name in names)
 
     if before is None:
-        data |= {"type": "rotary" if axis.rotary else "linear", "limits": {}, **(TURNING if axis.rotary else {})}
+        data |= {
+            "type": "rotary" if axis.rotary else "linear",
+            "limits": {},
+            **(TURNING if axis.rotary else {}),
+        }
     if changed("side"):
         data["role"] = f"{axis.side}_{'rotary' if axis.rotary else 'linear'}"
     if changed("direction", "point"):
-        data["joint"] = {"origin": [_number(one / unit) for one in axis.point], "axis": [_number(one) for one in axis.direction]}
+        data["joint"] = {
+            "origin": [_number(one / unit) for one in axis.point],
+            "axis": [_number(one) for one in axis.direction],
+        }
     for name, key in (("low", "min"), ("high", "max")):
         if changed(name):
             data["limits"][key] = _limit(getattr(axis, name), scale)
@@ -127,7 +140,9 @@ def _bodies_data(draft: MachineDraft, folder: Path | None) -> list[dict[str, Any
     return [_body_data(body, draft, objects, folder) for body in draft.bodies]
 
 
-def _body_data(body: MachineBody, draft: MachineDraft, objects: list[dict[str, Any]], folder: Path | None) -> dict[str, Any]:
+def _body_data(
+    body: MachineBody, draft: MachineDraft, objects: list[dict[str, Any]], folder: Path | None
+) -> dict[str, Any]:
     if body in draft.listed:
         data = copy.deepcopy(objects[draft.listed.index(body)])
     else:
@@ -137,7 +152,9 @@ def _body_data(body: MachineBody, draft: MachineDraft, objects: list[dict[str, A
 
 def _in_unit(body: MachineBody, unit: float) -> MachineBody:
     points = tuple((x / unit, y / unit, z / unit) for x, y, z in body.points)
-    return replace(body, points=points, radii=tuple(one / unit for one in body.radii), clearance=body.clearance / unit)
+    return replace(
+        body, points=points, radii=tuple(one / unit for one in body.radii), clearance=body.clearance / unit
+    )
 
 
 def file_name(file: str, folder: Path | None) -> str:

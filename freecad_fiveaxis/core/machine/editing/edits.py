@@ -20,7 +20,8 @@ SIDES = ("table", "head")
 
 
 def free_letters(draft: MachineDraft) -> tuple[str, ...]:
-    """The letters that an axis to be added can have: no more than three linear and two rotary ones make a machine."""
+    """The letters that an axis to be added can have: no more than three linear and two rotary ones make a
+    machine."""
     used = draft.letters()
     rotary = () if sum(letter in ROTARY_LETTERS for letter in used) > 1 else ROTARY_LETTERS
     return tuple(letter for letter in (*LINEAR_LETTERS, *rotary) if letter not in used)
@@ -39,8 +40,8 @@ def remove_axis(draft: MachineDraft, at: int) -> MachineDraft:
 
 
 def move_axis(draft: MachineDraft, at: int, step: int) -> MachineDraft:
-    """Move an axis by ``step`` (-1: towards the work, 1: towards the tool) past its neighbour on the same side; the same draft
-    where there is none."""
+    """Move an axis by ``step`` (-1: towards the work, 1: towards the tool) past its neighbour on the same
+    side; the same draft where there is none."""
     other = at + step
     if not 0 <= other < len(draft.axes) or draft.axes[at].side != draft.axes[other].side:
         return draft
@@ -50,13 +51,15 @@ def move_axis(draft: MachineDraft, at: int, step: int) -> MachineDraft:
 
 
 def change_axis(draft: MachineDraft, at: int, **changes: Any) -> MachineDraft:
-    """Change values of an axis. A new letter says whether it is rotary, and bodies that it carries go with it; on a new side the
-    axis stands next to the base."""
+    """Change values of an axis. A new letter says whether it is rotary, and bodies that it carries go with
+    it; on a new side the axis stands next to the base."""
     before = draft.axes[at]
     after = replace(before, **changes)
     letter = after.letter
     if letter != before.letter:
         after = replace(after, rotary=letter in ROTARY_LETTERS)
     axes = (*draft.axes[:at], after, *draft.axes[at + 1 :])
-    bodies = tuple(replace(body, carrier=letter) if body.carrier == before.letter else body for body in draft.bodies)
+    bodies = tuple(
+        replace(body, carrier=letter) if body.carrier == before.letter else body for body in draft.bodies
+    )
     return replace(draft, axes=tuple(sorted(axes, key=lambda axis: SIDES.index(axis.side))), bodies=bodies)

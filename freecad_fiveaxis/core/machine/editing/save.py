@@ -15,9 +15,12 @@ from .draft import MachineDraft
 from .draft_file import draft_bytes
 
 
-def save_draft(draft: MachineDraft, path: str | os.PathLike[str], attached: AttachedMeshes | None = None) -> None:
-    """Write the draft as a new ``.fcm`` file, the meshes ``attached`` to it as STL files beside it. Raises MachineError for what
-    is wrong with it, FileError where the file is there already or cannot be written; then no file is left."""
+def save_draft(
+    draft: MachineDraft, path: str | os.PathLike[str], attached: AttachedMeshes | None = None
+) -> None:
+    """Write the draft as a new ``.fcm`` file, the meshes ``attached`` to it as STL files beside it. Raises
+    MachineError for what is wrong with it, FileError where the file is there already or cannot be written;
+    then no file is left."""
     target = Path(path)
     require_machine(draft)
     check_new(target)

@@ -4,8 +4,9 @@
 pin      a number of a component, set by ``setp pin value`` or fed by a signal.
 signal   what ``net signal pin ...`` joins pins with; ``sets signal value`` gives it a value.
 
-HAL files of the kind ``.tcl`` are programs; of them, and of ``.hal`` files, these statements alone are read, wherever they stand.
-Files that begin with ``LIB:`` are LinuxCNC's own, know nothing of the machine and are not read.
+HAL files of the kind ``.tcl`` are programs; of them, and of ``.hal`` files, these statements alone are read,
+wherever they stand. Files that begin with ``LIB:`` are LinuxCNC's own, know nothing of the machine and are
+not read.
 """
 
 from __future__ import annotations
@@ -45,13 +46,15 @@ class HalValues:
             self._take(_substituted(text, where, ini).split(), where)
 
     def value(self, pin: str) -> float | None:
-        """The number that a pin has from the start, None where nothing sets it. Raises MachineError where that is not known."""
+        """The number that a pin has from the start, None where nothing sets it. Raises MachineError where
+        that is not known."""
         signal = self.signal_of.get(pin)
         given = self._given(pin, signal)
         if given is None and signal is not None and self.sources[signal] - {pin}:
             others = ", ".join(sorted(self.sources[signal] - {pin}))
             text = Template(
-                "{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} VALUE for the import"
+                "{pin} comes from signal {signal} ({others}), whose value no HAL file says; write setp {pin} "
+                "VALUE for the import"
             )
             raise MachineError(text.say(pin=pin, signal=signal, others=others), pin)
         if given is None:
@@ -62,7 +65,8 @@ class HalValues:
         return found
 
     def _given(self, pin: str, signal: str | None) -> Value | None:
-        """What the slider that drives the signal starts with, else what ``sets`` says of it, else ``setp`` of the pin itself."""
+        """What the slider that drives the signal starts with, else what ``sets`` says of it, else ``setp`` of
+        the pin itself."""
         of_signal = None if signal is None else self.signals.get(signal)
         return self._panel_of(pin) or of_signal or self.set.get(pin)
 
@@ -72,7 +76,8 @@ class HalValues:
         return next((self.panel[source] for source in sorted(sources) if source in self.panel), None)
 
     def beside(self, pin: str, other: str) -> tuple[float | None, bool]:
-        """Give the number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by a sum2.
+        """Give the number of a pin without what ``other`` adds to it, and whether it adds to it: alone, or by
+        a sum2.
 
         Raises MachineError where the number is not known."""
         if self.joined(pin, other):
@@ -100,7 +105,9 @@ class HalValues:
                 yield from given["names"].strip('"').split(",")
             elif module == "sum2":
                 count = given.get("count", "1")
-                yield from (f"sum2.{i}" for i in range(int(count) if re.fullmatch("[0-9]{1,2}", count) else 1))
+                yield from (
+                    f"sum2.{i}" for i in range(int(count) if re.fullmatch("[0-9]{1,2}", count) else 1)
+                )
 
     def joined(self, pin: str, other: str) -> bool:
         """Whether one signal joins both pins."""
@@ -145,18 +152,22 @@ def _statements(ini: IniFile, unread: list[FileError]) -> Iterator[tuple[str, st
 
 
 def _at_home(name: str, where: str) -> Path:
-    """The file, ``~`` and ``~user`` being folders of users. Raises MachineError where there is no such user."""
+    """The file, ``~`` and ``~user`` being folders of users. Raises MachineError where there is no such
+    user."""
     try:
         return Path(name).expanduser()
     except RuntimeError as error:
         text = say(
-            "{where}: {name} begins with the folder of a user who is not known; write the whole path", where=where, name=name
+            "{where}: {name} begins with the folder of a user who is not known; write the whole path",
+            where=where,
+            name=name,
         )
         raise MachineError(text, name) from error
 
 
 def _of_file(path: Path, ini: IniFile, named: str, depth: int = 0) -> Iterator[tuple[str, str]]:
-    """The statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC has it).
+    """The statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC has
+    it).
 
     ``named``: where it is named. Raises MachineError where the files go in a circle or are too many."""
     ini.reading.take(path, depth, named)

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """LinuxCNC's machines with a tilting head: ``5axiskins`` and ``maxkins``.
 
-L      the pin pivot-length; t: the tool length. Both modules have B reversed (ISO 841 has it the other way round).
+L      the pin pivot-length; t: the tool length. Both modules have B reversed (ISO 841 has it the other way
+       round).
 5axis  a fork C carries B. L is meant to be the distance from the gauge point to the pivot, plus t:
            P = J + L ez - (L + W) k          k = Rz(C) Ry(-B) ez
        so C runs through the gauge point, and B through the point L - t above it. Source: ``5axiskins.c``.
 max    a head B over a table C. It moves the joints by its inverse,
            J = Rz(-C) P + (L + W) Ry(-B) ez - L ez          k = Rz(C) Ry(-B) ez
-       C runs through the machine's zero, B through the point L above the gauge point. t enters as W. The module's own forward
-       takes the head's part without turning it by C: it is no inverse of that where B and C are both off zero. The pin
-       conventional-directions, which newer versions have, makes B that of ISO 841. Source: ``maxkins.c``.
+       C runs through the machine's zero, B through the point L above the gauge point. t enters as W. The
+       module's own forward takes the head's part without turning it by C: it is no inverse of that where B
+       and C are both off zero. The pin conventional-directions, which newer versions have, makes B that of
+       ISO 841. Source: ``maxkins.c``.
 """
 
 from __future__ import annotations
@@ -49,10 +51,14 @@ def _head_over_table(given: Given) -> tuple[Turn, ...]:
 
 def _max_remarks(given: Given) -> tuple[Finding, ...]:
     forward = say(
-        "maxkins shows wrong positions where B and C are both off zero: its forward formula does not fit the one that moves "
+        "maxkins shows wrong positions where B and C are both off zero: its forward formula does not fit the "
+        "one that moves "
         "the joints. The machine is that of the latter; home it with B or C at 0."
     )
-    length = say("maxkins turns the tool length with the head only where it is a W offset of the tool table; enter it there.")
+    length = say(
+        "maxkins turns the tool length with the head only where it is a W offset of the tool table; enter it "
+        "there."
+    )
     return (
         report_finding(Code.FORWARD_DIFFERS, forward),
         report_finding(Code.TOOL_LENGTH_IN_W, length),
@@ -61,7 +67,8 @@ def _max_remarks(given: Given) -> tuple[Finding, ...]:
 
 HEADS = (
     Kinematics(
-        "5axiskins", "XYZBCW", "XYZBCW", _fork, _fork_remarks, spare="AUV", tool=PIVOT, tool_in=True, pins=(Pin(PIVOT, 250.0),),
+        "5axiskins", "XYZBCW", "XYZBCW", _fork, _fork_remarks, spare="AUV", tool=PIVOT, tool_in=True,
+        pins=(Pin(PIVOT, 250.0),),
     ),
     Kinematics(
         "maxkins", "XYZABCUVW", "XYZBC", _head_over_table, _max_remarks, spare="AUVW", fixed=True,

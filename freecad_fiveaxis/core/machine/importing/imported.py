@@ -3,7 +3,8 @@
 
 LinuxCNC   an ini file (``.ini``) with kinematics of :mod:`.registry`, and the HAL files that it names.
 URDF       a robot description of ROS (``.urdf``): :mod:`.urdf`.
-FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is told.
+FreeCAD    a file of the Machine editor (``.fcm``). It is this program's own format already; what it lacks is
+           told.
 """
 
 from __future__ import annotations
@@ -37,7 +38,8 @@ DEFAULTS = {
 
 @dataclass(frozen=True)
 class Imported:
-    """A machine and what its source leaves open; ``meshes``, mm, of its bodies that have no file yet, by their names."""
+    """A machine and what its source leaves open; ``meshes``, mm, of its bodies that have no file yet, by
+    their names."""
 
     machine: Machine
     findings: tuple[Finding, ...]
@@ -45,9 +47,11 @@ class Imported:
 
 
 def import_machine(path: str) -> Imported:
-    """The machine of a LinuxCNC ini file, a URDF file or a FreeCAD machine file, checked for a chain that can be solved.
+    """The machine of a LinuxCNC ini file, a URDF file or a FreeCAD machine file, checked for a chain that can
+    be solved.
 
-    Raises MachineError that names the missing or wrong value and its file, FileError where a file cannot be read.
+    Raises MachineError that names the missing or wrong value and its file, FileError where a file cannot be
+    read.
     """
     suffix, meshes = Path(path).suffix.lower(), dict[str, Mesh]()
     if suffix == ".ini":
@@ -58,7 +62,11 @@ def import_machine(path: str) -> Imported:
         machine, findings = _of_freecad(path)
     else:
         raise MachineError(
-            say("{path} has no ending that is known; give LinuxCNC's .ini, a .urdf or FreeCAD's .fcm", path=path), path
+            say(
+                "{path} has no ending that is known; give LinuxCNC's .ini, a .urdf or FreeCAD's .fcm",
+                path=path,
+            ),
+            path,
         )
     try:
         chain(machine, Setup(machine.origin))
@@ -73,24 +81,30 @@ def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
     extra, found = data.get("fiveaxis", {}), []
     if lacking := [f"{key} {value}" for key, value in DEFAULTS.items() if key not in extra]:
         text = say(
-            "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.", lacking=", ".join(lacking)
+            "FreeCAD's file does not say everything; taken: {lacking}. Correct them under fiveaxis.",
+            lacking=", ".join(lacking),
         )
         found.append(report_finding(Code.MACHINE_DEFAULT, text))
     if is_older(data["machine"]["axes"]):
         text = say(
-            "The file is of an older layout, which does not say what carries what; taken: X and Y move the table, Z the head. "
+            "The file is of an older layout, which does not say what carries what; taken: X and Y move the "
+            "table, Z the head. "
             "Limits are those beside each axis."
         )
         found.append(report_finding(Code.MACHINE_DEFAULT, text))
     if not extra:
         text = say(
-            "The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the signs before cutting."
+            "The joint axes are taken as the way the tool moves relative to the work (ISO 841). Prove the "
+            "signs before cutting."
         )
         found.append(report_finding(Code.SIGN_UNPROVEN, text))
     kinematics = data["machine"].get("kinematics")
     frame = kinematics.get("base_frame") if isinstance(kinematics, dict) else None
     if isinstance(frame, dict) and any(frame.get(key, value) != value for key, value in UPRIGHT.items()):
-        text = say("The file's base frame is shifted or turned and is not used; write the axes in the machine's own frame.")
+        text = say(
+            "The file's base frame is shifted or turned and is not used; write the axes in the machine's own "
+            "frame."
+        )
         found.append(report_finding(Code.BASE_FRAME_NOT_USED, text))
     return replace(machine, controller=machine.controller or _controller(data)), tuple(found)
 
@@ -120,7 +134,9 @@ def _row(axis: Axis) -> str:
     unit, scale = ("deg", math.degrees(1.0)) if axis.rotary else ("mm", 1.0)
     line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
     line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
-    return line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+    return (
+        line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+    )
 
 
 def _bodies(machine: Machine) -> list[str]:

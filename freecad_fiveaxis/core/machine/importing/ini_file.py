@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""LinuxCNC's ini files: sections of ``KEY = value``, keys that repeat, ``#INCLUDE file``, lines that a backslash joins."""
+"""LinuxCNC's ini files: sections of ``KEY = value``, keys that repeat, ``#INCLUDE file``, lines that a
+backslash joins."""
 
 from __future__ import annotations
 
@@ -16,8 +17,8 @@ from freecad_fiveaxis.core.base.sentences import say
 DEEPEST = 8
 """Files that include one another deeper than this go in a circle."""
 MOST = 200
-"""Files of one configuration, each counted as often as it is read; none needs as many, and a few that name one another twice
-would make more than any time is enough for."""
+"""Files of one configuration, each counted as often as it is read; none needs as many, and a few that name
+one another twice would make more than any time is enough for."""
 LONGEST = 5_000_000
 """Bytes; no configuration is as long."""
 
@@ -31,17 +32,23 @@ class Value:
 
 
 class Reading:
-    """The files that one configuration makes the import read, so that the end is certain. ``path``: the ini file."""
+    """The files that one configuration makes the import read, so that the end is certain. ``path``: the ini
+    file."""
 
     def __init__(self, path: Path) -> None:
         self.path, self.count = path, 0
 
     def take(self, path: Path, depth: int, where: str) -> None:
-        """One file more, named at ``where``. Raises MachineError where they go in a circle or are too many."""
+        """One file more, named at ``where``. Raises MachineError where they go in a circle or are too
+        many."""
         self.count += 1
         if depth > DEEPEST:
             raise MachineError(
-                say("{where}: {name} and others include one another in a circle; remove one", where=where, name=path.name),
+                say(
+                    "{where}: {name} and others include one another in a circle; remove one",
+                    where=where,
+                    name=path.name,
+                ),
                 str(path),
             )
         if self.count > MOST:
@@ -84,14 +91,23 @@ class IniFile:
         value = self.get(section, key)
         if value is None or not value.text:
             raise MachineError(
-                say("{path}: [{section}] {key} is missing; {remedy}", path=self.path, section=section, key=key, remedy=remedy),
+                say(
+                    "{path}: [{section}] {key} is missing; {remedy}",
+                    path=self.path,
+                    section=section,
+                    key=key,
+                    remedy=remedy,
+                ),
                 f"[{section}] {key}",
             )
         return value
 
 
-def text_lines(path: Path, what: str, reading: Reading | None = None, depth: int = 0) -> Iterator[tuple[str, str]]:
-    """The lines of a text file without blanks at their ends, those that end in a backslash joined, each with its place.
+def text_lines(
+    path: Path, what: str, reading: Reading | None = None, depth: int = 0
+) -> Iterator[tuple[str, str]]:
+    """The lines of a text file without blanks at their ends, those that end in a backslash joined, each with
+    its place.
 
     ``reading``: counts the files that ``#INCLUDE`` names; without it, that is a line like any other."""
     content = read_bytes(path, what)

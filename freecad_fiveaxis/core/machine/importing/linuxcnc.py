@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A LinuxCNC configuration as a machine: its kinematics module by :mod:`.registry`, units, limits and rates by the ini file.
+"""A LinuxCNC configuration as a machine: its kinematics module by :mod:`.registry`, units, limits and rates
+by the ini file.
 
-module   what a HAL file loads by ``loadrt``, else ``[KINS] KINEMATICS``. ``coordinates=`` gives the order of the joints.
-axes     those that the module and [TRAJ] COORDINATES have. What a machine file cannot hold stays at 0, and a finding says so.
-joint    limits are those of [JOINT_n], of [AXIS_L] where they are missing there; the narrower of both for rotary axes, whose
-         word is the joint in every kinematics. A rate is the lower of both.
+module   what a HAL file loads by ``loadrt``, else ``[KINS] KINEMATICS``. ``coordinates=`` gives the order of
+         the joints.
+axes     those that the module and [TRAJ] COORDINATES have. What a machine file cannot hold stays at 0, and a
+         finding says so.
+joint    limits are those of [JOINT_n], of [AXIS_L] where they are missing there; the narrower of both for
+         rotary axes, whose word is the joint in every kinematics. A rate is the lower of both.
 """
 
 from __future__ import annotations
@@ -26,16 +29,27 @@ from .record import Given, Kinematics, Turn, X, Y, Z
 from .registry import KINEMATICS
 
 LENGTHS = {"mm": 1.0, "metric": 1.0, "in": 25.4, "inch": 25.4, "imperial": 25.4}
-ANGLES = {"deg": 1.0, "degree": 1.0, "rad": math.degrees(1.0), "radian": math.degrees(1.0), "grad": 0.9, "gon": 0.9}
+ANGLES = {
+    "deg": 1.0,
+    "degree": 1.0,
+    "rad": math.degrees(1.0),
+    "radian": math.degrees(1.0),
+    "grad": 0.9,
+    "gon": 0.9,
+}
 NUMBER = r"\d{1,9}(\.\d{0,17})?"
 """How older files give a unit: so many of it in a millimetre or a degree."""
 UNLIMITED = 99999.0
 """A limit beyond this is none, as in machine files."""
-LINEAR = tuple(Turn(letter, "head", direction, (0.0, 0.0, 0.0)) for letter, direction in zip("XYZ", (X, Y, Z), strict=True))
+LINEAR = tuple(
+    Turn(letter, "head", direction, (0.0, 0.0, 0.0))
+    for letter, direction in zip("XYZ", (X, Y, Z), strict=True)
+)
 
 
 def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
-    """Make the machine of a LinuxCNC configuration. Raises MachineError naming the value that is missing or wrong, FileError."""
+    """Make the machine of a LinuxCNC configuration. Raises MachineError naming the value that is missing or
+    wrong, FileError."""
     ini = IniFile(path)
     hal = HalValues(ini)
     line = _kinematics_line(ini, hal)
@@ -53,7 +67,8 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
 
 
 def _kinematics_line(ini: IniFile, hal: HalValues) -> Value:
-    """The module and its options: what HAL loads, else what the ini file names. Raises MachineError where they differ."""
+    """The module and its options: what HAL loads, else what the ini file names. Raises MachineError where
+    they differ."""
     remedy = say("known are {modules}", modules=", ".join(KINEMATICS))
     loaded = next((value for value in hal.loaded if _is_kinematics(value.text.split()[0])), None)
     if loaded is None:
@@ -80,7 +95,12 @@ def _kinematics(line: Value) -> tuple[Kinematics, str]:
     if module not in KINEMATICS:
         remedy = say("known are {modules}", modules=", ".join(KINEMATICS))
         raise MachineError(
-            say("{where}: kinematics {module} cannot be imported; {remedy}", where=line.where, module=module, remedy=remedy),
+            say(
+                "{where}: kinematics {module} cannot be imported; {remedy}",
+                where=line.where,
+                module=module,
+                remedy=remedy,
+            ),
             module,
         )
     kind = KINEMATICS[module]
@@ -100,7 +120,8 @@ def _kinematics(line: Value) -> tuple[Kinematics, str]:
 
 
 def _present(ini: IniFile, order: str) -> str:
-    """The letters of the axes that there are: those of the module that [TRAJ] COORDINATES names too, where it is given."""
+    """The letters of the axes that there are: those of the module that [TRAJ] COORDINATES names too, where it
+    is given."""
     named = ini.get("TRAJ", "COORDINATES")
     letters = named.text.upper() if named is not None and named.text else order
     return "".join(letter for letter in dict.fromkeys(order) if letter in letters)
@@ -135,7 +156,8 @@ def _held(kind: Kinematics, given: Given, turns: tuple[Turn, ...]) -> list[Findi
     if not held:
         return []
     text = say(
-        "{module} moves {letters} too, which a machine file cannot hold; the machine is right only while that stands at 0.",
+        "{module} moves {letters} too, which a machine file cannot hold; the machine is right only while "
+        "that stands at 0.",
         module=kind.name,
         letters=" and ".join(held),
     )
@@ -182,7 +204,9 @@ def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> lis
     given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
     found = [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
     if not found:
-        ini.need(f"JOINT_{joint}", key, say("axis {letter} needs it there or under [AXIS_{letter}]", letter=letter))
+        ini.need(
+            f"JOINT_{joint}", key, say("axis {letter} needs it there or under [AXIS_{letter}]", letter=letter)
+        )
     return found if both else found[:1]
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the sliders and number fields of a LinuxCNC screen start with: the file of ``[DISPLAY] PYVCP``.
 
-A ``scale`` with ``<halpin>"name"</halpin>`` feeds the pin pyvcp.name-f, a ``spinbox`` pyvcp.name; ``<initval>`` is where it
-starts (0 where that is missing). Nothing else of the file is read, and a file that cannot be read says nothing.
+A ``scale`` with ``<halpin>"name"</halpin>`` feeds the pin pyvcp.name-f, a ``spinbox`` pyvcp.name;
+``<initval>`` is where it starts (0 where that is missing). Nothing else of the file is read, and a file that
+cannot be read says nothing.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ SUFFIX = {"scale": "-f", "spinbox": ""}
 
 
 def panel_values(ini: IniFile) -> dict[str, Value]:
-    """Read the values that pins of the panel start with, by the pin's whole name; empty where there is no panel."""
+    """Read the values that pins of the panel start with, by the pin's whole name; empty where there is no
+    panel."""
     named = ini.get("DISPLAY", "PYVCP")
     if named is None or not named.text:
         return {}

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The values of a kinematics module's pins, and what is to be said about them.
 
-default  where nothing sets a pin, LinuxCNC has the module's own value; so has the import, and a finding names it.
-panel    a pin that a slider of the screen sets has the value that the slider starts with, and a finding names it.
-tool     the tool length: where the tool's pin follows motion.tooloffset.z it is the setup's; a constant lifts the rotary lines.
+default  where nothing sets a pin, LinuxCNC has the module's own value; so has the import, and a finding names
+         it.
+panel    a pin that a slider of the screen sets has the value that the slider starts with, and a finding names
+         it.
+tool     the tool length: where the tool's pin follows motion.tooloffset.z it is the setup's; a constant lifts
+         the rotary lines.
 """
 
 from __future__ import annotations
@@ -23,9 +26,11 @@ TOOL = "motion.tooloffset.z"
 
 @dataclass(frozen=True)
 class PinValues:
-    """``values``: of the pins by name, lengths in mm. ``lift``: of the rotary lines by a constant tool length, mm.
+    """``values``: of the pins by name, lengths in mm. ``lift``: of the rotary lines by a constant tool
+    length, mm.
 
-    ``follows_tool``: whether the tool length comes from motion.tooloffset.z. ``findings``: what is to be said."""
+    ``follows_tool``: whether the tool length comes from motion.tooloffset.z. ``findings``: what is to be
+    said."""
 
     values: Mapping[str, float]
     lift: float
@@ -41,16 +46,25 @@ def pin_values(hal: HalValues, kind: Kinematics, length: float) -> PinValues:
     given, follows = _given(hal, kind)
     constant = 0.0 if not kind.tool or kind.tool_in or follows else hal.value(kind.pin(kind.tool)) or 0.0
     values = {
-        pin.name: (length if pin.length else 1.0) * (pin.default if (number := given[pin.name]) is None else number)
+        pin.name: (length if pin.length else 1.0)
+        * (pin.default if (number := given[pin.name]) is None else number)
         for pin in kind.pins
     }
-    findings = [*_lacking(given, kind), *_unused(hal, kind), *_constant(kind, constant), *_by_panel(hal, kind)]
+    findings = [
+        *_lacking(given, kind),
+        *_unused(hal, kind),
+        *_constant(kind, constant),
+        *_by_panel(hal, kind),
+    ]
     return PinValues(values, length * constant, follows, tuple(findings))
 
 
 def _given(hal: HalValues, kind: Kinematics) -> tuple[dict[str, float | None], bool]:
     """What the files say of each pin, and whether the tool length comes in by one of them."""
-    given, follows = {pin.name: hal.value(kind.pin(pin.name)) for pin in kind.pins if not _summed(kind, pin.name)}, False
+    given, follows = (
+        {pin.name: hal.value(kind.pin(pin.name)) for pin in kind.pins if not _summed(kind, pin.name)},
+        False,
+    )
     if kind.tool_in:
         given[kind.tool], follows = hal.beside(kind.pin(kind.tool), TOOL)
     elif kind.tool:
@@ -63,7 +77,9 @@ def _summed(kind: Kinematics, name: str) -> bool:
 
 
 def _lacking(given: Mapping[str, float | None], kind: Kinematics) -> list[Finding]:
-    lacking = [f"{pin.name} ({pin.default:g})" for pin in kind.pins if pin.required and given[pin.name] is None]
+    lacking = [
+        f"{pin.name} ({pin.default:g})" for pin in kind.pins if pin.required and given[pin.name] is None
+    ]
     if not lacking:
         return []
     text = say(
@@ -78,7 +94,12 @@ def _unused(hal: HalValues, kind: Kinematics) -> list[Finding]:
     found = []
     for name in kind.unused:
         if number := hal.value(kind.pin(name)):
-            text = say("{unused} is {given}, but {module} does not use it.", unused=name, given=Number(number), module=kind.name)
+            text = say(
+                "{unused} is {given}, but {module} does not use it.",
+                unused=name,
+                given=Number(number),
+                module=kind.name,
+            )
             found.append(report_finding(Code.OFFSET_NOT_USED, text, number))
     return found
 
@@ -87,7 +108,8 @@ def _constant(kind: Kinematics, constant: float) -> list[Finding]:
     if not constant:
         return []
     text = say(
-        "{pin} is a constant {given}; the rotary axes are that much higher for it. Join it to motion.tooloffset.z.",
+        "{pin} is a constant {given}; the rotary axes are that much higher for it. Join it to "
+        "motion.tooloffset.z.",
         pin=kind.tool,
         given=Number(constant),
     )
@@ -99,7 +121,8 @@ def _by_panel(hal: HalValues, kind: Kinematics) -> list[Finding]:
     if not taken:
         return []
     text = say(
-        "Sliders of the screen set pins of {module}; taken is what they start with: {taken}. Is that so on your machine?",
+        "Sliders of the screen set pins of {module}; taken is what they start with: {taken}. Is that so on "
+        "your machine?",
         module=kind.name,
         taken=", ".join(taken),
     )

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the import knows of one of LinuxCNC's kinematics modules: a record, and what a configuration gives it.
 
-pin      an input of the module in HAL, called ``prefix.name``; where nothing sets it, the module's own value holds.
-turn     a rotary axis: on which side it is, its direction (ISO 841: tool relative to the work) and a point of its line.
-J, P, k  in formulas: the joints, the tip in the work, the tool axis; ez is the unit vector of Z, Rx(A) the turn about X.
-tool     P counts the tool length t in: with all rotary joints zero P = J, and the tip stands at J - t ez. The machine's gauge
-         point is therefore 0,0,0 for every module, and t is the setup's tool length.
+pin      an input of the module in HAL, called ``prefix.name``; where nothing sets it, the module's own value
+         holds.
+turn     a rotary axis: on which side it is, its direction (ISO 841: tool relative to the work) and a point of
+         its line.
+J, P, k  in formulas: the joints, the tip in the work, the tool axis; ez is the unit vector of Z, Rx(A) the
+         turn about X.
+tool     P counts the tool length t in: with all rotary joints zero P = J, and the tip stands at J - t ez. The
+         machine's gauge point is therefore 0,0,0 for every module, and t is the setup's tool length.
 """
 
 from __future__ import annotations
@@ -24,7 +27,8 @@ Z: Vector = (0.0, 0.0, 1.0)
 
 @dataclass(frozen=True)
 class Pin:
-    """An input. ``default``: the module's own value; ``length``: in the machine's units, else in degrees or a bit.
+    """An input. ``default``: the module's own value; ``length``: in the machine's units, else in degrees or a
+    bit.
 
     ``required``: a finding says so where nothing sets it."""
 
@@ -48,9 +52,9 @@ class Turn:
 class Given:
     """What a configuration gives a module.
 
-    ``module``: prefix of its pins. ``letters``: of the axes that it has. ``values``: of the pins by name, lengths in mm, the
-    others as they are. ``where``: the place of the line that names the module. ``follows_tool``: whether the tool length comes
-    from motion.tooloffset.z."""
+    ``module``: prefix of its pins. ``letters``: of the axes that it has. ``values``: of the pins by name,
+    lengths in mm, the others as they are. ``where``: the place of the line that names the module.
+    ``follows_tool``: whether the tool length comes from motion.tooloffset.z."""
 
     module: str
     letters: str
@@ -63,10 +67,11 @@ class Given:
 class Kinematics:
     """One of LinuxCNC's modules.
 
-    ``joints``: letters in the order of the joints where the line does not say ``coordinates=``; ``fixed``: it cannot say so.
-    ``needs``: letters that must be there; ``spare``: those that may stand beside them. ``turns``: the rotary axes from the work
-    to the tool. ``remarks``: what is to be said besides. ``tool``: the pin that takes motion.tooloffset.z, alone or, with
-    ``tool_in``, in a sum with a length of the machine. ``unused``: pins that the module has and does not use.
+    ``joints``: letters in the order of the joints where the line does not say ``coordinates=``; ``fixed``: it
+    cannot say so. ``needs``: letters that must be there; ``spare``: those that may stand beside them.
+    ``turns``: the rotary axes from the work to the tool. ``remarks``: what is to be said besides. ``tool``:
+    the pin that takes motion.tooloffset.z, alone or, with ``tool_in``, in a sum with a length of the machine.
+    ``unused``: pins that the module has and does not use.
     """
 
     name: str

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An imported machine is written: its file and the meshes of its bodies beside it, over no file, all of them or none."""
+"""An imported machine is written: its file and the meshes of its bodies beside it, over no file, all of them
+or none."""
 
 from __future__ import annotations
 
@@ -17,8 +18,9 @@ from .imported import Imported
 
 
 def save_imported(imported: Imported, path: str | os.PathLike[str]) -> list[str]:
-    """Write a machine as a new ``.fcm`` file; returns the names of all files, that one first. Raises FileError where it is there
-    already or cannot be written, MachineError for an axis without a maximum rate; then no file is left."""
+    """Write a machine as a new ``.fcm`` file; returns the names of all files, that one first. Raises
+    FileError where it is there already or cannot be written, MachineError for an axis without a maximum rate;
+    then no file is left."""
     target, machine = Path(path), imported.machine
     check_new(target)
     files: dict[str, bytes] = {}

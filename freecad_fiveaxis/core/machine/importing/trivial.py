@@ -2,9 +2,11 @@
 """LinuxCNC's ``trivkins``: every joint is an axis word, P = J - t ez. It knows of no rotary line.
 
 linear   X, Y and Z make a machine of three axes.
-one      with one rotary axis A or B, no configuration says what it carries, where its line runs and which way it turns. Taken: it
-         turns the table about the line through the machine's zero along X or Y, with the sign of ISO 841. A finding says so.
-two      of two rotary axes nothing says which carries which, so they are refused; as is C alone, which never tilts the tool.
+one      with one rotary axis A or B, no configuration says what it carries, where its line runs and which way
+         it turns. Taken: it turns the table about the line through the machine's zero along X or Y, with the
+         sign of ISO 841. A finding says so.
+two      of two rotary axes nothing says which carries which, so they are refused; as is C alone, which never
+         tilts the tool.
 
 Source: ``trivkins.c``.
 """
@@ -31,17 +33,27 @@ def _check(given: Given, rotary: list[str]) -> None:
     """Refuse axes that make no machine."""
     problem: str = ""
     if lacking := [letter for letter in "XYZ" if letter not in given.letters]:
-        problem = say("without {letters} there is no milling machine; name X, Y and Z", letters=" and ".join(lacking))
+        problem = say(
+            "without {letters} there is no milling machine; name X, Y and Z", letters=" and ".join(lacking)
+        )
     elif len(rotary) > 1:
         problem = say(
-            "nothing says where {letters} stand and which carries which; describe the machine by hand (docs/adding.md)",
+            "nothing says where {letters} stand and which carries which; describe the machine by hand "
+            "(docs/adding.md)",
             letters=" and ".join(rotary),
         )
     elif rotary == ["C"]:
-        problem = say("C alone is parallel to the tool and never tilts it; leave C out for a machine of three axes")
+        problem = say(
+            "C alone is parallel to the tool and never tilts it; leave C out for a machine of three axes"
+        )
     if problem:
         raise MachineError(
-            say("{where}: trivkins has the axes {letters}; {problem}", where=given.where, letters=given.letters, problem=problem),
+            say(
+                "{where}: trivkins has the axes {letters}; {problem}",
+                where=given.where,
+                letters=given.letters,
+                problem=problem,
+            ),
             given.letters,
         )
 
@@ -51,8 +63,10 @@ def _remarks(given: Given) -> tuple[Finding, ...]:
     if not rotary:
         return ()
     text = say(
-        "trivkins does not say where {letter} stands. Taken: it turns the table about the line through the machine's zero along "
-        "{along}, with the sign of ISO 841. Correct what is otherwise in the machine file; prove the signs before cutting.",
+        "trivkins does not say where {letter} stands. Taken: it turns the table about the line through the "
+        "machine's zero along "
+        "{along}, with the sign of ISO 841. Correct what is otherwise in the machine file; prove the signs "
+        "before cutting.",
         letter=rotary[0],
         along="X" if rotary[0] == "A" else "Y",
     )

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A URDF file (ROS) as a machine: three prismatic joints and one or two that turn, in a tree that ends in a table and in a tool.
+"""A URDF file (ROS) as a machine: three prismatic joints and one or two that turn, in a tree that ends in a
+table and in a tool.
 
 frame      the machine's is that of the root link, in mm: the tool must stand upright in it, along Z.
-sign       a joint's value is the axis's: of the table a positive one moves the table along or about the joint's axis, so that the
-           direction by ISO 841, in which the tool moves relative to the work, is the reverse.
-letter     by the joint's name (``x``, ``axis_x``, ``A-axis``, ``jointC``); where the names do not say it, by the direction: X, Y
-           and Z of linear axes, A, B and C of those that turn about these.
-places     gauge point and usual work zero are taken where the frames of the tool and of the table have their origins.
+sign       a joint's value is the axis's: of the table a positive one moves the table along or about the
+           joint's axis, so that the direction by ISO 841, in which the tool moves relative to the work, is
+           the reverse.
+letter     by the joint's name (``x``, ``axis_x``, ``A-axis``, ``jointC``); where the names do not say it, by
+           the direction: X, Y and Z of linear axes, A, B and C of those that turn about these.
+places     gauge point and usual work zero are taken where the frames of the tool and of the table have their
+           origins.
 """
 
 from __future__ import annotations
@@ -44,8 +47,8 @@ MANY = 8
 
 
 def machine_of_urdf(path: Path) -> tuple[Machine, tuple[Finding, ...], dict[str, Mesh]]:
-    """Make the machine of a URDF file, and the meshes, mm, of its bodies of the shape ``file`` by their names. Raises
-    MachineError that names what cannot be read, FileError."""
+    """Make the machine of a URDF file, and the meshes, mm, of its bodies of the shape ``file`` by their
+    names. Raises MachineError that names what cannot be read, FileError."""
     robot = read_robot(path)
     tree = grow(robot, path)
     table, tool = find_ends(tree, path)
@@ -67,7 +70,9 @@ def machine_of_urdf(path: Path) -> tuple[Machine, tuple[Finding, ...], dict[str,
 def _check_bodies(bodies: Sequence[MachineBody], path: Path) -> None:
     """Refuse what the machine's file could not be read with."""
     try:
-        read_bodies(write_bodies([replace(body, file=body.file or body.name) for body in bodies]), "bodies", 1.0)
+        read_bodies(
+            write_bodies([replace(body, file=body.file or body.name) for body in bodies]), "bodies", 1.0
+        )
     except MachineError as error:
         raise wrong(path, error.text) from error
 
@@ -76,7 +81,8 @@ def _check_kinds(joints: Sequence[Joint], path: Path) -> None:
     linear, rotary = ([joint.name for joint in joints if joint.rotary is kind] for kind in (False, True))
     if len(linear) != 3 or len(rotary) > 2:
         text = say(
-            "between table and tool {linear} run straight and {rotary} turn; it needs three and at most two, make others fixed",
+            "between table and tool {linear} run straight and {rotary} turn; it needs three and at most two, "
+            "make others fixed",
             linear=", ".join(linear[:MANY]) or say("none"),
             rotary=", ".join(rotary[:MANY]) or say("none"),
         )
@@ -89,7 +95,8 @@ def _check_upright(place: Floats, tool: str, path: Path) -> None:
         raise wrong(
             path,
             say(
-                "the Z axis of {tool} leans {lean} deg from that of the root; turn the root so that the tool stands along Z",
+                "the Z axis of {tool} leans {lean} deg from that of the root; turn the root so that the tool "
+                "stands along Z",
                 tool=tool,
                 lean=round(lean, 3),
             ),
@@ -97,7 +104,8 @@ def _check_upright(place: Floats, tool: str, path: Path) -> None:
 
 
 def _letters(joints: Sequence[Joint], tree: Tree, rotary: bool, path: Path) -> dict[str, str]:
-    """The letters of the joints of one kind: by name where each has one of its own there, else by direction."""
+    """The letters of the joints of one kind: by name where each has one of its own there, else by
+    direction."""
     kind = [joint for joint in joints if joint.rotary is rotary]
     by_name = {joint.name: _letter_in(joint.name, LETTERS[rotary]) for joint in kind}
     if all(by_name.values()) and len(set(by_name.values())) == len(kind):
@@ -105,14 +113,16 @@ def _letters(joints: Sequence[Joint], tree: Tree, rotary: bool, path: Path) -> d
     found = {joint.name: _letter_along(joint, tree, path) for joint in kind}
     for letter in LETTERS[rotary]:
         if len(alike := [name for name in found if found[name] == letter]) > 1:
-            text = say("{joints} would all be {letter} by their directions; call them by their letters, as axis_{small}",
+            text = say("{joints} would all be {letter} by their directions; call them by their letters, as "
+                "axis_{small}",
                        joints=", ".join(alike), letter=letter, small=letter.lower())  # fmt: skip
             raise wrong(path, text)
     return found
 
 
 def _letter_in(name: str, letters: str) -> str:
-    """The one letter that stands for itself in a joint's name, or behind "axis" or "joint"; empty for none, or several."""
+    """The one letter that stands for itself in a joint's name, or behind "axis" or "joint"; empty for none,
+    or several."""
     words = re.split(r"[^A-Za-z0-9]+|(?<=axis)(?=[A-Z])|(?<=joint)(?=[A-Z])", name)
     found = {word.upper() for word in words if len(word) == 1 and word.upper() in letters}
     return found.pop() if len(found) == 1 else ""
@@ -144,7 +154,14 @@ def _axis(joint: Joint, letter: str, table: bool, tree: Tree, path: Path) -> Axi
     side: Literal["table", "head"] = "table" if table else "head"
     try:
         return Axis(
-            letter, joint.rotary, side, (x, y, z), point, scale * joint.low, scale * joint.high, 60.0 * scale * joint.rate
+            letter,
+            joint.rotary,
+            side,
+            (x, y, z),
+            point,
+            scale * joint.low,
+            scale * joint.high,
+            60.0 * scale * joint.rate,
         )
     except MachineError as error:
         raise wrong(path, say("joint {joint}, {error}", joint=joint.name, error=error)) from error
@@ -156,7 +173,8 @@ def _point(tree: Tree, link: str) -> Vector:
 
 
 def _carrier(tree: Tree, link: str, tool: str, letters: Mapping[str, str]) -> str:
-    """What carries a link: the spindle for the tool's and what hangs from it, the axis of its last joint, or the base."""
+    """What carries a link: the spindle for the tool's and what hangs from it, the axis of its last joint, or
+    the base."""
     if tree.is_under(link, tool):
         return SPINDLE
     group = tree.group(link)
@@ -168,7 +186,8 @@ def _findings(
 ) -> list[Finding]:
     named = ", ".join(f"{letter} {name}" for name, letter in letters.items())
     taken = say(
-        "Taken of {name}: the axes {letters}; the gauge point {gauge} mm, the origin of {tool}; the usual work zero {zero} mm, "
+        "Taken of {name}: the axes {letters}; the gauge point {gauge} mm, the origin of {tool}; the usual "
+        "work zero {zero} mm, "
         "that of {table}. Neither controller nor height of the table's face is known. "
         "Correct what is otherwise in the machine file.",
         name=robot.name,
@@ -179,11 +198,14 @@ def _findings(
         table=table,
     )
     signs = say(
-        "A positive word is taken for a positive value of its joint, which moves table or tool along or about its axis. "
+        "A positive word is taken for a positive value of its joint, which moves table or tool along or "
+        "about its axis. "
         "Prove the signs before cutting."
     )
     found = [report_finding(Code.MACHINE_DEFAULT, taken), report_finding(Code.SIGN_UNPROVEN, signs)]
     if not bodies:
-        text = say("No link has a collision or visual shape: the machine has no bodies that the tool must not hit.")
+        text = say(
+            "No link has a collision or visual shape: the machine has no bodies that the tool must not hit."
+        )
         found.append(report_finding(Code.MACHINE_DEFAULT, text))
     return found

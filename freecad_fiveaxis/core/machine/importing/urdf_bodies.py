@@ -2,8 +2,8 @@
 """The shapes of a URDF file's links as bodies of a machine, mm in the machine frame with every joint at zero.
 
 box      stays one where it stands along X, Y and Z, and is a mesh where it leans.
-mesh     an STL file, scaled and moved to where it stands. ``package://NAME/...`` is looked for in the folders above the URDF:
-         in one that is called NAME, or that holds one of that name.
+mesh     an STL file, scaled and moved to where it stands. ``package://NAME/...`` is looked for in the folders
+         above the URDF: in one that is called NAME, or that holds one of that name.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ STRAIGHT = 1e-9
 def make_bodies(
     robot: Robot, places: Mapping[str, Floats], carriers: Mapping[str, str], path: Path
 ) -> tuple[tuple[MachineBody, ...], dict[str, Mesh]]:
-    """Make a body of each shape of each link, and the meshes of those of the shape ``file`` by their names. Raises MachineError
-    for what is no shape of a body, FileError for a mesh that cannot be read."""
+    """Make a body of each shape of each link, and the meshes of those of the shape ``file`` by their names.
+    Raises MachineError for what is no shape of a body, FileError for a mesh that cannot be read."""
     bodies: list[MachineBody] = []
     meshes: dict[str, Mesh] = {}
     for link, shapes in robot.links.items():
@@ -47,7 +47,9 @@ def make_bodies(
     return tuple(bodies), meshes
 
 
-def _body(name: str, carrier: str, shape: Shape, place: Floats, path: Path) -> tuple[MachineBody, Mesh | None]:
+def _body(
+    name: str, carrier: str, shape: Shape, place: Floats, path: Path
+) -> tuple[MachineBody, Mesh | None]:
     if not all(size > 0.0 for size in shape.sizes if shape.kind != "mesh"):
         raise wrong(
             path,
@@ -70,7 +72,11 @@ def _solid(shape: Shape, place: Floats) -> tuple[str, tuple[Vector, ...], tuple[
         return SPHERE, _points(np.zeros((1, 3)), place), (MM * shape.sizes[0],)
     if shape.kind == "cylinder":
         radius, length = shape.sizes
-        return CYLINDER, _points(np.array([[0.0, 0.0, -0.5 * length], [0.0, 0.0, 0.5 * length]]), place), (MM * radius,)
+        return (
+            CYLINDER,
+            _points(np.array([[0.0, 0.0, -0.5 * length], [0.0, 0.0, 0.5 * length]]), place),
+            (MM * radius,),
+        )
     corners = _moved(_box_corners(shape), place).reshape(-1, 3)
     return BOX, _points(np.stack([corners.min(axis=0), corners.max(axis=0)]), np.eye(4)), ()
 
@@ -103,12 +109,19 @@ def _file_corners(name: str, shape: Shape, path: Path) -> Floats:
     """The facets (f, 3, 3), m, of a mesh in its link's frame, outside out for a scale that mirrors too."""
     if not all(shape.sizes):
         raise wrong(
-            path, say("{name}: the scale {scale} of its mesh has a 0; give three others", name=name, scale=_text(shape.sizes))
+            path,
+            say(
+                "{name}: the scale {scale} of its mesh has a 0; give three others",
+                name=name,
+                scale=_text(shape.sizes),
+            ),
         )
     file = _find(name, shape.file, path)
     if file.suffix.lower() != ".stl":
         text = say(
-            "{name}: the mesh {file} is no STL file; convert it, or give a collision shape", name=name, file=shape.file[:80]
+            "{name}: the mesh {file} is no STL file; convert it, or give a collision shape",
+            name=name,
+            file=shape.file[:80],
         )
         raise wrong(path, text)
     corners = read_corners(file) * np.array(shape.sizes)
@@ -120,7 +133,10 @@ def _find(name: str, given: str, path: Path) -> Path:
     for one in _candidates(given, path.absolute().parent):
         if os.path.isfile(one):
             return one
-    raise wrong(path, say("{name}: its mesh {file} is not found; put it beside the URDF file", name=name, file=given[:120]))
+    raise wrong(
+        path,
+        say("{name}: its mesh {file} is not found; put it beside the URDF file", name=name, file=given[:120]),
+    )
 
 
 def _candidates(given: str, folder: Path) -> Iterator[Path]:
@@ -142,4 +158,6 @@ def _mesh(name: str, corners: Floats, path: Path) -> Mesh:
     try:
         return from_triangles(corners)
     except FiveAxisError as error:
-        raise MachineError(say("{path}: {name}: {error}", path=path, name=name, error=error), error.value) from error
+        raise MachineError(
+            say("{path}: {name}: {error}", path=path, name=name, error=error), error.value
+        ) from error

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a URDF file says, as records: links with their shapes, and joints between them. Lengths in m, angles in rad, as there.
+"""What a URDF file says, as records: links with their shapes, and joints between them. Lengths in m, angles
+in rad, as there.
 
-place      4x4, from the frame of a shape or a joint into that of the link around it; of a joint with its value at zero.
+place      4x4, from the frame of a shape or a joint into that of the link around it; of a joint with its
+           value at zero.
 collision  what a link has of it counts, its visual shapes only where it has none.
 right      angles within RIGHT of a quarter turn are one: 1.5708 is what files write for it.
 """
@@ -31,8 +33,8 @@ RIGHT, MOST = 1e-5, 1e30
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """``kind``: a key of SHAPES; ``sizes``: m, of a box (3,), of a cylinder radius and length, of a sphere its radius, of a mesh
-    the scales (3,) of its ``file``."""
+    """``kind``: a key of SHAPES; ``sizes``: m, of a box (3,), of a cylinder radius and length, of a sphere
+    its radius, of a mesh the scales (3,) of its ``file``."""
 
     kind: str
     place: Floats
@@ -79,19 +81,28 @@ def read_robot(path: Path) -> Robot:
     root = _parse(path)
     links = {_attribute(link, "name", path): link for link in root.iterfind("link")}
     joints = tuple(_joint(joint, path) for joint in root.iterfind("joint"))
-    for names in ([_attribute(link, "name", path) for link in root.iterfind("link")], [joint.name for joint in joints]):
+    for names in (
+        [_attribute(link, "name", path) for link in root.iterfind("link")],
+        [joint.name for joint in joints],
+    ):
         if len(set(names)) < len(names):
             twice = next(name for name in names if names.count(name) > 1)
-            raise wrong(path, say("two links or joints are called {name}; give each a name of its own", name=twice))
+            raise wrong(
+                path, say("two links or joints are called {name}; give each a name of its own", name=twice)
+            )
     if not links:
         raise wrong(path, say("it has no link; give the URDF of a machine"))
-    return Robot(root.get("name") or path.stem, {name: _shapes(link, path) for name, link in links.items()}, joints)
+    return Robot(
+        root.get("name") or path.stem, {name: _shapes(link, path) for name, link in links.items()}, joints
+    )
 
 
 def _parse(path: Path) -> Element:
     data = read_bytes(path, "URDF file")
     if b"<!DOCTYPE" in data or b"<!ENTITY" in data:
-        raise wrong(path, say("it defines entities of its own, which are not read; write it without <!DOCTYPE"))
+        raise wrong(
+            path, say("it defines entities of its own, which are not read; write it without <!DOCTYPE")
+        )
     if b"xacro:" in data:
         raise wrong(path, say("it is a xacro file; run xacro on it first, and give the URDF that it writes"))
     try:
@@ -109,13 +120,20 @@ def _joint(joint: Element, path: Path) -> Joint:
     kind = _attribute(joint, "type", path, where)
     if kind not in (*PRISMATIC, *ROTARY, *FIXED):
         known = ", ".join((*PRISMATIC, *ROTARY, *FIXED))
-        raise wrong(path, say("{where} is of the type {kind}; known are {known}", where=where, kind=kind[:40], known=known))
-    parent, child = (_attribute(_need(joint, tag, path, where), "link", path, where) for tag in ("parent", "child"))
+        raise wrong(
+            path,
+            say("{where} is of the type {kind}; known are {known}", where=where, kind=kind[:40], known=known),
+        )
+    parent, child = (
+        _attribute(_need(joint, tag, path, where), "link", path, where) for tag in ("parent", "child")
+    )
     place = _place(joint, path, where)
     if kind in FIXED:
         return Joint(name, kind, parent, child, place)
     if joint.find("mimic") is not None:
-        raise wrong(path, say("{where} follows another one (mimic), as no axis does; make it fixed", where=where))
+        raise wrong(
+            path, say("{where} follows another one (mimic), as no axis does; make it fixed", where=where)
+        )
     axis = joint.find("axis")
     direction = (1.0, 0.0, 0.0) if axis is None else _vector(axis, "xyz", path, where)
     return Joint(name, kind, parent, child, place, direction, *_limits(joint, kind, path, where))
@@ -142,7 +160,10 @@ def _shape(holder: Element, path: Path, where: str) -> Shape:
     if len(kinds) != 1 or kinds[0].tag not in SHAPES:
         tags = ", ".join(str(one.tag)[:40] for one in kinds) or "nothing"
         known = ", ".join(SHAPES)
-        raise wrong(path, say("{where} has the geometry {tags}; give one of {known}", where=where, tags=tags, known=known))
+        raise wrong(
+            path,
+            say("{where} has the geometry {tags}; give one of {known}", where=where, tags=tags, known=known),
+        )
     (one,), place = kinds, _place(holder, path, where)
     if one.tag == "box":
         return Shape("box", place, _vector(one, "size", path, where))
@@ -180,7 +201,7 @@ def _turn(about: int, angle: tuple[float, float]) -> Floats:
     return found
 
 
-# ------------------------------------------------------------------------------------------------ values, and what is wrong
+# ---------------------------------------------------------------------------------- values, and what is wrong
 
 
 def _need(holder: Element, tag: str, path: Path, where: str) -> Element:
@@ -212,7 +233,10 @@ def _numbers(text: str, count: int, key: str, path: Path, where: str) -> list[fl
     if len(found) != count or not all(abs(one) < MOST for one in found):
         shown = repr(text[:40])
         wanted = plural(count, "a finite number", "{count} finite numbers")
-        raise wrong(path, say("{where}: {key} is {text}; give {wanted}", where=where, key=key, text=shown, wanted=wanted))
+        raise wrong(
+            path,
+            say("{where}: {key} is {text}; give {wanted}", where=where, key=key, text=shown, wanted=wanted),
+        )
     return found
 
 

@@ -53,18 +53,36 @@ def grow(robot: Robot, path: Path) -> Tree:
         for link in (joint.parent, joint.child):
             if link not in robot.links:
                 raise wrong(
-                    path, say("joint {joint} names the link {link}, which is not there; add it", joint=joint.name, link=link)
+                    path,
+                    say(
+                        "joint {joint} names the link {link}, which is not there; add it",
+                        joint=joint.name,
+                        link=link,
+                    ),
                 )
         if joints[joint.child] is not joint:
             raise wrong(path, say("two joints carry the link {link}; leave one of them", link=joint.child))
     roots = [link for link in robot.links if link not in joints]
     if len(roots) != 1:
         listed = ", ".join(roots) or say("none")
-        raise wrong(path, say("one link must carry all others and hang from none; of it hang from none: {roots}", roots=listed))
-    tree = Tree(roots[0], {roots[0]: np.eye(4)}, {roots[0]: ()}, {child: joint.parent for child, joint in joints.items()})
+        raise wrong(
+            path,
+            say(
+                "one link must carry all others and hang from none; of it hang from none: {roots}",
+                roots=listed,
+            ),
+        )
+    tree = Tree(
+        roots[0],
+        {roots[0]: np.eye(4)},
+        {roots[0]: ()},
+        {child: joint.parent for child, joint in joints.items()},
+    )
     _hang(tree, robot.joints)
     if lost := [link for link in robot.links if link not in tree.place]:
-        raise wrong(path, say("{links} carry one another in a circle; hang one from the root", links=", ".join(lost)))
+        raise wrong(
+            path, say("{links} carry one another in a circle; hang one from the root", links=", ".join(lost))
+        )
     return tree
 
 
@@ -82,11 +100,17 @@ def _hang(tree: Tree, joints: Sequence[Joint]) -> None:
 
 
 def find_ends(tree: Tree, path: Path) -> tuple[str, str]:
-    """Name the link of the table and that of the tool. Raises MachineError where names do not say which these are."""
+    """Name the link of the table and that of the tool. Raises MachineError where names do not say which these
+    are."""
     table, tool = (_named(tree, words, path) for words in (TABLES, TOOLS))
     if tree.group(table) == tree.group(tool):
         raise wrong(
-            path, say("no joint moves {table} and {tool} against each other; they make no machine", table=table, tool=tool)
+            path,
+            say(
+                "no joint moves {table} and {tool} against each other; they make no machine",
+                table=table,
+                tool=tool,
+            ),
         )
     return table, tool
 
@@ -98,7 +122,12 @@ def _named(tree: Tree, words: Sequence[str], path: Path) -> str:
         ends = [link for link in found if not any(one != link and tree.is_under(one, link) for one in found)]
         if len(ends) > 1:
             raise wrong(
-                path, say("{links} are all called {word}; give only one of them that name", links=", ".join(ends), word=word)
+                path,
+                say(
+                    "{links} are all called {word}; give only one of them that name",
+                    links=", ".join(ends),
+                    word=word,
+                ),
             )
         if ends:
             return ends[0]
@@ -106,12 +135,15 @@ def _named(tree: Tree, words: Sequence[str], path: Path) -> str:
 
 
 def sides(tree: Tree, table: str, tool: str, path: Path) -> tuple[tuple[Joint, ...], tuple[Joint, ...]]:
-    """The joints of the table from the work to the base, and those of the head from the base to the tool. Raises MachineError
-    for a joint that is in neither, or in both."""
+    """The joints of the table from the work to the base, and those of the head from the base to the tool.
+    Raises MachineError for a joint that is in neither, or in both."""
     under, over = tree.chain[table], tree.chain[tool]
     if both := [joint.name for joint in under if joint in over]:
         raise wrong(path, say("joint {joint} moves table and tool alike; make it fixed", joint=both[0]))
     moving = {joint.name for chain in tree.chain.values() for joint in chain}
     if spare := sorted(moving - {joint.name for joint in (*under, *over)}):
-        raise wrong(path, say("{joints} move neither the table nor the tool; make them fixed", joints=", ".join(spare)))
+        raise wrong(
+            path,
+            say("{joints} move neither the table nor the tool; make them fixed", joints=", ".join(spare)),
+        )
     return under[::-1], over

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Forward and inverse kinematics: one generic chain for every machine of two rotary axes.
 
-work frame   parallel to the machine frame, zero at the setup's origin. With both rotary words zero the linear words are
-             the tip's work coordinates, whatever the offsets.
-first        the rotary axis nearer to the work; its direction a1 never moves in the work frame. a2 is the second one's.
+work frame   parallel to the machine frame, zero at the setup's origin. With both rotary words zero the linear
+             words are the tip's work coordinates, whatever the offsets.
+first        the rotary axis nearer to the work; its direction a1 never moves in the work frame. a2 is the
+             second one's.
 
 The motion of the tool relative to the work is a product of the axes' motions in the order from work to tool:
-``tip = L0 + T1(L1 + T2(L2))`` with ``T(x) = c + R(x - c)`` the turn about a rotary line and ``L`` the sum of the linear
-words that stand before, between and after the two rotary axes; ``axis = R1 R2 ez``.
+``tip = L0 + T1(L1 + T2(L2))`` with ``T(x) = c + R(x - c)`` the turn about a rotary line and ``L`` the sum of
+the linear words that stand before, between and after the two rotary axes; ``axis = R1 R2 ez``.
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ PARALLEL = 1e-9
 
 @dataclass(frozen=True)
 class Setup:
-    """``origin``: the work zero in the machine frame, mm; ``tool_length``: gauge point to the driven point, mm."""
+    """``origin``: the work zero in the machine frame, mm; ``tool_length``: gauge point to the driven point,
+    mm."""
 
     origin: Vector = (0.0, 0.0, 0.0)
     tool_length: float = 0.0
@@ -58,9 +60,9 @@ class Setup:
 class Chain:
     """The constants of one machine in one setup; word order X Y Z, first rotary, second rotary.
 
-    ``direction`` (5, 3) unit; ``point1`` and ``point2`` (3,) of the rotary lines in the work frame with the tip at the work
-    zero, mm; ``slot`` (3,) for X Y Z: 0 before the first rotary axis, 1 between, 2 after the second; ``low``, ``high``
-    (5,) limits **of the words** in mm and rad; ``rate`` (5,) mm/min and rad/min.
+    ``direction`` (5, 3) unit; ``point1`` and ``point2`` (3,) of the rotary lines in the work frame with the
+    tip at the work zero, mm; ``slot`` (3,) for X Y Z: 0 before the first rotary axis, 1 between, 2 after the
+    second; ``low``, ``high`` (5,) limits **of the words** in mm and rad; ``rate`` (5,) mm/min and rad/min.
     """
 
     letters: str
@@ -84,30 +86,51 @@ def chain(machine: Machine, setup: Setup) -> Chain:
     tip = np.array(machine.gauge_point) - (0.0, 0.0, setup.tool_length)
     _check_solvable(machine, direction)
     shift = np.linalg.solve(direction[:3].T, np.array(setup.origin) - tip)
-    moves = shift[:, None] * direction[:3]  # with the tip at the work zero, the linear axes before a rotary line carry it there
+    moves = (
+        shift[:, None] * direction[:3]
+    )  # with the tip at the work zero, the linear axes before a rotary line carry it there
     before = [[place <= i for place in slot] for i in range(2)]
     points = [
-        np.array(axis.point) - setup.origin + moves[mask].sum(axis=0) for axis, mask in zip(machine.rotary, before, strict=True)
+        np.array(axis.point) - setup.origin + moves[mask].sum(axis=0)
+        for axis, mask in zip(machine.rotary, before, strict=True)
     ]
     moved = np.concatenate([shift, (0.0, 0.0)])
-    low, high, rate = (np.array([getattr(axis, name) for axis in axes]) for name in ("low", "high", "max_rate"))
+    low, high, rate = (
+        np.array([getattr(axis, name) for axis in axes]) for name in ("low", "high", "max_rate")
+    )
     letters = "".join(axis.letter for axis in axes)
-    return Chain(letters, direction, points[0], points[1], (slot[0], slot[1], slot[2]), low - moved, high - moved, rate, axes)
+    return Chain(
+        letters,
+        direction,
+        points[0],
+        points[1],
+        (slot[0], slot[1], slot[2]),
+        low - moved,
+        high - moved,
+        rate,
+        axes,
+    )
 
 
 def raised(kinematics: Chain, lift: Floats) -> Chain:
-    """The chain whose driven point stands ``lift`` (3,) mm, in words X Y Z, above that of ``kinematics`` and turns with the tool:
-    its words are those of ``kinematics`` and ``lift``."""
+    """The chain whose driven point stands ``lift`` (3,) mm, in words X Y Z, above that of ``kinematics`` and
+    turns with the tool: its words are those of ``kinematics`` and ``lift``."""
     moves, slot = lift[:, None] * kinematics.direction[:3], np.array(kinematics.slot)
-    point1, point2 = (point - moves[slot <= i].sum(axis=0) for i, point in enumerate((kinematics.point1, kinematics.point2)))
+    point1, point2 = (
+        point - moves[slot <= i].sum(axis=0) for i, point in enumerate((kinematics.point1, kinematics.point2))
+    )
     moved = np.concatenate([lift, (0.0, 0.0)])
-    return replace(kinematics, point1=point1, point2=point2, low=kinematics.low + moved, high=kinematics.high + moved)
+    return replace(
+        kinematics, point1=point1, point2=point2, low=kinematics.low + moved, high=kinematics.high + moved
+    )
 
 
 def lift_of(kinematics: Chain, height: float, decimals: int) -> Floats:
-    """The linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words are zero, rounded to
-    ``decimals``: added to rounded words they give rounded words."""
-    return rounded(np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals)
+    """The linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words are
+    zero, rounded to ``decimals``: added to rounded words they give rounded words."""
+    return rounded(
+        np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals
+    )
 
 
 def _check_solvable(machine: Machine, direction: Floats) -> None:
@@ -116,7 +139,10 @@ def _check_solvable(machine: Machine, direction: Floats) -> None:
     if np.linalg.norm(np.cross(first, second)) < PARALLEL:
         problem = say("both rotary axes are parallel; tilt one of them")
     elif np.linalg.norm(np.cross(second, (0, 0, 1))) < PARALLEL:
-        problem = say("the second rotary axis is parallel to the tool and never tilts it; is the order of the two right?")
+        problem = say(
+            "the second rotary axis is parallel to the tool and never tilts it; is the order of the two "
+            "right?"
+        )
     elif abs(np.linalg.det(direction[:3])) < PARALLEL:
         problem = say("the linear axes X, Y, Z lie in one plane; correct their directions")
     if problem:
@@ -130,7 +156,8 @@ def turn(vector: Floats, axis: Floats, cos: Floats, sin: Floats) -> Floats:
 
 
 def forward(kinematics: Chain, q: Floats) -> tuple[Floats, Floats]:
-    """Tip (n, 3) mm and unit tool axis (n, 3) in the work frame, for words ``q`` (n, 5) mm and rad. NaN stays NaN."""
+    """Tip (n, 3) mm and unit tool axis (n, 3) in the work frame, for words ``q`` (n, 5) mm and rad. NaN stays
+    NaN."""
     q = np.asarray(q, float)
     k, tip, axis = _constants(kinematics), empty_rows(len(q), 3), empty_rows(len(q), 3)
 
@@ -161,7 +188,8 @@ def inverse(kinematics: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Float
     """All branches: words (2, n, 5) mm and rad, rotary in (-pi, pi], and the singularity measure (n,).
 
     NaN rows where the machine cannot take up the axis. At the pole the first rotary word is 0. The measure is
-    ``|a1 . (a2 x k)|``: how fast the axis can leave, 0 at the pole, sin(tilt) for a machine of orthogonal axes.
+    ``|a1 . (a2 x k)|``: how fast the axis can leave, 0 at the pole, sin(tilt) for a machine of orthogonal
+    axes.
     """
     tip, axis = np.asarray(tip, float), np.asarray(axis, float)
     k, words, sine = _constants(kinematics), empty_rows(2, len(axis), 5), np.empty(len(axis))
@@ -177,7 +205,8 @@ def inverse(kinematics: Chain, tip: Floats, axis: Floats) -> tuple[Floats, Float
 
 
 def inverse_axis(kinematics: Chain, axis: Floats) -> tuple[Floats, Floats]:
-    """Both rotary words (2, n, 2) rad in (-pi, pi] for unit ``axis`` (n, 3), and the singularity measure (n,), as inverse."""
+    """Both rotary words (2, n, 2) rad in (-pi, pi] for unit ``axis`` (n, 3), and the singularity measure
+    (n,), as inverse."""
     axis = np.asarray(axis, float)
     k, words, sine = _constants(kinematics), empty_rows(2, len(axis), 2), np.empty(len(axis))
 
@@ -196,9 +225,11 @@ def linear_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
 
 
 def joint_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
-    """The words (n, 5) mm and rad that put the tip (n, 3) mm, work frame, in place at rotary words ``angles`` (n, 2) rad.
+    """The words (n, 5) mm and rad that put the tip (n, 3) mm, work frame, in place at rotary words ``angles``
+    (n, 2) rad.
 
-    NaN linear words where the linear axes lie in a plane, which only happens to those on different sides of a rotary axis.
+    NaN linear words where the linear axes lie in a plane, which only happens to those on different sides of a
+    rotary axis.
     """
     tip, angles = np.asarray(tip, float), np.asarray(angles, float)
     k, words = _constants(kinematics), empty_rows(len(tip), 5)
@@ -241,8 +272,8 @@ def _rescaled(values: Floats, factor: float) -> Floats:
 class _Constants:
     """What the formulas need of a chain.
 
-    ``point1``, ``point2`` (3,) the feet of the rotary lines; ``sums`` from X Y Z to L0, L1, L2; ``words`` from a shift of the
-    tool back to X Y Z.
+    ``point1``, ``point2`` (3,) the feet of the rotary lines; ``sums`` from X Y Z to L0, L1, L2; ``words``
+    from a shift of the tool back to X Y Z.
     """
 
     pair: RotaryPair
@@ -296,8 +327,12 @@ def _linear(kinematics: Chain, k: _Constants, place: Columns, turns: Turns) -> l
 
 
 def _solved(kinematics: Chain, k: _Constants, rest: Columns, turns: Turns) -> list[Column]:
-    """Linear axes on different sides of a rotary one: Cramer's rule on their directions as they stand in each row."""
-    x, y, z = (_carried(k, cast("list[float]", kinematics.direction[j].tolist()), kinematics.slot[j], turns) for j in range(3))
+    """Linear axes on different sides of a rotary one: Cramer's rule on their directions as they stand in each
+    row."""
+    x, y, z = (
+        _carried(k, cast("list[float]", kinematics.direction[j].tolist()), kinematics.slot[j], turns)
+        for j in range(3)
+    )
     volume = np.asarray(scalar(x, crossed(y, z)))
     volume = np.where(np.abs(volume) < PARALLEL, np.nan, volume)
     return [scalar(rest, crossed(a, b)) / volume for a, b in ((y, z), (z, x), (x, y))]

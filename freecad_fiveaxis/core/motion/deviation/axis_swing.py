@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How far the real tool axis leaves the plane of a block's two end axes.
 
-plane     spanned by the tool axes at both ends: a controller that swings the axis straight from one to the other stays in it.
-          Where the end axes coincide or are opposite there is no such plane, and the angle from the start axis counts.
-swing     the largest angle off that plane (or axis) within the block, rad. It has no proof; the samples lie close enough for
-          every maximum, and Newton's method polishes the largest.
+plane     spanned by the tool axes at both ends: a controller that swings the axis straight from one to the
+          other stays in it. Where the end axes coincide or are opposite there is no such plane, and the angle
+          from the start axis counts.
+swing     the largest angle off that plane (or axis) within the block, rad. It has no proof; the samples lie
+          close enough for every maximum, and Newton's method polishes the largest.
 """
 
 from __future__ import annotations
@@ -13,7 +14,15 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 from freecad_fiveaxis.core.base.vectors import dot
-from freecad_fiveaxis.core.motion.trajectory import Frames, Motion, Vectors, at, axis, axis_motion, derivatives
+from freecad_fiveaxis.core.motion.trajectory import (
+    Frames,
+    Motion,
+    Vectors,
+    at,
+    axis,
+    axis_motion,
+    derivatives,
+)
 
 from .quartic import SMALLEST
 
@@ -46,7 +55,8 @@ def _normal(start: Vectors, end: Vectors) -> tuple[Vectors, Bools]:
 
 
 def small_swing(start: Vectors, end: Vectors, nodes: Vectors) -> Floats:
-    """The swing (n,) rad of blocks that turn little, from the axes at both ends and at the nodes, columns (3, n).
+    """The swing (n,) rad of blocks that turn little, from the axes at both ends and at the nodes, columns (3,
+    n).
 
     The sine is ``u (1 - u)`` times a parabola through the nodes, like the bow of the tip's path.
     """

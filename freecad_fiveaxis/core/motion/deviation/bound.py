@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How far, at most, the tip can bend away from the straight line within a block: bounds that hold for every u.
+"""How far, at most, the tip can bend away from the straight line within a block: bounds that hold for every
+u.
 
 lever     the distance of the moving point from a rotary line: the longer, the more a turn bends the path.
 bending   an upper bound of ``|d^k tip / du^k|``, k >= 2, over the whole block, mm.
 allowance what floating-point rounding can add to a computed distance, mm.
 
-With ``tip = s + R1(a) y``, ``y = w + R2(b) v`` and s, w, v, a, b linear in u (see ``trajectory``), Leibniz' rule gives
+With ``tip = s + R1(a) y``, ``y = w + R2(b) v`` and s, w, v, a, b linear in u (see ``trajectory``), Leibniz'
+rule gives
 
-    ``|tip^(k)| <= sum_j C(k, j) |a'|^j |y^(k-j)|``     and for m >= 2     ``|y^(m)| <= |b'|^m |v| + m |b'|^(m-1) |v'|``,
+    ``|tip^(k)| <= sum_j C(k, j) |a'|^j |y^(k-j)|``     and for m >= 2     ``|y^(m)| <= |b'|^m |v| + m
+    |b'|^(m-1) |v'|``,
 
-where for every factor a' or b' only the part across that rotary axis counts. Summed up, with ``t = |a'| + |b'|``:
+where for every factor a' or b' only the part across that rotary axis counts. Summed up, with ``t = |a'| +
+|b'|``:
 
-    ``|tip^(k)| <= |a'|^k L1 + k |a'|^(k-1) V1 + (t^k - |a'|^k - k |a'|^(k-1) |b'|) L2 + k (t^(k-1) - |a'|^(k-1)) V2``
+    ``|tip^(k)| <= |a'|^k L1 + k |a'|^(k-1) V1 + (t^k - |a'|^k - k |a'|^(k-1) |b'|) L2 + k (t^(k-1) -
+    |a'|^(k-1)) V2``
 
-L1 and L2 are the largest levers about the first and the second axis, V1 and V2 the largest speeds of y and v across them.
+L1 and L2 are the largest levers about the first and the second axis, V1 and V2 the largest speeds of y and v
+across them.
 """
 
 from __future__ import annotations
@@ -38,11 +44,13 @@ from freecad_fiveaxis.core.motion.trajectory import (
 )
 
 ROUNDINGS = 256.0
-"""Units in the last place of the coordinates' size that are allowed for. No result passes through as many as 100 roundings
-of that size (the arithmetic of one tip is 40), the quartic's weights at most double them: the rest is reserve."""
+"""Units in the last place of the coordinates' size that are allowed for. No result passes through as many as
+100 roundings of that size (the arithmetic of one tip is 40), the quartic's weights at most double them: the
+rest is reserve."""
 
 ABSOLUTE, RELATIVE = 2e-7, 2e-6
-"""mm, and share of the deviation: the bound may exceed the deviation by both, a fifth of the accuracy that is promised."""
+"""mm, and share of the deviation: the bound may exceed the deviation by both, a fifth of the accuracy that is
+promised."""
 
 CHUNK = 8192
 """Rows worked on at a time: their columns stay in the processor's second-level cache."""
@@ -50,7 +58,8 @@ CHUNK = 8192
 
 @dataclass(frozen=True, eq=False)
 class Levers:
-    """``a``, ``b`` (n,) rad: how far each rotary axis turns, unsigned; the others mm, (n,) or one number: L1, L2, V1, V2."""
+    """``a``, ``b`` (n,) rad: how far each rotary axis turns, unsigned; the others mm, (n,) or one number: L1,
+    L2, V1, V2."""
 
     a: Floats
     b: Floats
@@ -66,7 +75,8 @@ class Levers:
 
 
 def bending(levers: Levers, order: int) -> Floats:
-    """The bound of ``|d^k tip / du^k|`` over the block for k = ``order`` >= 2, mm (formula at the module's head)."""
+    """The bound of ``|d^k tip / du^k|`` over the block for k = ``order`` >= 2, mm (formula at the module's
+    head)."""
     k, a, b, turn = order, levers.a, levers.b, levers.turn
     a_once, turn_once = a, turn  # to the power of k - 1
     for _ in range(k - 2):
@@ -77,14 +87,17 @@ def bending(levers: Levers, order: int) -> Floats:
 
 
 def quick_levers(move: Motion) -> Levers:
-    """Levers by the triangle inequality from the ends of the arm: cheap, no trigonometry, longer than they need be."""
+    """Levers by the triangle inequality from the ends of the arm: cheap, no trigonometry, longer than they
+    need be."""
     return _levers(move, _quick_lever1(move))
 
 
 def end_levers(move: Motion, start_reach: Floats, end_reach: Floats) -> Levers:
-    """Levers from the true distances ``start_reach``, ``end_reach`` (n,) mm of y from the first axis at both ends.
+    """Levers from the true distances ``start_reach``, ``end_reach`` (n,) mm of y from the first axis at both
+    ends.
 
-    The distance from a line is convex, so within the block it exceeds the larger end value by at most ``|y''| / 8``.
+    The distance from a line is convex, so within the block it exceeds the larger end value by at most ``|y''|
+    / 8``.
     """
     levers = _levers(move, np.maximum(start_reach, end_reach))
     bent = levers.b * (levers.b * levers.lever2 + 2.0 * levers.speed2)
@@ -92,7 +105,8 @@ def end_levers(move: Motion, start_reach: Floats, end_reach: Floats) -> Levers:
 
 
 def close_levers(frame: Frames, move: Motion) -> Levers:
-    """Levers from both ends' true distances and speeds, or the quick ones where these are shorter: the most work."""
+    """Levers from both ends' true distances and speeds, or the quick ones where these are shorter: the most
+    work."""
     still = _without_first_turn(move)
     reach, speed = [], []
     for u in (np.zeros_like(move.a), np.ones_like(move.a)):
@@ -124,7 +138,9 @@ def _without_first_turn(move: Motion) -> Motion:
     """The same motion as seen from the first rotary axis: its tip is y."""
     zero = np.asarray(0.0)
     still = np.zeros_like(move.a)
-    return Motion((zero,) * 3 + move.arm[3:], (zero,) * 3 + move.arm_step[3:], still, still, move.b, move.b_step)
+    return Motion(
+        (zero,) * 3 + move.arm[3:], (zero,) * 3 + move.arm_step[3:], still, still, move.b, move.b_step
+    )
 
 
 def _ends(move: Motion, first: int) -> tuple[Vectors, Vectors]:
@@ -137,7 +153,8 @@ def _ends(move: Motion, first: int) -> tuple[Vectors, Vectors]:
 def allowance(move: Motion) -> Floats:
     """What rounding can add to a distance in these blocks (n,) mm: so many roundings of a size.
 
-    The size is the sum of the arm's components, times one more than the angles in rad: a rounded angle moves the tip, too.
+    The size is the sum of the arm's components, times one more than the angles in rad: a rounded angle moves
+    the tip, too.
     """
     size: Floats = np.asarray(0.0)
     for start, step in zip(move.arm, move.arm_step, strict=True):
@@ -149,9 +166,10 @@ def allowance(move: Motion) -> Floats:
 def quick_bound(kinematics: Chain, words: ArrayLike) -> Floats:
     """A proven upper bound (m,) mm of each block's segment deviation, from the end words alone; row 0 zero.
 
-    ``words`` (m, 5) mm and **degrees**. The same-u point of the commanded segment is at most ``max |tip''| / 8`` away (error
-    of linear interpolation), so the segment is. It is typically four times the deviation: enough to see that a block is
-    harmless. ``deviation.measure`` gives the close bound. Raises ProgramError for words that cannot be used.
+    ``words`` (m, 5) mm and **degrees**. The same-u point of the commanded segment is at most ``max |tip''| /
+    8`` away (error of linear interpolation), so the segment is. It is typically four times the deviation:
+    enough to see that a block is harmless. ``deviation.measure`` gives the close bound. Raises ProgramError
+    for words that cannot be used.
     """
     rows = checked_words(words)
     bound = np.zeros(len(rows))

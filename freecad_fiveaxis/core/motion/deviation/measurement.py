@@ -2,15 +2,20 @@
 """How far the tip leaves the commanded segment while the axes move linearly, with a proven bound.
 
 chord             the straight segment between the real tips at a block's two ends: what the block commands.
-line deviation    largest distance of the real path from the infinite line through the chord (So et al. 2008, eq. 6).
-segment deviation largest distance from the chord itself: where the tool should have been. Never less than the former. A chord
-                  shorter than ``quartic.POINT`` has no direction: both are then measured from its point of the same u.
-bound             a proven upper bound of the segment deviation, whatever u, rounding of the arithmetic included.
-axis deviation    largest angle of the real tool axis off the plane of the block's two end axes (``axis_swing``).
+line deviation    largest distance of the real path from the infinite line through the chord (So et al. 2008,
+                  eq. 6).
+segment deviation largest distance from the chord itself: where the tool should have been. Never less than the
+former. A chord
+                  shorter than ``quartic.POINT`` has no direction: both are then measured from its point of
+                  the same u.
+bound             a proven upper bound of the segment deviation, whatever u, rounding of the arithmetic
+                  included.
+axis deviation    largest angle of the real tool axis off the plane of the block's two end axes
+                  (``axis_swing``).
 same-u deviation  largest distance from the point of the chord with the same u; it also counts uneven speed.
 
-Ordinary blocks are proven by the quartic through five points of the path, the others by search. Both are derived and
-proven at the head of their modules, and in docs/deviation.md.
+Ordinary blocks are proven by the quartic through five points of the path, the others by search. Both are
+derived and proven at the head of their modules, and in docs/deviation.md.
 """
 
 from __future__ import annotations
@@ -63,11 +68,12 @@ REPORT_EVERY = 0.25
 class Deviation:
     """One row a block of the Program, row 0 (the first position) all zero.
 
-    ``line`` (m,) mm: largest distance of the real tip path from the infinite line through the block's ends (So et al.,
-    eq. 6), at ``u_line``; ``segment`` (m,) mm: largest distance from the commanded segment, at ``u_segment``; ``bound``
-    (m,) mm: proven upper bound of ``segment``; ``axis`` (m,) rad: largest angle by which the real tool axis leaves the plane
-    of the block's two end axes; ``place`` (m, 3) mm: the real tip at ``u_segment``, work frame. ``lift`` (3,) mm: the linear
-    words that raise the driven point to the one that is measured.
+    ``line`` (m,) mm: largest distance of the real tip path from the infinite line through the block's ends
+    (So et al., eq. 6), at ``u_line``; ``segment`` (m,) mm: largest distance from the commanded segment, at
+    ``u_segment``; ``bound`` (m,) mm: proven upper bound of ``segment``; ``axis`` (m,) rad: largest angle by
+    which the real tool axis leaves the plane of the block's two end axes; ``place`` (m, 3) mm: the real tip
+    at ``u_segment``, work frame. ``lift`` (3,) mm: the linear words that raise the driven point to the one
+    that is measured.
     """
 
     line: Floats
@@ -84,7 +90,8 @@ class Deviation:
         freeze(self, None, line="f", u_line="f", segment="f", u_segment="f", bound="f", axis="f", place="f3")
 
     def measured(self, kinematics: Chain, words: Floats) -> tuple[Chain, Floats]:
-        """Raise chain and ``words`` (n, 5) mm and degrees so that the tip of both is the point that was measured."""
+        """Raise chain and ``words`` (n, 5) mm and degrees so that the tip of both is the point that was
+        measured."""
         if not any(self.lift):
             return kinematics, words
         return raised(kinematics, np.array(self.lift)), words + (*self.lift, 0.0, 0.0)
@@ -94,13 +101,16 @@ METHODS = ("exact", "so2008", "so2008-printed")
 """Of the line deviation; everything else is exact with each."""
 
 
-def measure(kinematics: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent) -> Deviation:
+def measure(
+    kinematics: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent
+) -> Deviation:
     """The deviation of every block of a program, from its words as rounded for the controller.
 
-    ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or ``so2008`` or
-    ``so2008-printed`` for ``line`` and ``u_line`` by the model of So et al. (module ``so2008``); all else is exact. Distances
-    are within 1e-5 of their value or 1e-6 mm; ``bound`` is no more than that above ``segment``, but for rounding. Raises
-    ProgramError for words that cannot be used (``trajectory.checked_words``), SettingsError for an unknown method.
+    ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or
+    ``so2008`` or ``so2008-printed`` for ``line`` and ``u_line`` by the model of So et al. (module
+    ``so2008``); all else is exact. Distances are within 1e-5 of their value or 1e-6 mm; ``bound`` is no more
+    than that above ``segment``, but for rounding. Raises ProgramError for words that cannot be used
+    (``trajectory.checked_words``), SettingsError for an unknown method.
     """
     if method not in METHODS:
         raise SettingsError(
@@ -115,17 +125,26 @@ def measure(kinematics: Chain, words: ArrayLike, method: str = "exact", progress
     result = _exact(frames(kinematics), rows, paced(progress))
     if method == "exact":
         return result
-    line, u_line, findings = so2008.line_deviation(kinematics, rows, method == "so2008-printed", paced(progress))
+    line, u_line, findings = so2008.line_deviation(
+        kinematics, rows, method == "so2008-printed", paced(progress)
+    )
     return replace(result, line=line, u_line=u_line, findings=findings)
 
 
 def measure_above(
-    kinematics: Chain, words: ArrayLike, above: float, decimals: int, method: str = "exact", progress: Progress = silent
+    kinematics: Chain,
+    words: ArrayLike,
+    above: float,
+    decimals: int,
+    method: str = "exact",
+    progress: Progress = silent,
 ) -> Deviation:
-    """Measure the same of the point ``above`` mm over the driven one along the tool axis, against its own chords.
+    """Measure the same of the point ``above`` mm over the driven one along the tool axis, against its own
+    chords.
 
-    ``decimals`` of the linear words: the point is that nearest one whose words are rounded when ``words`` are. ``place`` (m, 3)
-    mm is where the driven point stands when that one deviates most. Raises as :func:`measure`.
+    ``decimals`` of the linear words: the point is that nearest one whose words are rounded when ``words``
+    are. ``place`` (m, 3) mm is where the driven point stands when that one deviates most. Raises as
+    :func:`measure`.
     """
     rows = checked_words(words)
     lift = lift_of(kinematics, above, decimals)
@@ -177,7 +196,8 @@ def _exact(frame: Frames, words: Floats, progress: Progress) -> Deviation:
 
 
 def _left_by(fit: Callable[[slice], Ints], count: int, progress: Progress) -> Iterator[Ints]:
-    """Call ``fit`` on slices of all blocks; yield the rows of those that it returns, enough at a time to be worth a search."""
+    """Call ``fit`` on slices of all blocks; yield the rows of those that it returns, enough at a time to be
+    worth a search."""
     waiting: list[Ints] = []
     for first in range(0, count - 1, CHUNK):
         last = min(first + CHUNK, count - 1)
@@ -190,12 +210,15 @@ def _left_by(fit: Callable[[slice], Ints], count: int, progress: Progress) -> It
 
 
 def _fit(frame: Frames, words: Floats, rows: slice, table: _Table) -> Ints:
-    """Measure the blocks that end in these rows by quartics; returns the indices of those that need a search."""
+    """Measure the blocks that end in these rows by quartics; returns the indices of those that need a
+    search."""
     move, poses = chained_motion(frame, words[rows.start - 1 : rows.stop])
     way, nodes, levers = _five_points(frame, move, poses)
     found = bow(way, np.array(tip(frame, nodes)), levers)
     table.put(rows, line=found.distance, u_line=found.u, segment=found.distance, u_segment=found.u)
-    table.put(rows, bound=found.bound + allowance(move), place=np.array(to_work(frame, _columns(found.place))))
+    table.put(
+        rows, bound=found.bound + allowance(move), place=np.array(to_work(frame, _columns(found.place)))
+    )
     x, y, z = axis(frame, poses)
     table.put(rows, axis=small_swing((x[:-1], y[:-1], z[:-1]), (x[1:], y[1:], z[1:]), axis(frame, nodes)))
     return np.flatnonzero(~found.proven)
@@ -237,11 +260,14 @@ def _columns(vector: Floats) -> Vectors:
     return vector[0], vector[1], vector[2]
 
 
-# ------------------------------------------------------------------------------------------------ other measures
+# --------------------------------------------------------------------------------------------- other measures
 
 
-def same_u_deviation(kinematics: Chain, words: ArrayLike, progress: Progress = silent) -> tuple[Floats, Floats]:
-    """The largest distance (m,) mm of the real tip from the point of the chord with the same u, and that u; row 0 zero.
+def same_u_deviation(
+    kinematics: Chain, words: ArrayLike, progress: Progress = silent
+) -> tuple[Floats, Floats]:
+    """The largest distance (m,) mm of the real tip from the point of the chord with the same u, and that u;
+    row 0 zero.
 
     ``words`` (m, 5) mm and **degrees**. It is never less than the segment deviation, and accurate like that.
     """
@@ -266,12 +292,14 @@ def same_u_deviation(kinematics: Chain, words: ArrayLike, progress: Progress = s
 
 
 def lin_ye_deviation(centre_distance: ArrayLike, step: ArrayLike, beta: ArrayLike = 0.0) -> Floats:
-    """Deviation in mid step, mm, of an arc cut with the tool normal to it by one rotary axis (Lin & Ye, eq. 6).
+    """Deviation in mid step, mm, of an arc cut with the tool normal to it by one rotary axis (Lin & Ye, eq.
+    6).
 
-    ``centre_distance`` mm: from the rotary axis to the **arc's centre** (the paper prints: to the contact point, with which its
-    own example does not come out); ``step``, ``beta`` rad: the turn of a step, and where on the arc its middle is, 0 where
-    the arc's normal is along the line from the rotary axis to the centre. ``e_f R0 |cos beta| / R_A`` with the chord error
-    ``e_f = R_A (1 - cos(step / 2))``: exact at beta = 0, of first order in the step elsewhere.
+    ``centre_distance`` mm: from the rotary axis to the **arc's centre** (the paper prints: to the contact
+    point, with which its own example does not come out); ``step``, ``beta`` rad: the turn of a step, and
+    where on the arc its middle is, 0 where the arc's normal is along the line from the rotary axis to the
+    centre. ``e_f R0 |cos beta| / R_A`` with the chord error ``e_f = R_A (1 - cos(step / 2))``: exact at beta
+    = 0, of first order in the step elsewhere.
     """
     sagitta = 1.0 - np.cos(0.5 * np.asarray(step, float))
     return np.asarray(np.asarray(centre_distance, float) * sagitta * np.abs(np.cos(np.asarray(beta, float))))

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The largest distance of an ordinary block's real path from its chord, from five points of the path, and its proof.
+"""The largest distance of an ordinary block's real path from its chord, from five points of the path, and its
+proof.
 
-A block that turns by a few degrees is a smooth arc: the quartic through the path at u = 0, 1/4, 1/2, 3/4, 1 leaves it by
-less than can be measured, and the largest distance of a quartic from its chord is the root of a polynomial. Every step has
-a bound; a block for which one of them is not small enough is not ``proven`` and goes to ``search``.
+A block that turns by a few degrees is a smooth arc: the quartic through the path at u = 0, 1/4, 1/2, 3/4, 1
+leaves it by less than can be measured, and the largest distance of a quartic from its chord is the root of a
+polynomial. Every step has a bound; a block for which one of them is not small enough is not ``proven`` and
+goes to ``search``.
 
-bow       g in ``tip = start + u chord + u (1 - u) g(s)``, ``s = u - 1/2``: a parabola g = A + B s + C s^2 for the quartic.
+bow       g in ``tip = start + u chord + u (1 - u) g(s)``, ``s = u - 1/2``: a parabola g = A + B s + C s^2 for
+          the quartic.
 across    the part of a vector across the chord; along, its component in the chord's direction.
 
-1. The quartic leaves the path by at most ``max |(u-0)...(u-1)| / 5! max |tip^(5)|``, so every distance by no more.
-2. f = |u (1-u) g_across|^2 is the squared distance from the line, and ``f' = (1/4 - s^2) H(s)`` with a quintic H. Where
-   the coefficients show that H' <= -m < 0 on the block, there is one maximum, and at an s where H is nearly zero f is less than
-   that maximum by at most ``H(s)^2 / (4 m)``.
+1. The quartic leaves the path by at most ``max |(u-0)...(u-1)| / 5! max |tip^(5)|``, so every distance by no
+   more.
+2. f = |u (1-u) g_across|^2 is the squared distance from the line, and ``f' = (1/4 - s^2) H(s)`` with a
+   quintic H. Where the coefficients show that H' <= -m < 0 on the block, there is one maximum, and at an s
+   where H is nearly zero f is less than that maximum by at most ``H(s)^2 / (4 m)``.
 3. Where |g_along| is nowhere longer than the chord, the foot of the perpendicular stays within the chord
    (``u + u (1-u) g_along / chord`` runs from 0 to 1 without leaving them): then the line is the segment.
 4. Where the path cannot bend by more than :data:`NOTHING` at all (``bound``), nothing of this is needed.
@@ -32,12 +36,14 @@ NODES = np.array([[0.25], [0.5], [0.75]])
 """u of the points between the ends; columns at the nodes have the shape (3, n)."""
 
 REMAINDER = 3.6315 / 4.0**5 / 120.0
-"""``max |u (u - 1/4) (u - 1/2) (u - 3/4) (u - 1)| / 5!``, rounded up: ``|t (t^2 - 1) (t^2 - 4)| <= 3.6315`` for |t| <= 2."""
+"""``max |u (u - 1/4) (u - 1/2) (u - 3/4) (u - 1)| / 5!``, rounded up: ``|t (t^2 - 1) (t^2 - 4)| <= 3.6315``
+for |t| <= 2."""
 
 POINT = 1e-5
-"""mm: a chord shorter than this, a tenth of the finest step that controllers print, has no direction and counts as a point: where
-it points is the rounding of words and arithmetic, and so would be any distance from the line through it. Distances are then
-measured from its point of the same u, which makes them larger by no more than this."""
+"""mm: a chord shorter than this, a tenth of the finest step that controllers print, has no direction and
+counts as a point: where it points is the rounding of words and arithmetic, and so would be any distance from
+the line through it. Distances are then measured from its point of the same u, which makes them larger by no
+more than this."""
 
 NOTHING = 5e-7
 """mm: half the accuracy that is promised for the deviation."""
@@ -46,7 +52,8 @@ MOST_TURN = 0.35
 """rad: beyond this summed travel the quartic is not tried."""
 
 STEEP = 0.25
-"""H' must be at least this share of |A|^2 below zero (it is 4 |A|^2 for a parabola): far more than rounding can take away."""
+"""H' must be at least this share of |A|^2 below zero (it is 4 |A|^2 for a parabola): far more than rounding
+can take away."""
 
 SMALLEST = 1e-150
 """Keeps a quotient defined where its numerator is zero too, or its row is not used."""
@@ -54,7 +61,8 @@ SMALLEST = 1e-150
 
 @dataclass(frozen=True, eq=False)
 class Chord:
-    """``start``, ``vector`` (3, n) mm; ``along`` (3, n): its unit vector, zero for a point; ``length`` (n,) mm. First frame."""
+    """``start``, ``vector`` (3, n) mm; ``along`` (3, n): its unit vector, zero for a point; ``length`` (n,)
+    mm. First frame."""
 
     start: Floats
     vector: Floats
@@ -64,7 +72,8 @@ class Chord:
 
 @dataclass(frozen=True, eq=False)
 class Bow:
-    """One row a block: the largest ``distance`` mm at ``u``, its ``bound`` mm without rounding, the ``place`` (3, n) there."""
+    """One row a block: the largest ``distance`` mm at ``u``, its ``bound`` mm without rounding, the ``place``
+    (3, n) there."""
 
     distance: Floats
     u: Floats
@@ -81,8 +90,9 @@ def chord(start: Floats, end: Floats) -> Chord:
 
 
 def held_back(move: Motion, way: Chord, blocks: Bools) -> Motion:
-    """The motion, in these ``blocks`` (n,) less the even motion along their chords: the path then begins and ends at the chord's
-    start, and is as far from it as the real path is from the chord's point of the same u."""
+    """The motion, in these ``blocks`` (n,) less the even motion along their chords: the path then begins and
+    ends at the chord's start, and is as far from it as the real path is from the chord's point of the same
+    u."""
     start = tuple(np.broadcast_to(p, way.length.shape) for p in move.arm[:3])
     step = tuple(p - np.where(blocks, v, 0.0) for p, v in zip(move.arm_step[:3], way.vector, strict=True))
     return replace(move, arm=start + move.arm[3:], arm_step=step + move.arm_step[3:])
@@ -90,7 +100,9 @@ def held_back(move: Motion, way: Chord, blocks: Bools) -> Motion:
 
 def node_poses(move: Motion, rows: Pose) -> Pose:
     """The poses at the nodes, by angle addition from those of the ``rows`` (n + 1) between the blocks."""
-    arm = tuple(p if p.ndim == 0 else p + NODES * step for p, step in zip(move.arm, move.arm_step, strict=True))
+    arm = tuple(
+        p if p.ndim == 0 else p + NODES * step for p, step in zip(move.arm, move.arm_step, strict=True)
+    )
     cos_a, sin_a = _added(rows.cos_a[:-1], rows.sin_a[:-1], move.a_step)
     cos_b, sin_b = _added(rows.cos_b[:-1], rows.sin_b[:-1], move.b_step)
     return Pose(arm, cos_a, sin_a, cos_b, sin_b)
@@ -106,8 +118,8 @@ def _added(cos: Floats, sin: Floats, step: Floats) -> tuple[Floats, Floats]:
 
 
 def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
-    """The largest distance from the chord of the paths through ``nodes``: components, nodes, blocks (3, 3, n), mm; from a chord
-    that is a point, from its point of the same u."""
+    """The largest distance from the chord of the paths through ``nodes``: components, nodes, blocks (3, 3,
+    n), mm; from a chord that is a point, from its point of the same u."""
     full = _coefficients(way, nodes)
     along = [_dots(v, way.along) for v in full]
     a, b, c = (v - part * way.along for v, part in zip(full, along, strict=True))
@@ -132,7 +144,8 @@ def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
 
 
 def _coefficients(way: Chord, nodes: Floats) -> tuple[Floats, Floats, Floats]:
-    """A, B, C (3, n) of the bow through the nodes: g there is the way from the same-u point, over u (1 - u)."""
+    """A, B, C (3, n) of the bow through the nodes: g there is the way from the same-u point, over u (1 -
+    u)."""
     low, mid, high = (nodes[:, j] - (way.start + u * way.vector) for j, u in enumerate(NODES[:, 0].tolist()))
     return 4.0 * mid, (32.0 / 3.0) * (high - low), (128.0 / 3.0) * (low + high) - 64.0 * mid
 

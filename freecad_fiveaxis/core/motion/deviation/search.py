@@ -1,24 +1,28 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The largest distance of a block's real path from its chord, found and proven by branch and bound over u.
 
-It serves any block, whatever it turns: every interval of u is either shown not to exceed the best distance found so far by
-more than the tolerance, or cut in two. What is left in the end is the global maximum, however many maxima there are.
+It serves any block, whatever it turns: every interval of u is either shown not to exceed the best distance
+found so far by more than the tolerance, or cut in two. What is left in the end is the global maximum, however
+many maxima there are.
 
 piece     an interval of u of one block, of half width ``half`` about its ``centre``.
-inside    the foot of the perpendicular lies within the chord; outside, the nearest point of the chord is an end.
+inside    the foot of the perpendicular lies within the chord; outside, the nearest point of the chord is an
+          end.
 
-Let x be the vector from the nearest point of the chord to the tip, F = |x|^2, and at the centre F0, F0' = 2 x.p' and
-c = |x'|^2 + x.p''. F' is Lipschitz, and while the foot stays inside (or outside) ``F'' / 2 = |x'|^2 + x.p''``, with x' the
-part of p' across the chord inside and p' itself outside; counting p' in full, the right side is never less than F''/2. It
-changes by at most 3 T per unit of u, ``T = V M2 + X M3 / 3``, where V and X bound |x'| and |x| on the piece, and M2 and M3
-the second and third derivative of the path. Integrated twice:
+Let x be the vector from the nearest point of the chord to the tip, F = |x|^2, and at the centre F0, F0' = 2
+x.p' and c = |x'|^2 + x.p''. F' is Lipschitz, and while the foot stays inside (or outside) ``F'' / 2 = |x'|^2
++ x.p''``, with x' the part of p' across the chord inside and p' itself outside; counting p' in full, the
+right side is never less than F''/2. It changes by at most 3 T per unit of u, ``T = V M2 + X M3 / 3``, where V
+and X bound |x'| and |x| on the piece, and M2 and M3 the second and third derivative of the path. Integrated
+twice:
 
     ``F(u) <= F0 + F0' t + c t^2 + T |t|^3``  for ``t = u - centre``.
 
-The same holds for the distance from the whole line, with p' across it, and ``F <= F_line + o^2`` where the foot lies outside
-by no more than o: the bound of a piece that the foot leaves. The smaller of both counts.
+The same holds for the distance from the whole line, with p' across it, and ``F <= F_line + o^2`` where the
+foot lies outside by no more than o: the bound of a piece that the foot leaves. The smaller of both counts.
 
-Near a maximum c is negative and F0' small, so that the bound is of third order and the search ends after a few rounds.
+Near a maximum c is negative and F0' small, so that the bound is of third order and the search ends after a
+few rounds.
 """
 
 from __future__ import annotations
@@ -35,10 +39,12 @@ from .bound import ABSOLUTE, RELATIVE
 
 FIRST_PIECES = 8
 FIRST_TURN = 0.25
-"""A block starts as at least so many pieces, of at most so many rad of summed rotary travel: fewer rounds, few wasted pieces."""
+"""A block starts as at least so many pieces, of at most so many rad of summed rotary travel: fewer rounds,
+few wasted pieces."""
 
 POLISH, POLISH_REACH = 2, 0.01
-"""Steps of Newton's method at the end, and how far in u they may lead: further away it would be another peak."""
+"""Steps of Newton's method at the end, and how far in u they may lead: further away it would be another
+peak."""
 
 MOST_PIECES = 65536
 """Pieces worked on at a time: what bounds the memory where blocks turn by hundreds of turns."""
@@ -48,9 +54,9 @@ MOST_PIECES = 65536
 class Chords:
     """Blocks to search, one row each, in the first frame, mm.
 
-    ``origin``: the start of the chord; ``along``: its unit vector, zero where the chord is a point; the chord holds the
-    points from ``low`` to ``high`` along it (infinite for the whole line); ``second``, ``third``: bounds of the path's
-    derivatives; ``turn`` rad: summed rotary travel.
+    ``origin``: the start of the chord; ``along``: its unit vector, zero where the chord is a point; the chord
+    holds the points from ``low`` to ``high`` along it (infinite for the whole line); ``second``, ``third``:
+    bounds of the path's derivatives; ``turn`` rad: summed rotary travel.
     """
 
     move: Motion
@@ -76,7 +82,9 @@ class _Pieces:
 
     def split(self) -> list[_Pieces]:
         middle = len(self.block) // 2
-        return [_Pieces(self.block[s], self.centre[s], self.half[s]) for s in (slice(middle), slice(middle, None))]
+        return [
+            _Pieces(self.block[s], self.centre[s], self.half[s]) for s in (slice(middle), slice(middle, None))
+        ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,9 +98,11 @@ class _Local:
 
 
 def farthest(frame: Frames, chords: Chords) -> tuple[Floats, Floats, Floats]:
-    """The largest distance (n,) mm of each block's path from its chord, its u, and an upper bound of that distance.
+    """The largest distance (n,) mm of each block's path from its chord, its u, and an upper bound of that
+    distance.
 
-    The distance is one that the path takes at that u; the bound holds for every u, up to the rounding of the arithmetic.
+    The distance is one that the path takes at that u; the bound holds for every u, up to the rounding of the
+    arithmetic.
     """
     best, best_u = np.zeros(len(chords.turn)), np.full(len(chords.turn), 0.5)
     load = np.cumsum(_first_count(chords.turn)) // MOST_PIECES
@@ -136,7 +146,11 @@ def _first_pieces(turn: Floats) -> _Pieces:
 
 
 def _halved(pieces: _Pieces, keep: Ints) -> _Pieces:
-    block, centre, half = np.repeat(pieces.block[keep], 2), np.repeat(pieces.centre[keep], 2), np.repeat(pieces.half[keep], 2)
+    block, centre, half = (
+        np.repeat(pieces.block[keep], 2),
+        np.repeat(pieces.centre[keep], 2),
+        np.repeat(pieces.half[keep], 2),
+    )
     half *= 0.5
     centre[0::2] -= half[0::2]
     centre[1::2] += half[1::2]
@@ -155,8 +169,11 @@ def _improve(best: Floats, best_u: Floats, block: Ints, u: Floats, square: Float
     best_u[block[at_best]] = u[at_best]
 
 
-def _try_peaks(frame: Frames, chords: Chords, pieces: _Pieces, here: _Local, best: Floats, best_u: Floats) -> None:
-    """Evaluate the vertex of each piece's parabola where it lies within the piece and promises more than the best."""
+def _try_peaks(
+    frame: Frames, chords: Chords, pieces: _Pieces, here: _Local, best: Floats, best_u: Floats
+) -> None:
+    """Evaluate the vertex of each piece's parabola where it lies within the piece and promises more than the
+    best."""
     bent = -2.0 * here.curve
     within = (bent > 0.0) & (np.abs(here.slope) < bent * pieces.half)
     promise = here.square + np.where(within, here.slope**2, 0.0) / (2.0 * np.where(within, bent, 1.0))
@@ -169,7 +186,8 @@ def _try_peaks(frame: Frames, chords: Chords, pieces: _Pieces, here: _Local, bes
 
 
 def _polish(frame: Frames, chords: Chords, best: Floats, best_u: Floats) -> None:
-    """Move each block's best u up to the peak that it lies at the foot of: the search ends a little short of it."""
+    """Move each block's best u up to the peak that it lies at the foot of: the search ends a little short of
+    it."""
     for _ in range(POLISH):
         room = np.minimum(np.minimum(best_u, 1.0 - best_u), POLISH_REACH)
         pieces = _Pieces(np.arange(len(best)), best_u.copy(), room)
@@ -207,12 +225,16 @@ def _local(frame: Frames, chords: Chords, pieces: _Pieces) -> _Local:
     outer_top = _top(square, slope, outer_curve, np.sqrt(speed), half, second, third)
 
     swing = np.abs(pace) * half + 0.5 * second * half * half
-    outside = np.maximum(np.maximum(chords.low[block] - (along - swing), along + swing - chords.high[block]), 0.0)
+    outside = np.maximum(
+        np.maximum(chords.low[block] - (along - swing), along + swing - chords.high[block]), 0.0
+    )
     curve = np.where(over == 0.0, line_curve, outer_curve)
     return _Local(square, slope, curve, np.minimum(line_top + outside * outside, outer_top))
 
 
-def _top(square: Floats, slope: Floats, curve: Floats, speed: Floats, half: Floats, second: Floats, third: Floats) -> Floats:
+def _top(
+    square: Floats, slope: Floats, curve: Floats, speed: Floats, half: Floats, second: Floats, third: Floats
+) -> Floats:
     """Upper bound of F over a piece: the largest value of the parabola, and the third-order rest."""
     speed_most = speed + half * second
     reach_most = np.sqrt(square) + half * speed_most

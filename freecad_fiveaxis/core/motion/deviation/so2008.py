@@ -1,23 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The line deviation by the analytic model of So, Park, Cho, Kim, Song and Ko (2008), for comparison with the exact one.
+"""The line deviation by the analytic model of So, Park, Cho, Kim, Song and Ko (2008), for comparison with the
+exact one.
 
 It is a model of blocks near the pole, where the first rotary axis turns much and the second little.
 
-U, V      the rotary axis about the pole direction, and the other: in every chain U is the one nearer to the work. All is
-          seen in the frame with U as z (``trajectory``: the first frame), so that U need not be the machine's Z.
-G, M      eq. (2): the tip in the plane across U is ``G(u) + Rot(U) M(u)``. G is what the linear axes between work and U
-          give (the arm ``s``), M what comes after U (the arm's ``y = w + R2(V) v``): table-table G constant, M by X Y Z and
-          V; head-table with a linear axis on the table G by that one, M by the rest; head-head G by X Y Z, M by V alone.
-          The model takes M as linear in u between its values at both ends; G is so.
-k         the foot of the perpendicular from the U axis on the line M0 M1, as a share of the way from M0 to M1: the apex.
+U, V      the rotary axis about the pole direction, and the other: in every chain U is the one nearer to the
+          work. All is seen in the frame with U as z (``trajectory``: the first frame), so that U need not be
+          the machine's Z.
+G, M      eq. (2): the tip in the plane across U is ``G(u) + Rot(U) M(u)``. G is what the linear axes between
+          work and U give (the arm ``s``), M what comes after U (the arm's ``y = w + R2(V) v``): table-table G
+          constant, M by X Y Z and V; head-table with a linear axis on the table G by that one, M by the rest;
+          head-head G by X Y Z, M by V alone. The model takes M as linear in u between its values at both
+          ends; G is so.
+k         the foot of the perpendicular from the U axis on the line M0 M1, as a share of the way from M0 to
+          M1: the apex.
 
-Eq. (3) in polar form, ``r (cos theta, sin theta)``, is ``Rot(U) (M0 + u (M1 - M0))`` written out; here it stays Cartesian.
+Eq. (3) in polar form, ``r (cos theta, sin theta)``, is ``Rot(U) (M0 + u (M1 - M0))`` written out; here it
+stays Cartesian.
 n(u)      the speed of the rotating part, eq. (7).
 
-Two forms. ``so2008`` takes eq. (8) times n(u): the zeros are the same, but the quartic of eq. (9) is another one, and only this
-one reproduces the paper's own example (Table 2): u = 0.40413 as the real maximum. Eq. (8) as printed (``so2008-printed``) gives
-u = 0.4708 there, though it mostly is nearer on other blocks; the table is in docs/deviation.md. Table 1 is silent where its
-samples leave the block or meet its ends: so2008 limits h there, so2008-printed does not.
+Two forms. ``so2008`` takes eq. (8) times n(u): the zeros are the same, but the quartic of eq. (9) is another
+one, and only this one reproduces the paper's own example (Table 2): u = 0.40413 as the real maximum. Eq. (8)
+as printed (``so2008-printed``) gives u = 0.4708 there, though it mostly is nearer on other blocks; the table
+is in docs/deviation.md. Table 1 is silent where its samples leave the block or meet its ends: so2008 limits h
+there, so2008-printed does not.
 """
 
 from __future__ import annotations
@@ -49,24 +55,27 @@ from .bound import CHUNK
 from .quartic import POINT, SMALLEST
 
 SYMMETRIC = 1e-3
-"""Table 1's "k about 0.5": nearer than this the samples about 0.5 nearly coincide and u = 0.5 is taken, as there."""
+"""Table 1's "k about 0.5": nearer than this the samples about 0.5 nearly coincide and u = 0.5 is taken, as
+there."""
 
 MOST_H = 0.2
 """Largest h of Table 1: at 0.25 the sample 0.5 +- 2h is an end of the block and eq. (9) has no solution."""
 
 APART, MOST_PRINTED = 1e-3, 1e3
-"""As printed h is any number, but so far from 0.25 and 0.5, where a sample is an end of the block, and no larger: the fourth
-power of 2h would leave no digits."""
+"""As printed h is any number, but so far from 0.25 and 0.5, where a sample is an end of the block, and no
+larger: the fourth power of 2h would leave no digits."""
 
 STRAIGHT = 1e-12
-"""mm per unit of u, of each mm of radius: a cross product below this is rounding; the model's path is then straight."""
+"""mm per unit of u, of each mm of radius: a cross product below this is rounding; the model's path is then
+straight."""
 
 FLAT_LEAD = 1e-9
-"""A leading coefficient of eq. (9) below this share of the largest is raised to it: that moves roots within a block by
-1e-9 and gives the companion matrix of a cubic a far root instead of an infinite one."""
+"""A leading coefficient of eq. (9) below this share of the largest is raised to it: that moves roots within a
+block by 1e-9 and gives the companion matrix of a cubic a far root instead of an infinite one."""
 
 REAL = 1e-7
-"""Largest imaginary part of a real root: a double root, the worst case, is split by the root of the rounding."""
+"""Largest imaginary part of a real root: a double root, the worst case, is split by the root of the
+rounding."""
 
 
 def line_deviation(
@@ -74,9 +83,10 @@ def line_deviation(
 ) -> tuple[Floats, Floats, tuple[Finding, ...]]:
     """The largest distance (m,) mm from the infinite line by the model, and its u; row 0 zero.
 
-    ``words`` (m, 5) mm and **degrees**; ``printed``: eq. (8) and Table 1 to the letter. u is the model's (eqs. 7 to 9), the
-    distance that of the real tip at this u (eq. 6). Where the quartic has several roots within the block, the one with the
-    largest distance counts; where it has none, u is 0.5 and a finding says of how many blocks this is so.
+    ``words`` (m, 5) mm and **degrees**; ``printed``: eq. (8) and Table 1 to the letter. u is the model's
+    (eqs. 7 to 9), the distance that of the real tip at this u (eq. 6). Where the quartic has several roots
+    within the block, the one with the largest distance counts; where it has none, u is 0.5 and a finding says
+    of how many blocks this is so.
     """
     frame, count = frames(kinematics), len(words)
     line, u_line, rootless = np.zeros(count), np.zeros(count), 0
@@ -84,14 +94,17 @@ def line_deviation(
         last = min(first + CHUNK, count - 1)
         move, poses = chained_motion(frame, words[first : last + 1])
         candidates, valid = _candidates(frame, move, poses, printed)
-        line[first + 1 : last + 1], u_line[first + 1 : last + 1] = _farthest(frame, move, poses, candidates, valid)
+        line[first + 1 : last + 1], u_line[first + 1 : last + 1] = _farthest(
+            frame, move, poses, candidates, valid
+        )
         rootless += int(np.count_nonzero(~valid.any(axis=0)))
         progress("deviation by So et al.", last / count)
     return line, u_line, _rootless_finding(rootless, count - 1)
 
 
 def model_tip(kinematics: Chain, words: Floats, u: Floats) -> Floats:
-    """Eq. (3) at ``u`` (k,) of every block: (m - 1, k, 3) mm, work frame. ``words`` (m, 5) mm and **degrees**."""
+    """Eq. (3) at ``u`` (k,) of every block: (m - 1, k, 3) mm, work frame. ``words`` (m, 5) mm and
+    **degrees**."""
     frame = frames(kinematics)
     move, poses = chained_motion(frame, words)
     m0, slope, z = _linear_inner(inner(frame, poses))
@@ -104,7 +117,9 @@ def model_tip(kinematics: Chain, words: Floats, u: Floats) -> Floats:
 def _wide(move: Motion) -> tuple[list[Floats], list[Floats]]:
     """The arm ``s`` and its step with every column of full length."""
     shape = move.a.shape
-    return [np.broadcast_to(p, shape) for p in move.arm[:3]], [np.broadcast_to(p, shape) for p in move.arm_step[:3]]
+    return [np.broadcast_to(p, shape) for p in move.arm[:3]], [
+        np.broadcast_to(p, shape) for p in move.arm_step[:3]
+    ]
 
 
 def _linear_inner(y: Vectors) -> tuple[Floats, Floats, Floats]:
@@ -131,8 +146,8 @@ def _candidates(frame: Frames, move: Motion, poses: Pose, printed: bool) -> tupl
 
 
 def _samples(k: Floats, printed: bool = False) -> Floats:
-    """Table 1: the five u (5, n), with h = |0.5 - k| no larger than :data:`MOST_H` and no smaller than :data:`SYMMETRIC`; or, as
-    printed, any h but where two of them coincide."""
+    """Table 1: the five u (5, n), with h = |0.5 - k| no larger than :data:`MOST_H` and no smaller than
+    :data:`SYMMETRIC`; or, as printed, any h but where two of them coincide."""
     h = np.clip(np.abs(0.5 - k), SYMMETRIC, MOST_PRINTED if printed else MOST_H)
     for end in (0.25, 0.5):
         h = np.where(np.abs(h - end) < APART, end - APART, h)
@@ -142,8 +157,11 @@ def _samples(k: Floats, printed: bool = False) -> Floats:
     return np.where(k < 0.5, below, above)
 
 
-def _eq_8(move: Motion, poses: Pose, frame: Frames, m0: Floats, slope: Floats, u: Floats) -> tuple[Floats, Floats]:
-    """Eq. (8) times n(u) at ``u`` (5, n): how fast the model's path leaves the direction of the chord, seen along U, mm.
+def _eq_8(
+    move: Motion, poses: Pose, frame: Frames, m0: Floats, slope: Floats, u: Floats
+) -> tuple[Floats, Floats]:
+    """Eq. (8) times n(u) at ``u`` (5, n): how fast the model's path leaves the direction of the chord, seen
+    along U, mm.
 
     ``G' + d/du Rot(U) M = G' + Rot(U) (M' + U' J M)``. Also the size (n,) that its rounding is relative to.
     """
@@ -158,7 +176,8 @@ def _eq_8(move: Motion, poses: Pose, frame: Frames, m0: Floats, slope: Floats, u
 
 
 def _quartic_roots(u: Floats, f: Floats) -> Floats:
-    """The four roots (4, n) of the quartic through ``f`` at ``u``, both (5, n): eq. (9), as eigenvalues of the companion."""
+    """The four roots (4, n) of the quartic through ``f`` at ``u``, both (5, n): eq. (9), as eigenvalues of
+    the companion."""
     powers = u.T[:, :, None] ** np.arange(4, -1, -1)
     c = np.linalg.solve(powers, f.T[:, :, None])[:, :, 0]
     least = FLAT_LEAD * np.abs(c).max(axis=1)
@@ -170,7 +189,8 @@ def _quartic_roots(u: Floats, f: Floats) -> Floats:
 
 
 def _farthest(frame: Frames, move: Motion, poses: Pose, u: Floats, valid: Bools) -> tuple[Floats, Floats]:
-    """The largest distance (eq. 6) of the real tip at the candidates from the line through the chord, and its u."""
+    """The largest distance (eq. 6) of the real tip at the candidates from the line through the chord, and its
+    u."""
     start = outer(poses, inner(frame, poses))
     vector = tuple(np.diff(p) for p in start)
     square = dot((vector[0], vector[1], vector[2]), (vector[0], vector[1], vector[2]))

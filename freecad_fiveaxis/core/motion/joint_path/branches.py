@@ -2,24 +2,29 @@
 """Branch and winding of the rotary words, chosen for the whole path: the way of least rotary travel.
 
 state     one way to take up the axis of a row: a branch, and a winding for each rotary axis that has limits.
-winding   which turn a rotary word lies on: words that differ by whole turns are the same pose, but not the same place on
-          an axis with limits.
+winding   which turn a rotary word lies on: words that differ by whole turns are the same pose, but not the
+          same place on an axis with limits.
 travel    |change of the first rotary word| + |change of the second|, rad, summed over the steps.
-break     a step of a cutting move that cannot be driven while the tool cuts: a word would have to change by more than half
-          a turn, or the branch would change away from the pole. It costs BREAK on top of its travel.
+break     a step of a cutting move that cannot be driven while the tool cuts: a word would have to change by
+          more than half a turn, or the branch would change away from the pole. It costs BREAK on top of its
+          travel.
 
-The rows are the layers of a graph and the states its nodes, so the best way is a shortest path over layers: a product of
-matrices in (min, +) algebra. It is exact. A scan on two levels keeps Python out of the rows: the steps are cut into blocks of
-about the square root of their number, all blocks advance together by one step at a time, then the blocks are joined.
+The rows are the layers of a graph and the states its nodes, so the best way is a shortest path over layers: a
+product of matrices in (min, +) algebra. It is exact. A scan on two levels keeps Python out of the rows: the
+steps are cut into blocks of about the square root of their number, all blocks advance together by one step at
+a time, then the blocks are joined.
 
-Without limits only the two branches are states and every step takes the nearest winding. That way's cost is a lower bound of
-the limited problem's; so when it fits into the limits after whole turns it is the answer there too.
+Without limits only the two branches are states and every step takes the nearest winding. That way's cost is a
+lower bound of the limited problem's; so when it fits into the limits after whole turns it is the answer there
+too.
 
 gate      a step where the branch may change without a break: of a rapid, at the pole, or hardly a turn.
-run       of a branch: the steps between gates, each way through them on one branch: one step of a much shorter graph.
+run       of a branch: the steps between gates, each way through them on one branch: one step of a much
+          shorter graph.
 
-Of the ways that change branch at gates only, the shorter graph has the best. Any other way costs a break more than every step
-at its least; so the best one is the best of all where it costs less than that, and mostly no other search is needed.
+Of the ways that change branch at gates only, the shorter graph has the best. Any other way costs a break more
+than every step at its least; so the best one is the best of all where it costs less than that, and mostly no
+other search is needed.
 """
 
 from __future__ import annotations
@@ -35,21 +40,26 @@ from freecad_fiveaxis.core.base.progress import Progress, silent
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 
 BREAK = 1000.0
-"""Cost of a break, rad: a retract costs more than any turning back above the part that a job is likely to need."""
+"""Cost of a break, rad: a retract costs more than any turning back above the part that a job is likely to
+need."""
 POLE_ANGLE = math.radians(0.5e-4)
-"""So near to the pole (rad) the axis is taken as the pole: half a step of a rotary word with four decimals of a degree."""
+"""So near to the pole (rad) the axis is taken as the pole: half a step of a rotary word with four decimals of
+a degree."""
 SLACK = 1e-9
 """Rounding allowed to a word at its limit, rad: far below any controller's step."""
 PREFER_ZERO = 1e-9
-"""Weight of the first row's words, rad per rad: among ways of equal travel the one that starts nearest to zero is taken."""
+"""Weight of the first row's words, rad per rad: among ways of equal travel the one that starts nearest to
+zero is taken."""
 SMALL_TURN = math.radians(0.1)
-"""A step of less rotary travel than this is no break whatever its branches: its axis stays within half of it of both ends."""
+"""A step of less rotary travel than this is no break whatever its branches: its axis stays within half of it
+of both ends."""
 STATES = 24
-"""Most states that are searched: the work grows with their cube. A word that fits into its limits on the nearest windings alone
-never needs them; of one that does not, on an axis of more turns, only the turns around zero are used, at the price of rewinds."""
+"""Most states that are searched: the work grows with their cube. A word that fits into its limits on the
+nearest windings alone never needs them; of one that does not, on an axis of more turns, only the turns around
+zero are used, at the price of rewinds."""
 LONGEST = 16384
-"""Steps of a branch run at most. A portion is a whole number of them: the sums, which decide between ways that cost the same but
-for rounding, do not depend on portions then."""
+"""Steps of a branch run at most. A portion is a whole number of them: the sums, which decide between ways
+that cost the same but for rounding, do not depend on portions then."""
 SLAB = 1 << 20
 """Costs (states x states x steps) that are held at once: 8 MB."""
 
@@ -59,8 +69,9 @@ StepCost = Callable[[int, int], Floats]
 
 @dataclass(frozen=True, eq=False)
 class Layers:
-    """``word`` (2, s, n) rad: first and second rotary word of each state at each row; ``fits`` (s, n) within the limits;
-    ``branch`` (s,); ``wraps``: for each word, True where it has one state a branch and takes the nearest winding."""
+    """``word`` (2, s, n) rad: first and second rotary word of each state at each row; ``fits`` (s, n) within
+    the limits; ``branch`` (s,); ``wraps``: for each word, True where it has one state a branch and takes the
+    nearest winding."""
 
     word: Floats
     fits: Bools
@@ -69,13 +80,19 @@ class Layers:
 
 
 def choose(
-    angles: Floats, fits: Bools, low: Floats, high: Floats, cutting: Bools, crossing: Bools, progress: Progress = silent
+    angles: Floats,
+    fits: Bools,
+    low: Floats,
+    high: Floats,
+    cutting: Bools,
+    crossing: Bools,
+    progress: Progress = silent,
 ) -> tuple[Floats, Bytes]:
     """Rotary words (n, 2) rad, turns not folded, and branch (n,) of least travel and fewest breaks.
 
-    ``angles`` (2, n, 2) rad of both branches in (-pi, pi]; ``fits`` (2, n) from :func:`within_limits`, at least one of the two
-    true at every row; ``low``, ``high`` (2,) rad; ``cutting`` and ``crossing`` (n - 1,): the step is made while the tool cuts;
-    the step goes through the pole.
+    ``angles`` (2, n, 2) rad of both branches in (-pi, pi]; ``fits`` (2, n) from :func:`within_limits`, at
+    least one of the two true at every row; ``low``, ``high`` (2,) rad; ``cutting`` and ``crossing`` (n - 1,):
+    the step is made while the tool cuts; the step goes through the pole.
     """
     wraps = [True, True]
     while True:
@@ -126,7 +143,8 @@ def _least_word(angle: Floats, low: float) -> Floats:
 
 
 def _window(low: Floats, high: Floats, wraps: list[bool]) -> tuple[Floats, Floats]:
-    """Limits that make no more than STATES states: of the words that need them, the turns around zero are kept."""
+    """Limits that make no more than STATES states: of the words that need them, the turns around zero are
+    kept."""
     low, high = low.copy(), high.copy()
     for axis in (axis for axis in range(2) if not wraps[axis]):
         other = 1 if wraps[1 - axis] else _windings(low[1 - axis], high[1 - axis])
@@ -142,7 +160,8 @@ def _windings(low: float, high: float) -> int:
 
 
 def _fitting_turns(word: Floats, low: float, high: float) -> float:
-    """The whole turns nearest to none that bring all of ``word`` (n,) within the limits; NaN where none do."""
+    """The whole turns nearest to none that bring all of ``word`` (n,) within the limits; NaN where none
+    do."""
     least = math.ceil((low - 2 * SLACK - float(word.min())) / TURN) if math.isfinite(low) else -math.inf
     most = math.floor((high + 2 * SLACK - float(word.max())) / TURN) if math.isfinite(high) else math.inf
     return min(max(0.0, least), most) if least <= most else math.nan
@@ -154,7 +173,9 @@ def _layers(angles: Floats, fits: Bools, low: Floats, high: Floats, wraps: list[
     if all(wraps):
         open_ = fits.any(1)
         word = angles.transpose(2, 0, 1)  # a view, unless a branch is left out
-        return Layers(word if open_.all() else word[:, open_], fits[open_], np.flatnonzero(open_).astype(np.int8), wraps)
+        return Layers(
+            word if open_.all() else word[:, open_], fits[open_], np.flatnonzero(open_).astype(np.int8), wraps
+        )
     count = [1 if wraps[axis] else _windings(low[axis], high[axis]) for axis in range(2)]
     branch, *winding = (part.ravel() for part in np.indices((2, count[0], count[1])))
     word, fits = np.empty((2, len(branch), angles.shape[1])), fits[branch]
@@ -214,9 +235,16 @@ def _nearest(step: Floats) -> Floats:
     return np.abs(step, out=step)
 
 
-def _step_cost(layers: Layers, cutting: Bools, crossing: Bools, start: slice | Ints, end: slice | Ints) -> Floats:
-    """Cost (s, s, m) of the m steps from the rows ``start`` to the rows ``end`` after them, from state to state."""
-    this_word, next_word, held = layers.word[:, :, start], layers.word[:, :, end], np.where(cutting[start], BREAK, 0.0)
+def _step_cost(
+    layers: Layers, cutting: Bools, crossing: Bools, start: slice | Ints, end: slice | Ints
+) -> Floats:
+    """Cost (s, s, m) of the m steps from the rows ``start`` to the rows ``end`` after them, from state to
+    state."""
+    this_word, next_word, held = (
+        layers.word[:, :, start],
+        layers.word[:, :, end],
+        np.where(cutting[start], BREAK, 0.0),
+    )
     banned = np.where(crossing[start], 0.0, held)
     closed, count = np.where(layers.fits[:, end], 0.0, math.inf), len(layers.branch)
     cost = np.zeros((count, count, len(held)))
@@ -239,8 +267,11 @@ def _step_cost(layers: Layers, cutting: Bools, crossing: Bools, start: slice | I
     return cost
 
 
-def _by_branch_runs(layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress) -> Ints | None:
-    """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to be the best."""
+def _by_branch_runs(
+    layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress
+) -> Ints | None:
+    """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to
+    be the best."""
     if len(layers.branch) == 1:
         return np.zeros(len(cutting) + 1, np.int64)
     if not len(cutting):
@@ -254,14 +285,17 @@ def _by_branch_runs(layers: Layers, entry: Floats, cutting: Bools, crossing: Boo
     cost, start, least = np.concatenate(costs, 2), np.concatenate([*starts, [len(cutting)]]), sum(bounds)
     state = least_path(entry, lambda first, last: cost[:, :, first:last], cost.shape[2])
     total = entry[state[0]] + cost[state[:-1], state[1:], np.arange(len(state) - 1)].sum()
-    if not total <= least + BREAK - TURN:  # a step on the nearest windings is half a turn of each word at most
+    if (
+        not total <= least + BREAK - TURN
+    ):  # a step on the nearest windings is half a turn of each word at most
         return None
     return np.repeat(state, np.diff(start, append=len(cutting) + 1))
 
 
 def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
-    """The steps ``rows`` cut into gates and branch runs of at most LONGEST steps: the first step of each, their costs
-    (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may follow, on a branch run's only one."""
+    """The steps ``rows`` cut into gates and branch runs of at most LONGEST steps: the first step of each,
+    their costs (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may follow,
+    on a branch run's only one."""
     ends, after = slice(rows.start, rows.stop + 1), slice(rows.start + 1, rows.stop + 1)
     first, second = layers.word[:, :, ends]
     stay = _nearest(np.diff(first)) + _nearest(np.diff(second))
@@ -283,8 +317,8 @@ def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -
 def least_path(entry: Floats, cost: StepCost, steps: int, progress: Progress = silent) -> Ints:
     """The states (steps + 1,) of the cheapest way through the layers.
 
-    ``entry`` (s,) cost of starting in each state; ``cost(start, end)`` the (s, s, end - start) costs of those steps, inf where
-    there is no way. At least one way must be finite.
+    ``entry`` (s,) cost of starting in each state; ``cost(start, end)`` the (s, s, end - start) costs of those
+    steps, inf where there is no way. At least one way must be finite.
     """
     count = len(entry)
     blocks = max(1, math.isqrt(max(1, SLAB // count**2)))
@@ -308,7 +342,9 @@ def _fold(cost: Floats, blocks: int) -> Floats:
     length = -(-steps // blocks)
     stay = np.where(np.eye(count, dtype=bool), 0.0, math.inf)
     filler = np.broadcast_to(stay[:, :, None], (count, count, length * blocks - steps))
-    return np.ascontiguousarray(np.concatenate([cost, filler], 2).reshape(count, count, blocks, length).transpose(3, 0, 1, 2))
+    return np.ascontiguousarray(
+        np.concatenate([cost, filler], 2).reshape(count, count, blocks, length).transpose(3, 0, 1, 2)
+    )
 
 
 def _advance(value: Floats, cost: Floats) -> tuple[Floats, Bytes]:
@@ -341,7 +377,8 @@ def _product(left: Floats, right: Floats) -> Floats:
 
 
 def _retrace(trace: Bytes, last: int) -> Ints:
-    """The states before every step of the slab, in the order of the steps, from the state after the last one."""
+    """The states before every step of the slab, in the order of the steps, from the state after the last
+    one."""
     length, count, blocks = trace.shape
     block = np.arange(blocks)
     origin = np.broadcast_to(np.arange(count)[:, None], (count, blocks))

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From the CL path to joints: branch, winding, limits, retract and re-engage.
 
-pole row   a row whose axis is parallel to the first rotary axis. Any first rotary word will do there, so it keeps that of the
-           row before until the path needs another; the turn is then made where it harms least: on a rapid if there is
-           one, else evenly along the cuts at the pole, or on the longest of those that begin or end there.
-crossing   a step through the pole. The branch may change there at no cost: the second rotary word passes its pole
-           position and changes sides while the first one stays.
+pole row   a row whose axis is parallel to the first rotary axis. Any first rotary word will do there, so it
+           keeps that of the row before until the path needs another; the turn is then made where it harms
+           least: on a rapid if there is one, else evenly along the cuts at the pole, or on the longest of
+           those that begin or end there.
+crossing   a step through the pole. The branch may change there at no cost: the second rotary word passes its
+           pole position and changes sides while the first one stays.
 
-Branch and winding come from :mod:`.branches`, the rows that are inserted where no continuous way exists from :mod:`.rewind`.
+Branch and winding come from :mod:`.branches`, the rows that are inserted where no continuous way exists from
+:mod:`.rewind`.
 """
 
 from __future__ import annotations
@@ -38,10 +40,11 @@ POINT = Body((Piece(0.0, 0.0, 0.0, 0.0, 0.0),))
 """A tool of which nothing is known but its ball."""
 
 CROSSING_ANGLE = math.radians(0.1)
-"""A step whose axis passes the pole that near (rad) may go through the pole itself; its axis then leaves the commanded arc
-by about this angle."""
+"""A step whose axis passes the pole that near (rad) may go through the pole itself; its axis then leaves the
+commanded arc by about this angle."""
 Blocked = Callable[[Floats, Floats, Floats], Bools]
-"""Where (n,) the machine is in its own way with the tip (n, 3) mm and unit axis (n, 3) there at rotary words (n, 2) rad."""
+"""Where (n,) the machine is in its own way with the tip (n, 3) mm and unit axis (n, 3) there at rotary words
+(n, 2) rad."""
 
 LINEAR_SLACK = 1e-6
 """Excess over a linear limit (mm) that is rounding, not travel: below any controller's step."""
@@ -51,11 +54,11 @@ LINEAR_SLACK = 1e-6
 class JointPath:
     """Words before rounding, one row a block end.
 
-    ``path`` the CL path that is really driven: the one given plus inserted retract, rewind and re-engage rows; ``row`` (n,)
-    the row of the given CL path that each row came from (an inserted row has that of the row which it leads to);
-    ``q`` (n, 5) words before rounding in the order X Y Z, first rotary, second rotary (rotary: nearer to the work first),
-    mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,) singularity measure, 0 at the pole; ``rewinds``: how
-    often the rotary axes turn back inside a cut.
+    ``path`` the CL path that is really driven: the one given plus inserted retract, rewind and re-engage
+    rows; ``row`` (n,) the row of the given CL path that each row came from (an inserted row has that of the
+    row which it leads to); ``q`` (n, 5) words before rounding in the order X Y Z, first rotary, second rotary
+    (rotary: nearer to the work first), mm and rad, turns not folded; ``branch`` (n,) 0 or 1; ``sine`` (n,)
+    singularity measure, 0 at the pole; ``rewinds``: how often the rotary axes turn back inside a cut.
     """
 
     path: CLPath
@@ -76,14 +79,15 @@ def solve(
 ) -> JointPath:  # fmt: skip
     """Drive ``path`` on the machine with the least rotary travel and the fewest breaks.
 
-    ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance`` (mm) before it
-    rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too, and ``tool``, the body as seen from the driven
-    point (:func:`~freecad_fiveaxis.core.tool.body.seen_from`), None: the ball alone. ``blocked``: where the machine is in its own
-    way; there the other branch is taken, where it is free. Rotary words may jump on rapids that go above the
-    part; a rapid beside it drives on as a cut does. Rapids that turn a rotary axis are cut into blocks whose real tip curve
-    stays within half the clearance of the chord, and within the safe plane's margin. Each break gives a warning, each linear
-    axis beyond its limits an error. Raises ReachError where the machine cannot take up an axis within its
-    rotary limits, SettingsError for a clearance that is not positive.
+    ``low``, ``high`` (3,) mm: the part's box in the work frame; the tool retracts out of it by ``clearance``
+    (mm) before it rewinds; ``radius`` mm of the ball, which the rewinds keep off the part too, and ``tool``,
+    the body as seen from the driven point (:func:`~freecad_fiveaxis.core.tool.body.seen_from`), None: the
+    ball alone. ``blocked``: where the machine is in its own way; there the other branch is taken, where it is
+    free. Rotary words may jump on rapids that go above the part; a rapid beside it drives on as a cut does.
+    Rapids that turn a rotary axis are cut into blocks whose real tip curve stays within half the clearance of
+    the chord, and within the safe plane's margin. Each break gives a warning, each linear axis beyond its
+    limits an error. Raises ReachError where the machine cannot take up an axis within its rotary limits,
+    SettingsError for a clearance that is not positive.
     """
     if not clearance > 0.0:
         raise SettingsError(
@@ -103,12 +107,16 @@ def solve(
     words, branch = choose(angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress)
     if blocked is not None and blocked(path.tip, path.axis, words).any():
         fits = _free_of_machine(path, angles, fits, blocked)
-        words, branch = choose(angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress)
+        words, branch = choose(
+            angles, fits, kinematics.low[3:], kinematics.high[3:], cutting, crossing, progress
+        )
     _place_turns(path, pole, words, branch)
     _hold_stand_ins(words, kinematics)
     breaks = np.flatnonzero(broken_steps(words, branch, cutting, crossing))
     start = Drive(path, np.arange(len(words)), words, branch)
-    drive, gaps = insert_rewinds(start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius, tool or POINT)
+    drive, gaps = insert_rewinds(
+        start, kinematics, breaks, np.asarray(low), np.asarray(high), clearance, radius, tool or POINT
+    )
     drive = subdivide_rapids(drive, kinematics, min(0.5 * clearance, SAFE_MARGIN))
     progress("joint path", 1.0)
     findings = rewind_findings(start, drive, kinematics, breaks, gaps)
@@ -116,7 +124,8 @@ def solve(
 
 
 def _above(path: CLPath, height: float) -> Bools:
-    """The steps (n - 1,) that are rapids with both ends at least that high: a tool that swings there meets nothing."""
+    """The steps (n - 1,) that are rapids with both ends at least that high: a tool that swings there meets
+    nothing."""
     high = path.tip[:, 2] >= height
     return np.asarray((path.motion[1:] == Motion.RAPID) & high[1:] & high[:-1])
 
@@ -131,11 +140,13 @@ def _begun_by_rapid(path: CLPath) -> CLPath:
 
 
 def _near_pole(axis: Floats, first: Floats) -> tuple[Bools, Bools]:
-    """Which rows (n,) are pole rows, and which steps (n - 1,) are crossings: those whose great arc from axis to axis passes the
-    pole, or begins or ends there, within CROSSING_ANGLE. ``first``: direction of the first rotary axis.
+    """Which rows (n,) are pole rows, and which steps (n - 1,) are crossings: those whose great arc from axis
+    to axis passes the pole, or begins or ends there, within CROSSING_ANGLE. ``first``: direction of the first
+    rotary axis.
 
-    In the gnomonic view along ``first`` great arcs are straight: the arc passes the pole where the segment from
-    ``across / along`` to the next passes the origin. All is multiplied by both values of ``along``, so nothing divides.
+    In the gnomonic view along ``first`` great arcs are straight: the arc passes the pole where the segment
+    from ``across / along`` to the next passes the origin. All is multiplied by both values of ``along``, so
+    nothing divides.
     """
     frame: Matrix = [*np.linalg.svd(first[None])[2][1:].tolist(), first.tolist()]
     pole, crossing = np.empty(len(axis), bool), np.empty(len(axis) - 1, bool)
@@ -173,7 +184,8 @@ def _angles(kinematics: Chain, axis: Floats, pole: Bools) -> Floats:
 
 
 def _fill_poles(angles: Floats, pole: Bools, kinematics: Chain) -> None:
-    """Give each pole row the first rotary word of the last row before it that is none; the next one's at the beginning."""
+    """Give each pole row the first rotary word of the last row before it that is none; the next one's at the
+    beginning."""
     if pole.all():
         angles[:, :, 0] = np.clip(0.0, kinematics.low[3], kinematics.high[3])
         return
@@ -187,7 +199,9 @@ def _reachable(kinematics: Chain, path: CLPath, angles: Floats, pole: Bools) -> 
     fits = within_limits(angles, kinematics.low[3:], kinematics.high[3:])
     lost = np.flatnonzero(~fits.any(0))
     if len(lost):
-        lost = lost[~pole[lost]] if not pole[lost].all() else lost  # a pole row only shares the fate of its neighbour
+        lost = (
+            lost[~pole[lost]] if not pole[lost].all() else lost
+        )  # a pole row only shares the fate of its neighbour
         x, y, z = path.tip[lost[0]]
         i, j, k = path.axis[lost[0]]
         letters = "".join(kinematics.letters[column] for column in fitted_columns(kinematics.letters)[3:])
@@ -196,8 +210,10 @@ def _reachable(kinematics: Chain, path: CLPath, angles: Floats, pole: Bools) -> 
             raise ReachError(text, (float(i), float(j), float(k)))
         raise ReachError(
             say(
-                "{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, the "
-                "first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another machine",
+                "{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, "
+                "the "
+                "first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another "
+                "machine",
                 count=len(lost),
                 all=len(path.tip),
                 letters=letters,
@@ -218,27 +234,36 @@ def _free_of_machine(path: CLPath, angles: Floats, fits: Bools, blocked: Blocked
 
 def _too_few_axes(letter: str, count: int, all_rows: int, tip: Floats, axis: Floats) -> str:
     i, j, k = axis.tolist()
-    given = {"count": count, "all": all_rows, "axis": f"({i:.6g}, {j:.6g}, {k:.6g})", "fixed": Choice("tool_axis", ("fixed",))}
+    given = {
+        "count": count,
+        "all": all_rows,
+        "axis": f"({i:.6g}, {j:.6g}, {k:.6g})",
+        "fixed": Choice("tool_axis", ("fixed",)),
+    }
     given["place"] = Point(tuple(tip.tolist()), ".6g", bare=True)
     if letter:
         return say(
-            "{count} of {all} points need a tool axis that {letter} alone does not reach within its limits, the first is {axis} "
-            "at {place}: keep the tool axis along Z ({fixed}), widen the limits or take a machine with two rotary axes",
+            "{count} of {all} points need a tool axis that {letter} alone does not reach within its limits, "
+            "the first is {axis} "
+            "at {place}: keep the tool axis along Z ({fixed}), widen the limits or take a machine with two "
+            "rotary axes",
             letter=letter,
             **given,
         )
     return say(
-        "{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has no rotary axis: keep "
+        "{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has "
+        "no rotary axis: keep "
         "the tool axis along Z ({fixed}) or take another machine",
         **given,
     )
 
 
 def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> None:
-    """Move the turn of each run of pole rows to its best step, or spread it over the cuts along which the axis stays at the pole;
-    the travel stays the same. Changes words and branch in place.
+    """Move the turn of each run of pole rows to its best step, or spread it over the cuts along which the
+    axis stays at the pole; the travel stays the same. Changes words and branch in place.
 
-    A turn of more than pi that has no rapid stays spread over its steps as it was found: in one step it would be a break.
+    A turn of more than pi that has no rapid stays spread over its steps as it was found: in one step it would
+    be a break.
     """
     if not pole.any():
         return
@@ -259,14 +284,18 @@ def _place_turns(path: CLPath, pole: Bools, words: Floats, branch: Bytes) -> Non
 
 
 def _spread_turns(fed: Floats, bounds: Ints, words: Floats, branch: Bytes) -> None:
-    """Turn evenly over the length of cut ``fed`` (n,) mm up to each row, between the first and the last pole row of runs whose
-    neighbours are ``bounds`` (k, 2): at once the tool would dwell there until the turn is made."""
+    """Turn evenly over the length of cut ``fed`` (n,) mm up to each row, between the first and the last pole
+    row of runs whose neighbours are ``bounds`` (k, 2): at once the tool would dwell there until the turn is
+    made."""
     first, last = bounds.T
     run, row = _rows_between(first, last - 1)
     begin = fed[first + 1]
     share = (fed[row] - begin[run]) / np.maximum(fed[last - 1] - begin, 1e-300)[run]
     one, other = words[first, 0][run], words[last, 0][run]
-    words[row, 0], branch[row] = one + share * (other - one), branch[np.where(share < 1.0, first[run], last[run])]
+    words[row, 0], branch[row] = (
+        one + share * (other - one),
+        branch[np.where(share < 1.0, first[run], last[run])],
+    )
 
 
 def _turn_at_once(harmless: Floats, bounds: Ints, best: Floats, words: Floats, branch: Bytes) -> None:
@@ -289,7 +318,8 @@ def _rows_between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
 
 
 def _hold_stand_ins(angles: Floats, kinematics: Chain) -> None:
-    """Rotary axes that the machine has not stay at 0; what a tool axis leans about them is within the print of CL files."""
+    """Rotary axes that the machine has not stay at 0; what a tool axis leans about them is within the print
+    of CL files."""
     for k, axis in enumerate(kinematics.axes[3:]):
         if not axis.fitted:
             angles[:, k] = 0.0
@@ -329,7 +359,8 @@ def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding
             if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
                 count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
                 text = say(
-                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero "
+                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work "
+                    "zero "
                     "({origin}) or take a larger machine.",
                     letter=kinematics.letters[axis],
                     word=Length(q[worst, axis], ".4f"),
@@ -338,5 +369,9 @@ def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding
                     origin=Option("origin"),
                 )
                 x, y, z = path.tip[worst].tolist()
-                findings.append(report_finding(Code.LIMIT, text, float(q[worst, axis]), limit, worst, place=(x, y, z), unit="mm"))
+                findings.append(
+                    report_finding(
+                        Code.LIMIT, text, float(q[worst, axis]), limit, worst, place=(x, y, z), unit="mm"
+                    )
+                )
     return tuple(findings)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Rows that a joint path needs besides those of the CL path: rewinds at breaks, and rapids cut into blocks.
 
-rewind    retract along the tool axis out of the part, rise above it, turn the rotary axes there, come down and re-engage
-          along the tool axis. The tool leaves where the old words reach their limit and re-enters where the new ones are
-          within theirs: at the same place wherever both are.
-rapid     its tip goes straight and its rotary words go evenly, the tip put back on its chord at every block's end. Between
-          the ends the real tip leaves the chord; :mod:`~freecad_fiveaxis.core.motion.deviation.bound` proves by how much at most.
+rewind    retract along the tool axis out of the part, rise above it, turn the rotary axes there, come down
+          and re-engage along the tool axis. The tool leaves where the old words reach their limit and
+          re-enters where the new ones are within theirs: at the same place wherever both are.
+rapid     its tip goes straight and its rotary words go evenly, the tip put back on its chord at every block's
+          end. Between the ends the real tip leaves the chord;
+          :mod:`~freecad_fiveaxis.core.motion.deviation.bound` proves by how much at most.
 """
 
 from __future__ import annotations
@@ -21,7 +22,14 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Insertion, Ints
 from freecad_fiveaxis.core.base.sentences import Angle, Length, say
 from freecad_fiveaxis.core.base.vectors import slerp
-from freecad_fiveaxis.core.machine.kinematics import Chain, branch_of, forward, inverse_axis, joint_words, q_to_words
+from freecad_fiveaxis.core.machine.kinematics import (
+    Chain,
+    branch_of,
+    forward,
+    inverse_axis,
+    joint_words,
+    q_to_words,
+)
 from freecad_fiveaxis.core.motion.deviation import quick_bound
 from freecad_fiveaxis.core.tool.body import Body
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion, tool_keepout, way_out
@@ -29,21 +37,32 @@ from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion, tool_keepout,
 from .branches import POLE_ANGLE, SLACK, TURN
 
 STILL = 1e-12
-"""Rotary travel (rad) below which a rapid is straight: at a lever of 1 m the tip leaves its chord by 1e-9 mm."""
+"""Rotary travel (rad) below which a rapid is straight: at a lever of 1 m the tip leaves its chord by 1e-9
+mm."""
 SAME_PLACE = 1e-9
 """Share of a step below which two places on it are one."""
 HALVINGS = 50
 """Steps of bisection: they leave 1e-15 of the step."""
-ROUND = (Motion.CUT, Motion.LINK, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.RAPID, Motion.LINK)
-"""Motions to the tips of a rewind: leave, clear of the part, beside it, above it; turned there, beside, clear, enter."""
+ROUND = (
+    Motion.CUT,
+    Motion.LINK,
+    Motion.RAPID,
+    Motion.RAPID,
+    Motion.RAPID,
+    Motion.RAPID,
+    Motion.RAPID,
+    Motion.LINK,
+)
+"""Motions to the tips of a rewind: leave, clear of the part, beside it, above it; turned there, beside,
+clear, enter."""
 LISTED = 20
 """Rewinds that get a finding of their own; one more finding gives the number of all."""
 
 
 @dataclass(frozen=True, eq=False)
 class Drive:
-    """A CL path and how it is driven: ``row`` (n,) of the given path that each row leads to; rotary words ``angles`` (n, 2) rad;
-    ``branch`` (n,)."""
+    """A CL path and how it is driven: ``row`` (n,) of the given path that each row leads to; rotary words
+    ``angles`` (n, 2) rad; ``branch`` (n,)."""
 
     path: CLPath
     row: Ints
@@ -53,8 +72,8 @@ class Drive:
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """Where the tool leaves or re-enters each broken step: ``share`` (b,) of the step, ``tip``, ``axis`` (b, 3), ``angles``
-    (b, 2)."""
+    """Where the tool leaves or re-enters each broken step: ``share`` (b,) of the step, ``tip``, ``axis`` (b,
+    3), ``angles`` (b, 2)."""
 
     share: Floats
     tip: Floats
@@ -63,19 +82,30 @@ class Place:
 
 
 def insert_rewinds(
-    drive: Drive, kinematics: Chain, breaks: Ints, low: Floats, high: Floats, clearance: float, radius: float, tool: Body
+    drive: Drive,
+    kinematics: Chain,
+    breaks: Ints,
+    low: Floats,
+    high: Floats,
+    clearance: float,
+    radius: float,
+    tool: Body,
 ) -> tuple[Drive, Floats]:
     """Retract, rewind and re-engage within each step of ``breaks`` (b,), the steps' first rows.
 
-    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball; ``tool`` as seen from the driven point. Returns
-    the longer drive and the lengths (b,) mm that stay uncut because neither the old nor the new words reach them.
+    ``low``, ``high`` (3,) mm: the part's box; ``radius`` mm of the ball; ``tool`` as seen from the driven
+    point. Returns the longer drive and the lengths (b,) mm that stay uncut because neither the old nor the
+    new words reach them.
     """
     if len(breaks) == 0:
         return drive, np.empty(0)
     leave, enter = _places(drive, kinematics, breaks)
     tip, keep = _way_round(drive.path, leave, enter, low, high, clearance, radius, tool)
     motion = np.broadcast_to(np.array(ROUND, np.int8), keep.shape)
-    axis, angles = (np.repeat(np.stack(pair, 1), 4, axis=1) for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles)))
+    axis, angles = (
+        np.repeat(np.stack(pair, 1), 4, axis=1)
+        for pair in ((leave.axis, enter.axis), (leave.angles, enter.angles))
+    )
     contact = tip.copy()
     contact[:, 0] = _part_way(drive.path.contact, breaks, leave.share)
     at = np.broadcast_to(breaks[:, None] + 1, keep.shape)
@@ -94,23 +124,33 @@ def insert_rewinds(
 
 
 def _places(drive: Drive, kinematics: Chain, breaks: Ints) -> tuple[Place, Place]:
-    """Leave where the old words' reach ends, or where the new words' begins if that is earlier; enter where that begins."""
+    """Leave where the old words' reach ends, or where the new words' begins if that is earlier; enter where
+    that begins."""
     old_reach = _reach(drive, kinematics, breaks, 0)
     new_reach = _reach(drive, kinematics, breaks, 1)
     shares = (np.minimum(old_reach, new_reach), new_reach)
     places = []
     for end, share in enumerate(shares):
-        angles = np.clip(_follow(drive, kinematics, breaks, share, end), kinematics.low[3:], kinematics.high[3:])
-        places.append(Place(share, _part_way(drive.path.tip, breaks, share), _axis_at(drive.path, breaks, share), angles))
+        angles = np.clip(
+            _follow(drive, kinematics, breaks, share, end), kinematics.low[3:], kinematics.high[3:]
+        )
+        places.append(
+            Place(
+                share, _part_way(drive.path.tip, breaks, share), _axis_at(drive.path, breaks, share), angles
+            )
+        )
     return places[0], places[1]
 
 
 def _reach(drive: Drive, kinematics: Chain, breaks: Ints, end: int) -> Floats:
-    """How far along the step, seen from its ``end`` (0 or 1), that end's words stay within the rotary limits: a share (b,)."""
+    """How far along the step, seen from its ``end`` (0 or 1), that end's words stay within the rotary limits:
+    a share (b,)."""
 
     def fits(share: Floats) -> Bools:
         angles = _follow(drive, kinematics, breaks, share, end)
-        return np.asarray(((angles >= kinematics.low[3:] - SLACK) & (angles <= kinematics.high[3:] + SLACK)).all(1))
+        return np.asarray(
+            ((angles >= kinematics.low[3:] - SLACK) & (angles <= kinematics.high[3:] + SLACK)).all(1)
+        )
 
     inside = np.full(len(breaks), float(end))
     outside = 1.0 - inside
@@ -124,7 +164,8 @@ def _reach(drive: Drive, kinematics: Chain, breaks: Ints, end: int) -> Floats:
 
 
 def _follow(drive: Drive, kinematics: Chain, breaks: Ints, share: Floats, end: int) -> Floats:
-    """Rotary words (b, 2) at a share of the step, on the branch and next to the words of its ``end``; NaN out of reach."""
+    """Rotary words (b, 2) at a share of the step, on the branch and next to the words of its ``end``; NaN out
+    of reach."""
     axis = _axis_at(drive.path, breaks, share)
     known = drive.angles[breaks + end]
     angles = inverse_axis(kinematics, axis)[0][drive.branch[breaks + end], np.arange(len(breaks))]
@@ -144,14 +185,24 @@ def _part_way(points: Floats, breaks: Ints, share: Floats) -> Floats:
 
 
 def _way_round(
-    path: CLPath, leave: Place, enter: Place, low: Floats, high: Floats, clearance: float, radius: float, tool: Body
+    path: CLPath,
+    leave: Place,
+    enter: Place,
+    low: Floats,
+    high: Floats,
+    clearance: float,
+    radius: float,
+    tool: Body,
 ) -> tuple[Floats, Bools]:
-    """Eight tips (b, 8, 3) of each rewind, from leave to enter as in ROUND; and which of them are needed (b, 8).
+    """Eight tips (b, 8, 3) of each rewind, from leave to enter as in ROUND; and which of them are needed (b,
+    8).
 
-    The part's box grows by the clearance and by the ball's diameter: from the driven point, be it tip or centre, the ball
-    reaches no further; shank and holder may. The rapids' height is kept where it is higher.
+    The part's box grows by the clearance and by the ball's diameter: from the driven point, be it tip or
+    centre, the ball reaches no further; shank and holder may. The rapids' height is kept where it is higher.
     """
-    own, its = (tool_keepout(low, high, 2.0 * radius, clearance, tool, place.axis) for place in (leave, enter))
+    own, its = (
+        tool_keepout(low, high, 2.0 * radius, clearance, tool, place.axis) for place in (leave, enter)
+    )
     rapids = float(path.tip[path.motion == Motion.RAPID, 2].max())
     safe = np.maximum(np.maximum(own.safe, its.safe), rapids)
     out = way_out(leave.tip, leave.axis, own._replace(safe=safe))
@@ -166,7 +217,8 @@ def _way_round(
 
 
 def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
-    """Where the new words begin at the step's end only, the row there is reached by the re-engaging link itself."""
+    """Where the new words begin at the step's end only, the row there is reached by the re-engaging link
+    itself."""
     whole = enter.share >= 1.0 - SAME_PLACE
     motion = drive.path.motion.copy()
     motion[breaks[whole] + 1] = Motion.LINK
@@ -174,9 +226,17 @@ def _entered_by_link(drive: Drive, breaks: Ints, enter: Place) -> Drive:
 
 
 def insert_rows(
-    drive: Drive, kinematics: Chain, at: Ints, tip: Floats, axis: Floats, angles: Floats, motion: Bytes, contact: Floats
+    drive: Drive,
+    kinematics: Chain,
+    at: Ints,
+    tip: Floats,
+    axis: Floats,
+    angles: Floats,
+    motion: Bytes,
+    contact: Floats,
 ) -> Drive:
-    """Put rows in before the rows ``at`` (m,), which ascend: ``tip``, ``axis``, ``contact`` (m, 3), ``angles`` (m, 2) rad.
+    """Put rows in before the rows ``at`` (m,), which ascend: ``tip``, ``axis``, ``contact`` (m, 3),
+    ``angles`` (m, 2) rad.
 
     Links and rapids touch nothing; other rows cut what the row that they lead to cuts.
     """
@@ -195,11 +255,17 @@ def insert_rows(
     columns = in_threads(lambda name: put.interleave(getattr(path, name), new[name]), list(new))
     longer = replace(path, **dict(zip(new, columns, strict=True)))
     branch = put.interleave(drive.branch, branch_of(kinematics, angles[:, 1]))
-    return Drive(longer, put.interleave(drive.row, drive.row.take(put.source)), put.interleave(drive.angles, angles), branch)
+    return Drive(
+        longer,
+        put.interleave(drive.row, drive.row.take(put.source)),
+        put.interleave(drive.angles, angles),
+        branch,
+    )
 
 
 def subdivide_rapids(drive: Drive, kinematics: Chain, tolerance: float) -> Drive:
-    """Cut rapids that turn a rotary axis until the real tip provably stays within ``tolerance`` (mm) of the chord."""
+    """Cut rapids that turn a rotary axis until the real tip provably stays within ``tolerance`` (mm) of the
+    chord."""
     arrival = np.flatnonzero(drive.path.motion[1:] == Motion.RAPID) + 1
     arrival = arrival[np.abs(drive.angles[arrival] - drive.angles[arrival - 1]).sum(1) > STILL]
     pieces = np.ones(len(arrival), np.int64)
@@ -210,7 +276,9 @@ def subdivide_rapids(drive: Drive, kinematics: Chain, tolerance: float) -> Drive
         bound[first] = 0.0  # from the end of one rapid to the start of the next
         worst = np.maximum.reduceat(bound, first)
         todo, worst = todo[worst > tolerance], worst[worst > tolerance]
-        pieces[todo] = np.maximum(pieces[todo] + 1, np.ceil(pieces[todo] * np.sqrt(worst / tolerance)).astype(np.int64))
+        pieces[todo] = np.maximum(
+            pieces[todo] + 1, np.ceil(pieces[todo] * np.sqrt(worst / tolerance)).astype(np.int64)
+        )
     arrival, pieces = arrival[pieces > 1], pieces[pieces > 1]
     if len(arrival) == 0:
         return drive
@@ -223,16 +291,21 @@ def subdivide_rapids(drive: Drive, kinematics: Chain, tolerance: float) -> Drive
 
 
 def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, Ints]:
-    """Tips and rotary words at the ends of equal pieces of each step, both step ends included, and where each step begins."""
+    """Tips and rotary words at the ends of equal pieces of each step, both step ends included, and where each
+    step begins."""
     count = pieces + 1
     first = np.cumsum(count) - count
     share = ((np.arange(int(count.sum())) - np.repeat(first, count)) / np.repeat(pieces, count))[:, None]
     end = np.repeat(arrival, count)
-    tip, angles = ((1.0 - share) * values[end - 1] + share * values[end] for values in (drive.path.tip, drive.angles))
+    tip, angles = (
+        (1.0 - share) * values[end - 1] + share * values[end] for values in (drive.path.tip, drive.angles)
+    )
     return tip, angles, first
 
 
-def rewind_findings(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints, uncut: Floats) -> tuple[Finding, ...]:
+def rewind_findings(
+    given: Drive, driven: Drive, kinematics: Chain, breaks: Ints, uncut: Floats
+) -> tuple[Finding, ...]:
     """A warning for each of the first breaks, one with their number, and one for what they leave uncut."""
     findings = []
     for step in breaks[:LISTED].tolist():
@@ -240,30 +313,39 @@ def rewind_findings(given: Drive, driven: Drive, kinematics: Chain, breaks: Ints
         before, after = np.degrees(given.angles[step : step + 2])
         axis = int(np.abs(after - before).argmax())
         text = say(
-            "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above the"
+            "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above "
+            "the"
             " part and re-engages, which may leave a mark. Wider limits or another setup avoid it.",
             letter=kinematics.letters[3 + axis],
             before=Angle(before[axis], ".3f", bare=True),
             after=Angle(after[axis], ".3f"),
         )
         place = _point(given.path.tip[step])
-        findings.append(report_finding(Code.REWIND, text, float(abs(after - before)[axis]), block=block, place=place))
+        findings.append(
+            report_finding(Code.REWIND, text, float(abs(after - before)[axis]), block=block, place=place)
+        )
     if len(breaks) > 1:
         text = say(
-            "{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.", count=len(breaks)
+            "{count} times the rotary limits make the tool retract, turn back and re-engage inside a cut.",
+            count=len(breaks),
         )
-        findings.append(replace(findings[0], code=Code.REWINDS, text=text, value=float(len(breaks)), unit="1"))
+        findings.append(
+            replace(findings[0], code=Code.REWINDS, text=text, value=float(len(breaks)), unit="1")
+        )
     if (uncut > 0.0).any():
         worst = int(uncut.argmax())
         text = say(
-            "{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary limits "
+            "{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary "
+            "limits "
             "allow the tool axis that is needed. Wider limits or another setup avoid it.",
             length=Length(uncut.sum(), ".4f"),
             count=int((uncut > 0.0).sum()),
         )
         place = _point(given.path.tip[breaks[worst]])
         block = int(np.searchsorted(driven.row, breaks[worst] + 1))
-        findings.append(report_finding(Code.UNCUT, text, float(uncut[worst]), 0.0, block, place=place, unit="mm"))
+        findings.append(
+            report_finding(Code.UNCUT, text, float(uncut[worst]), 0.0, block, place=place, unit="mm")
+        )
     return tuple(findings)
 
 

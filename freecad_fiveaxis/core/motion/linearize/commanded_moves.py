@@ -1,22 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a block's tool should be at any share of it: the tip on the commanded chord, the axis on the commanded great arc.
+"""Where a block's tool should be at any share of it: the tip on the commanded chord, the axis on the
+commanded great arc.
 
-move      the way of one block that is to be divided, and the words that follow it. Its ends are the block's own words.
+move      the way of one block that is to be divided, and the words that follow it. Its ends are the block's
+          own words.
 share     how much of the chord is done, 0 to 1.
 arc       the great arc between the tool axes at both ends, followed evenly with the share (slerp).
 even      the rotary words themselves run evenly with the share, and the axis goes where they lead it.
-placed    linear words worked out for the *rounded* rotary words: the rounding of a rotary word, which a long lever makes
-          many times that of a linear word, then costs the tip nothing.
+placed    linear words worked out for the *rounded* rotary words: the rounding of a rotary word, which a long
+          lever makes many times that of a linear word, then costs the tip nothing.
 
-The words follow the arc on one branch, on the winding next to the middle of the block's own words. They must arrive at the
-block's own end words, so that the whole rotary change is kept. They cannot where branch or winding differ: through the pole
-onto the other branch, and where the words turn the longer way round. There the rotary words go evenly, as they do in the
-undivided block.
+The words follow the arc on one branch, on the winding next to the middle of the block's own words. They must
+arrive at the block's own end words, so that the whole rotary change is kept. They cannot where branch or
+winding differ: through the pole onto the other branch, and where the words turn the longer way round. There
+the rotary words go evenly, as they do in the undivided block.
 
-Where an end is at the pole, the first rotary word is free, and its turn from the given word to the arc's own is made at the
-pole, in next to no share: such a piece is a pure rotation. To have one rule for that and for an arc that passes close by the
-pole, the arc ends at NUDGE from the pole, in the direction of the given word: no controller's step shows that, and the tip
-does not move. The same nudge opens an arc of half a turn through the pole itself.
+Where an end is at the pole, the first rotary word is free, and its turn from the given word to the arc's own
+is made at the pole, in next to no share: such a piece is a pure rotation. To have one rule for that and for
+an arc that passes close by the pole, the arc ends at NUDGE from the pole, in the direction of the given word:
+no controller's step shows that, and the tip does not move. The same nudge opens an arc of half a turn through
+the pole itself.
 """
 
 from __future__ import annotations
@@ -54,7 +57,8 @@ class Steps:
 def most_off(kinematics: Chain, steps: Steps) -> float:
     """mm: how far the rounding of placed words moves the tip at most.
 
-    The roundings of linear axes that are not square to each other, or not on one side of the rotary axes, may add up.
+    The roundings of linear axes that are not square to each other, or not on one side of the rotary axes, may
+    add up.
     """
     skew = kinematics.direction[:3] @ kinematics.direction[:3].T - np.eye(3)
     square = len(set(kinematics.slot)) == 1 and np.abs(skew).max() < SQUARE
@@ -63,9 +67,9 @@ def most_off(kinematics: Chain, steps: Steps) -> float:
 
 @dataclass(frozen=True, eq=False)
 class CommandedMoves:
-    """Blocks (b,): ``tip`` and ``chord`` (b, 3) mm, work frame; ``start`` and ``turn`` (b, 2) rotary words at share 0 and their
-    change, rad; ``even`` (b,) where there is no arc; ``axis0``, ``axis1`` (b, 3) the ends of the arc; ``branch`` (b,);
-    ``first``, ``last`` (b, 5) rounded words of the ends, mm and degrees."""
+    """Blocks (b,): ``tip`` and ``chord`` (b, 3) mm, work frame; ``start`` and ``turn`` (b, 2) rotary words at
+    share 0 and their change, rad; ``even`` (b,) where there is no arc; ``axis0``, ``axis1`` (b, 3) the ends
+    of the arc; ``branch`` (b,); ``first``, ``last`` (b, 5) rounded words of the ends, mm and degrees."""
 
     tip: Floats
     chord: Floats
@@ -84,7 +88,8 @@ class CommandedMoves:
 
 
 def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
-    """Rounded words (n, 5), mm and **degrees**, that put the tip (n, 3) mm in place at rotary words ``angles`` (n, 2) rad.
+    """Rounded words (n, 5), mm and **degrees**, that put the tip (n, 3) mm in place at rotary words
+    ``angles`` (n, 2) rad.
 
     NaN linear words where the linear axes lie in a plane.
     """
@@ -93,10 +98,13 @@ def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -
     return np.concatenate([rounded(linear, steps.linear), degrees], axis=1)
 
 
-def commanded_moves(kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints) -> CommandedMoves:
+def commanded_moves(
+    kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints
+) -> CommandedMoves:
     """The moves of the blocks that end in ``rows`` (b,).
 
-    ``tip`` (m, 3) mm and ``angles`` (m, 2) rad of all rows as commanded, ``words`` (m, 5) their rounded words.
+    ``tip`` (m, 3) mm and ``angles`` (m, 2) rad of all rows as commanded, ``words`` (m, 5) their rounded
+    words.
     """
     start, turn = angles[rows - 1], angles[rows] - angles[rows - 1]
     axis0, axis1, half, even = _arcs(kinematics, start, turn)
@@ -105,13 +113,14 @@ def commanded_moves(kinematics: Chain, tip: Floats, angles: Floats, words: Float
     even |= angle > math.pi - OPPOSITE
     branch = np.asarray(half % 2, np.int64)
     return CommandedMoves(
-        tip[rows - 1], tip[rows] - tip[rows - 1], start, turn, even, axis0, axis1, branch, words[rows - 1], words[rows]
+        tip[rows - 1], tip[rows] - tip[rows - 1], start, turn, even, axis0, axis1, branch, words[rows - 1],
+        words[rows]
     )  # fmt: skip
 
 
 def _arcs(kinematics: Chain, start: Floats, turn: Floats) -> tuple[Floats, Floats, Floats, Bools]:
-    """Tool axes at both ends, nudged off the pole; the half turn of the second word on which both lie, counted from the pole;
-    and where no arc leads from the start words to the end words."""
+    """Tool axes at both ends, nudged off the pole; the half turn of the second word on which both lie,
+    counted from the pole; and where no arc leads from the start words to the end words."""
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     second = np.stack([start[:, 1], start[:, 1] + turn[:, 1]]) - pair.best
     half = np.floor(second.mean(axis=0) / math.pi)
@@ -140,7 +149,8 @@ def _azimuth(kinematics: Chain, pair: RotaryPair, first: Floats, second: Floats)
 
 
 def follow(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats, steps: Steps) -> Floats:
-    """Rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the move ``block`` (r,); the block's own at its ends."""
+    """Rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the move ``block`` (r,); the block's
+    own at its ends."""
     tip = way.tip[block] + share[:, None] * way.chord[block]
     words = placed_words(kinematics, tip, _angles(kinematics, way, block, share), steps)
     for end, own in ((0.0, way.first), (1.0, way.last)):
@@ -168,7 +178,8 @@ def arc_axis(way: CommandedMoves, block: Ints, share: Floats) -> Floats:
 
 
 def tool_axis(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) -> Floats:
-    """The unit tool axis (r, 3) of each move at a share: on the arc, or where the even rotary words lead it."""
+    """The unit tool axis (r, 3) of each move at a share: on the arc, or where the even rotary words lead
+    it."""
     axis = _axis(kinematics, way.start[block] + share[:, None] * way.turn[block])
     rows = np.flatnonzero(~way.even[block])
     axis[rows] = arc_axis(way, block[rows], share[rows])

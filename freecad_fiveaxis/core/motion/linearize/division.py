@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fewest pieces of each block, found for all blocks of a portion at once.
 
-trial     one round: all blocks in a number of pieces each, judged; then each block's next number is chosen, and its shares are
-          balanced anew. So a block is not stepped through from start to end: all its pieces move together, they end up alike, and
-          no scrap is left at its end.
+trial     one round: all blocks in a number of pieces each, judged; then each block's next number is chosen,
+          and its shares are balanced anew. So a block is not stepped through from start to end: all its
+          pieces move together, they end up alike, and no scrap is left at its end.
 count     of pieces. ``lower``: too few; ``best``: the fewest so far that hold.
 
-Why this finds the fewest. Let a step that is part of another never deviate more than that. Of two divisions of a block into the
-same count, some piece of the one holds a piece of the other. So where **all** pieces of one trial exceed the tolerance, no
-division into this count holds it, and the longest feasible steps one after the other would not either. Balancing goes on until
-that is seen, or all pieces hold. The rounding of the words is noise on this: a block that stays between both is taken for one
-that needs a little more, and where that leaves a doubt, it is compared with halving (``halving``).
+Why this finds the fewest. Let a step that is part of another never deviate more than that. Of two divisions
+of a block into the same count, some piece of the one holds a piece of the other. So where **all** pieces of
+one trial exceed the tolerance, no division into this count holds it, and the longest feasible steps one after
+the other would not either. Balancing goes on until that is seen, or all pieces hold. The rounding of the
+words is noise on this: a block that stays between both is taken for one that needs a little more, and where
+that leaves a doubt, it is compared with halving (``halving``).
 """
 
 from __future__ import annotations
@@ -34,7 +35,8 @@ FIRST = 0.5
 FEW = 8
 """Pieces up to which the deviation is not yet a matter of the square of the length: more trials are made."""
 PATIENCE_FEW, PATIENCE_CALM, PATIENCE = 4, 2, 1
-"""Trials with the same count, where pieces are few; where the load with the most rounding seen asks for no more; elsewhere."""
+"""Trials with the same count, where pieces are few; where the load with the most rounding seen asks for no
+more; elsewhere."""
 TIE = 0.1
 """A load may exceed the count by so much, and the count be tried again."""
 CLOSE, CLOSE_LEAST, CLOSE_MOST = 0.05, 0.3, 0.5
@@ -46,16 +48,18 @@ STUCK = 8
 RELAXED = 8
 """How often the tolerance of such a block is doubled."""
 LEAST_ROOM = 0.3
-"""Share of the tolerance that is left to the deviation, however much rounding takes, when loads are worked out."""
+"""Share of the tolerance that is left to the deviation, however much rounding takes, when loads are worked
+out."""
 LARGEST_LOAD = 1e4
 """Load of a piece without usable words."""
 
 
 @dataclass(frozen=True, eq=False)
 class Divided:
-    """``count`` (b,) pieces of each block, 1 where it is left whole; of the rows between pieces, in order: ``share`` (r,) and
-    ``words`` (r, 5) mm and degrees; ``goal`` (b,) mm: the tolerance asked of it in the end, and ``held`` (b,) mm: what is
-    proven of its worst piece, both infinite where nothing is; ``doubt`` (b,): fewer pieces may do."""
+    """``count`` (b,) pieces of each block, 1 where it is left whole; of the rows between pieces, in order:
+    ``share`` (r,) and ``words`` (r, 5) mm and degrees; ``goal`` (b,) mm: the tolerance asked of it in the
+    end, and ``held`` (b,) mm: what is proven of its worst piece, both infinite where nothing is; ``doubt``
+    (b,): fewer pieces may do."""
 
     count: Ints
     share: Floats
@@ -73,20 +77,28 @@ class Divided:
     def with_others(self, rows: Ints, others: Divided) -> Divided:
         """The same with the blocks ``rows`` as they are in ``others``."""
         count, goal, held, doubt = self.count.copy(), self.goal.copy(), self.held.copy(), self.doubt.copy()
-        count[rows], goal[rows], held[rows], doubt[rows] = others.count, others.goal, others.held, others.doubt
+        count[rows], goal[rows], held[rows], doubt[rows] = (
+            others.count,
+            others.goal,
+            others.held,
+            others.doubt,
+        )
         block = np.repeat(np.arange(len(self.count)), self.count - 1)
         own = np.flatnonzero(~np.isin(block, rows))
         order = np.argsort(np.concatenate([block[own], np.repeat(rows, others.count - 1)]), kind="stable")
         share = np.concatenate([self.share[own], others.share])[order]
-        return Divided(count, share, np.concatenate([self.words[own], others.words])[order], goal, held, doubt)
+        return Divided(
+            count, share, np.concatenate([self.words[own], others.words])[order], goal, held, doubt
+        )
 
 
 @dataclass(eq=False)
 class _State:
     """What is known of the blocks that are not done.
 
-    ``row`` in the portion; the ``count`` tried now; counts that are ``lower`` than needed, and ``proven`` to be so; the ``best``
-    (0: none yet); ``tries`` at this count; how often ``stuck`` and ``relaxed``; ``goal`` mm; ``limit`` of the count.
+    ``row`` in the portion; the ``count`` tried now; counts that are ``lower`` than needed, and ``proven`` to
+    be so; the ``best`` (0: none yet); ``tries`` at this count; how often ``stuck`` and ``relaxed``; ``goal``
+    mm; ``limit`` of the count.
     """
 
     row: Ints
@@ -106,10 +118,11 @@ class _State:
 
 @dataclass(frozen=True, eq=False)
 class _Trial:
-    """Rows of all pieces' ends: ``share``, ``words``, ``block``, and ``load`` with the most rounding of the block's rows.
+    """Rows of all pieces' ends: ``share``, ``words``, ``block``, and ``load`` with the most rounding of the
+    block's rows.
 
-    Blocks (b,): ``worst`` mm, what is proven of the worst piece; ``least`` mm, what the best piece takes at least; ``need``: the
-    whole load with each piece's own rounding.
+    Blocks (b,): ``worst`` mm, what is proven of the worst piece; ``least`` mm, what the best piece takes at
+    least; ``need``: the whole load with each piece's own rounding.
     """
 
     share: Floats
@@ -121,23 +134,43 @@ class _Trial:
     need: Floats
 
 
-def divide(kinematics: Chain, way: CommandedMoves, deviation: Floats, limit: Ints, tolerance: float, steps: Steps) -> Divided:
+def divide(
+    kinematics: Chain, way: CommandedMoves, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
+) -> Divided:
     """Divide blocks into the fewest pieces whose rounded words are proven to stay within ``tolerance`` (mm).
 
-    ``deviation`` (b,) mm of the undivided blocks, for a first guess; ``limit`` (b,) of pieces, beyond which a block counts as
-    impossible and is left whole. Blocks that rounding keeps from holding get twice the tolerance, or four times, and so on.
+    ``deviation`` (b,) mm of the undivided blocks, for a first guess; ``limit`` (b,) of pieces, beyond which a
+    block counts as impossible and is left whole. Blocks that rounding keeps from holding get twice the
+    tolerance, or four times, and so on.
     """
     size = len(way.tip)
     guess = np.minimum(np.sqrt(deviation / tolerance), limit)
     count = np.maximum(2, np.ceil(FIRST * guess)).astype(np.int64)
-    one, best, proven, tries, stuck, relaxed = np.zeros((6, size), np.int64) + np.array([[1], [0], [1], [0], [0], [0]])
-    state = _State(np.arange(size), count, one, best, proven, tries, stuck, relaxed, np.full(size, float(tolerance)), limit)
+    one, best, proven, tries, stuck, relaxed = np.zeros((6, size), np.int64) + np.array(
+        [[1], [0], [1], [0], [0], [0]]
+    )
+    state = _State(
+        np.arange(size),
+        count,
+        one,
+        best,
+        proven,
+        tries,
+        stuck,
+        relaxed,
+        np.full(size, float(tolerance)),
+        limit,
+    )
     share, chosen = even_shares(count), np.full(size, -1)
     goal, held, doubt, records = np.full(size, np.inf), np.full(size, np.inf), np.zeros(size, bool), []
     for round_ in range(ROUNDS):
         trial = _tried(kinematics, way, state, share, steps)
         good = trial.worst <= state.goal
-        chosen[state.row[good]], goal[state.row[good]], held[state.row[good]] = round_, state.goal[good], trial.worst[good]
+        chosen[state.row[good]], goal[state.row[good]], held[state.row[good]] = (
+            round_,
+            state.goal[good],
+            trial.worst[good],
+        )
         records.append(_record(trial, state.row, good, round_))
         before = state.count
         going, doubt[state.row] = _decide(state, trial, good)
@@ -158,10 +191,16 @@ def _tried(kinematics: Chain, way: CommandedMoves, state: _State, share: Floats,
     judged = judge_pieces(frame, words, inside, off, state.goal[piece], piece)
     rounding = np.where(inside, judged.off, 0.0)
     most_rounding = np.maximum.reduceat(np.append(rounding, 0.0), first)[piece]
-    need, load = (_load(judged.least, state.goal[piece], taken, inside) for taken in (rounding, most_rounding))
+    need, load = (
+        _load(judged.least, state.goal[piece], taken, inside) for taken in (rounding, most_rounding)
+    )
     worst = np.append(np.where(inside, judged.most + rounding, 0.0), 0.0)
     least = np.append(np.where(inside, judged.least + rounding, np.inf), np.inf)
-    worst, least, need = np.maximum.reduceat(worst, first), np.minimum.reduceat(least, first), np.add.reduceat(need, first)
+    worst, least, need = (
+        np.maximum.reduceat(worst, first),
+        np.minimum.reduceat(least, first),
+        np.add.reduceat(need, first),
+    )
     return _Trial(share, words, block, load, worst, least, need)
 
 
@@ -172,7 +211,8 @@ def _load(deviation: Floats, goal: Floats, rounding: Floats, inside: Bools) -> F
 
 
 def _decide(state: _State, trial: _Trial, good: Bools) -> tuple[Ints, Bools]:
-    """Choose each block's next count, in ``state``. Returns the blocks that go on, and where fewer pieces may do."""
+    """Choose each block's next count, in ``state``. Returns the blocks that go on, and where fewer pieces may
+    do."""
     count, need = state.count, trial.need
     wanted = np.maximum(np.ceil(need).astype(np.int64), state.lower + 1)
     state.best[good] = count[good]
@@ -184,7 +224,9 @@ def _decide(state: _State, trial: _Trial, good: Bools) -> tuple[Ints, Bools]:
     again = ~good & ~too_few & (need <= count + TIE) & (state.tries < patience)
     state.tries = np.where(again, state.tries + 1, 0)
     _add(state, trial, ~good & ~too_few & ~again, wanted)
-    after = np.where(good, np.minimum(wanted, count - 1), np.where(again, count, np.maximum(wanted, state.lower + 1)))
+    after = np.where(
+        good, np.minimum(wanted, count - 1), np.where(again, count, np.maximum(wanted, state.lower + 1))
+    )
     enough = good & (need > count - 1 + np.clip(CLOSE * count, CLOSE_LEAST, CLOSE_MOST))
     done = (state.best > 0) & ((after <= state.lower) | (after >= state.best) | enough)
     endless = (state.best == 0) & (after > state.limit)
@@ -197,7 +239,8 @@ def _decide(state: _State, trial: _Trial, good: Bools) -> tuple[Ints, Bools]:
 
 
 def _add(state: _State, trial: _Trial, tie: Bools, wanted: Ints) -> None:
-    """Take it that more pieces are needed where trials stayed undecided: as many more as the worst piece asks for."""
+    """Take it that more pieces are needed where trials stayed undecided: as many more as the worst piece asks
+    for."""
     excess = np.sqrt(np.minimum(trial.worst / state.goal, 4.0)) - 1.0
     more = np.floor(np.clip(excess, 0.0, MOST_MORE) * state.count).astype(np.int64)
     more[state.count <= FEW] = 0
@@ -206,7 +249,8 @@ def _add(state: _State, trial: _Trial, tie: Bools, wanted: Ints) -> None:
 
 
 def _relax(state: _State, lost: Bools, after: Ints) -> None:
-    """Allow twice as much to the blocks that are lost; they are given up where that has been done too often."""
+    """Allow twice as much to the blocks that are lost; they are given up where that has been done too
+    often."""
     state.relaxed[lost] += 1
     state.goal[lost] *= np.where(state.relaxed[lost] > RELAXED, np.inf, 2.0)
     state.lower[lost], state.proven[lost], state.stuck[lost], state.tries[lost] = 1, 1, 0, 0

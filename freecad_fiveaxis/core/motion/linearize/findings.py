@@ -2,9 +2,11 @@
 """What the division of blocks says about itself.
 
 linearized            NOTE: how many blocks were divided into how many.
-rotary-words-even     NOTE: blocks whose tool axis could not be led along its great arc without losing rotary travel.
+rotary-words-even     NOTE: blocks whose tool axis could not be led along its great arc without losing rotary
+                      travel.
 linearize-rounding    WARNING: blocks that hold a larger tolerance only, because of the rounding of the words.
-linearize-impossible  WARNING: blocks left whole, because no division was found that holds anything near the tolerance.
+linearize-impossible  WARNING: blocks left whole, because no division was found that holds anything near the
+                      tolerance.
 linearize-limit       ERROR: inserted rows that would drive an axis beyond its limits.
 """
 
@@ -28,8 +30,9 @@ LIMIT_SLACK = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """Blocks that were over tolerance: ``row`` (b,) they end in, ``count`` (b,) of pieces, ``held`` (b,) mm: the distance
-    that their pieces are proven to keep (infinite: left whole), ``even`` (b,) where the rotary words go evenly."""
+    """Blocks that were over tolerance: ``row`` (b,) they end in, ``count`` (b,) of pieces, ``held`` (b,) mm:
+    the distance that their pieces are proven to keep (infinite: left whole), ``even`` (b,) where the rotary
+    words go evenly."""
 
     row: Ints
     count: Ints
@@ -37,15 +40,19 @@ class Outcome:
     even: Bools
 
 
-def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps, tolerance: float) -> tuple[Finding, ...]:
-    """The findings of a division: ``words`` (k, 5) of the divided path, mm and degrees, ``new`` its inserted rows."""
+def found(
+    kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps, tolerance: float
+) -> tuple[Finding, ...]:
+    """The findings of a division: ``words`` (k, 5) of the divided path, mm and degrees, ``new`` its inserted
+    rows."""
     rows = _end_rows(outcome)
     divided, even = outcome.count > 1, outcome.even & (outcome.count > 1)
     coarse, whole = np.isfinite(outcome.held) & (outcome.held > tolerance), np.isinf(outcome.held)
     reports = []
     if divided.any():
         text = say(
-            "{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by proof.",
+            "{count} blocks were over {tolerance} and were divided into {pieces}, as few as hold it by "
+            "proof.",
             count=divided.sum(),
             tolerance=Length(tolerance),
             pieces=outcome.count[divided].sum(),
@@ -53,18 +60,24 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
         reports.append(report_finding(Code.LINEARIZED, text, float(divided.sum())))
     if even.any():
         text = say(
-            "In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool axis "
-            "would need another branch or winding; its axis deviation stays as it was. Lead the tool round the "
+            "In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool "
+            "axis "
+            "would need another branch or winding; its axis deviation stays as it was. Lead the tool round "
+            "the "
             "pole to avoid it.",
             count=even.sum(),
         )
-        reports.append(_at(kinematics, Code.ROTARY_WORDS_EVEN, text, float(even.sum()), None, "1", words, rows[even]))
+        reports.append(
+            _at(kinematics, Code.ROTARY_WORDS_EVEN, text, float(even.sum()), None, "1", words, rows[even])
+        )
     if coarse.any():
         value = float(outcome.held[coarse].max())
         worst = rows[coarse][np.argmax(outcome.held[coarse]) :]
         text = say(
-            "{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put the "
-            "tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow more, "
+            "{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put "
+            "the "
+            "tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow "
+            "more, "
             "or use a controller with finer words.",
             count=coarse.sum(),
             tolerance=Length(tolerance),
@@ -77,14 +90,18 @@ def found(kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: 
         reports.append(_at(kinematics, Code.LINEARIZE_ROUNDING, text, value, tolerance, "mm", words, worst))
     if whole.any():
         text = say(
-            "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number of "
-            "blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on the "
+            "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number "
+            "of "
+            "blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on "
+            "the "
             "table, or take another machine.",
             count=whole.sum(),
             tolerance=Length(tolerance),
             spot=_spot(kinematics, words[rows[whole][0]]),
         )
-        reports.append(_at(kinematics, Code.LINEARIZE_IMPOSSIBLE, text, float(whole.sum()), 0.0, "1", words, rows[whole]))
+        reports.append(
+            _at(kinematics, Code.LINEARIZE_IMPOSSIBLE, text, float(whole.sum()), 0.0, "1", words, rows[whole])
+        )
     return (*reports, *_beyond_limits(kinematics, words, new))
 
 
@@ -138,5 +155,16 @@ def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]
                 count=(excess > LIMIT_SLACK).sum(),
                 origin=Option("origin"),
             )
-            reports.append(_at(kinematics, Code.LINEARIZE_LIMIT, text, float(words[row, k]), limit, unit, words, new[worst:]))
+            reports.append(
+                _at(
+                    kinematics,
+                    Code.LINEARIZE_LIMIT,
+                    text,
+                    float(words[row, k]),
+                    limit,
+                    unit,
+                    words,
+                    new[worst:],
+                )
+            )
     return reports

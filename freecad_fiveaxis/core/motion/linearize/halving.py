@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Halving: a block that does not hold is cut in two at the middle of its share, and each half again until all hold.
+"""Halving: a block that does not hold is cut in two at the middle of its share, and each half again until all
+hold.
 
-It is what posts commonly do. It mostly takes more pieces than are needed, but where halves of halves happen to be just short
-enough, the rounding of the words may favour them: so blocks in ``doubt`` are compared with it.
+It is what posts commonly do. It mostly takes more pieces than are needed, but where halves of halves happen
+to be just short enough, the rounding of the words may favour them: so blocks in ``doubt`` are compared with
+it.
 """
 
 from __future__ import annotations
@@ -22,12 +24,13 @@ DEPTH = 50
 
 
 LIKELY, LIKELY_FEW = 1.1, 2.0
-"""A half of so many balanced pieces may hold in one: their loads are a little less than 1, and not known to the last."""
+"""A half of so many balanced pieces may hold in one: their loads are a little less than 1, and not known to
+the last."""
 
 
 def promising(pieces: Divided, blocks: Ints) -> Ints:
-    """Those of the ``blocks``, ascending, of which halving may make fewer pieces: counted on the load, which the balanced pieces
-    share evenly, and so without any judging."""
+    """Those of the ``blocks``, ascending, of which halving may make fewer pieces: counted on the load, which
+    the balanced pieces share evenly, and so without any judging."""
     here = pieces.taken(blocks)
     own = np.repeat(np.arange(len(blocks)), here.count - 1)
     first = np.cumsum(here.count) - here.count
@@ -55,8 +58,8 @@ def promising(pieces: Divided, blocks: Ints) -> Ints:
 
 
 def halved(kinematics: Chain, way: CommandedMoves, limit: Ints, goal: Floats, steps: Steps) -> Divided:
-    """Halve blocks until all pieces hold their ``goal`` (b,) mm; those that would take ``limit`` (b,) pieces or more are left
-    whole, with an infinite goal."""
+    """Halve blocks until all pieces hold their ``goal`` (b,) mm; those that would take ``limit`` (b,) pieces
+    or more are left whole, with an infinite goal."""
     size, frame = len(limit), frames(kinematics)
     count, block, low, high = np.zeros(size, np.int64), np.arange(size), np.zeros(size), np.ones(size)
     held = np.zeros(size)
@@ -83,7 +86,9 @@ def halved(kinematics: Chain, way: CommandedMoves, limit: Ints, goal: Floats, st
     return _gathered(records, whole, np.where(whole, np.inf, goal), np.where(whole, np.inf, held))
 
 
-def _gathered(records: list[tuple[Ints, Floats, Floats]], whole: Bools, goal: Floats, held: Floats) -> Divided:
+def _gathered(
+    records: list[tuple[Ints, Floats, Floats]], whole: Bools, goal: Floats, held: Floats
+) -> Divided:
     row, share, words = (np.concatenate(parts) for parts in zip(*records, strict=True))
     inner = np.flatnonzero(~whole[row] & (share < 1.0))
     order = inner[np.lexsort((share[inner], row[inner]))]

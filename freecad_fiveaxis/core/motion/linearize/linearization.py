@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Blocks over tolerance, divided into the fewest that hold it.
 
-divide    a block into pieces whose ends stand on the commanded chord, with the tool axis on the great arc between the
-          commanded end axes (``moves``).
-held      every piece's real path is proven to stay within the tolerance of the commanded segment and of its own, with the
-          words as rounded for the controller (``proof``).
+divide    a block into pieces whose ends stand on the commanded chord, with the tool axis on the great arc
+          between the commanded end axes (``moves``).
+held      every piece's real path is proven to stay within the tolerance of the commanded segment and of its
+          own, with the words as rounded for the controller (``proof``).
 fewest    found for all pieces of all blocks at once (``division``).
 
 Feed blocks are divided, rapids never. What is within the tolerance stays one block.
 
-above     what makes the surface is not the tip: where the axis swings while the tip runs straight, a ball's centre bulges off. A
-          path can so be divided by a point above the tip: it is led by the chain whose driven point that is (``raised``), and
-          the words are shifted back.
+above     what makes the surface is not the tip: where the axis swings while the tip runs straight, a ball's
+          centre bulges off. A path can so be divided by a point above the tip: it is led by the chain whose
+          driven point that is (``raised``), and the words are shifted back.
 """
 
 from __future__ import annotations
@@ -59,8 +59,8 @@ PORTION = 32768
 """Pieces aimed at in a portion of blocks that are divided together."""
 
 LIMIT_SPARE, LIMIT_FACTOR = 64, 8.0
-"""A block may be divided into so many pieces, and so many times what its quick bound asks for: far more than any move needs
-whose words stay finite."""
+"""A block may be divided into so many pieces, and so many times what its quick bound asks for: far more than
+any move needs whose words stay finite."""
 
 
 def linearize(
@@ -72,16 +72,18 @@ def linearize(
     progress: Progress = silent,
     above: float = 0.0,
 ) -> JointPath:
-    """The joint path with every feed block that is over ``tolerance`` (mm) divided into the fewest that hold it.
+    """The joint path with every feed block that is over ``tolerance`` (mm) divided into the fewest that hold
+    it.
 
-    ``wanted`` (n,): only the blocks that end in these rows may be divided; None: all. Rapids never are. ``above`` (mm): the
-    point that holds the tolerance stands so far above the driven one along the tool axis, as a ball's centre above the tip.
+    ``wanted`` (n,): only the blocks that end in these rows may be divided; None: all. Rapids never are.
+    ``above`` (mm): the point that holds the tolerance stands so far above the driven one along the tool axis,
+    as a ball's centre above the tip.
 
-    The commanded segments of that point are between the rows of the CL path. Inserted rows carry motion, feed, pass and ``row``
-    of the row that they lead to; all words are returned as ``dialect`` rounds them, the linear ones worked out for the rounded
-    rotary ones, so that the point is in every row within the rounding of the linear words of its place. Findings say how many
-    blocks were divided, and what could not be held; the path's own keep their blocks. Raises SettingsError for a tolerance that
-    is no number above 0.
+    The commanded segments of that point are between the rows of the CL path. Inserted rows carry motion,
+    feed, pass and ``row`` of the row that they lead to; all words are returned as ``dialect`` rounds them,
+    the linear ones worked out for the rounded rotary ones, so that the point is in every row within the
+    rounding of the linear words of its place. Findings say how many blocks were divided, and what could not
+    be held; the path's own keep their blocks. Raises SettingsError for a tolerance that is no number above 0.
     """
     _check(tolerance)
     steps = Steps(dialect.linear_decimals, dialect.rotary_decimals)
@@ -93,15 +95,26 @@ def linearize(
     sine = np.asarray(pair.reach * np.abs(np.sin(q[:, 4] - pair.best)))
     branch = joints.branch[way.row].copy()
     branch[way.new] = branch_of(kinematics, q[way.new, 4])
-    findings = (*_moved(joints.findings, way), *found(kinematics, way.outcome, way.words, way.new, steps, tolerance))
-    return JointPath(_longer(joints.path, way, above), joints.row[way.row], q, branch, sine, findings, joints.rewinds)
+    findings = (
+        *_moved(joints.findings, way),
+        *found(kinematics, way.outcome, way.words, way.new, steps, tolerance),
+    )
+    return JointPath(
+        _longer(joints.path, way, above), joints.row[way.row], q, branch, sine, findings, joints.rewinds
+    )
 
 
 def _divided_above(
-    joints: JointPath, kinematics: Chain, above: float, rows: Ints, tolerance: float, steps: Steps, progress: Progress
+    joints: JointPath,
+    kinematics: Chain,
+    above: float,
+    rows: Ints,
+    tolerance: float,
+    steps: Steps,
+    progress: Progress,
 ) -> _Way:
-    """Divide the blocks that end in ``rows`` by the point ``above`` mm over the driven one; the words are those of the driven
-    point. Its lift is rounded as the words are, so that none of them is rounded twice."""
+    """Divide the blocks that end in ``rows`` by the point ``above`` mm over the driven one; the words are
+    those of the driven point. Its lift is rounded as the words are, so that none of them is rounded twice."""
     if above == 0.0:
         tip, angles = joints.path.tip, joints.q[:, 3:]
         words = placed_words(kinematics, tip, angles, steps)
@@ -116,14 +129,17 @@ def _divided_above(
 
 
 def linearize_words(
-    kinematics: Chain, words: ArrayLike, decimals: tuple[int, int], tolerance: float, feeds: Bools | None = None,
+    kinematics: Chain, words: ArrayLike, decimals: tuple[int, int], tolerance: float,
+    feeds: Bools | None = None,
     progress: Progress = silent,
 ) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
-    """The words of a program with every block that is over ``tolerance`` (mm) divided into the fewest that hold it.
+    """The words of a program with every block that is over ``tolerance`` (mm) divided into the fewest that
+    hold it.
 
-    ``words`` (m, 5) mm and **degrees**, turns not folded; ``decimals`` of linear and of rotary words; ``feeds`` (m,): the blocks
-    that may be divided, None: all. Returns the words (k, 5), the row (k,) of ``words`` that each leads to, and findings.
-    Raises ProgramError for words that cannot be used, SettingsError for a tolerance that is no number above 0.
+    ``words`` (m, 5) mm and **degrees**, turns not folded; ``decimals`` of linear and of rotary words;
+    ``feeds`` (m,): the blocks that may be divided, None: all. Returns the words (k, 5), the row (k,) of
+    ``words`` that each leads to, and findings. Raises ProgramError for words that cannot be used,
+    SettingsError for a tolerance that is no number above 0.
     """
     _check(tolerance)
     rows, steps = checked_words(words), Steps(*decimals)
@@ -133,7 +149,16 @@ def linearize_words(
     placed = placed_words(kinematics, tip, q[:, 3:], steps)
     stay = np.any(np.isnan(placed), axis=1) | np.all(np.abs(grid - rows) < SAME_WORD, axis=1)
     feed = np.flatnonzero(np.ones(len(rows), bool) if feeds is None else feeds)
-    way = _divided(kinematics, tip, q[:, 3:], np.where(stay[:, None], grid, placed), feed[feed > 0], tolerance, steps, progress)
+    way = _divided(
+        kinematics,
+        tip,
+        q[:, 3:],
+        np.where(stay[:, None], grid, placed),
+        feed[feed > 0],
+        tolerance,
+        steps,
+        progress,
+    )
     return way.words, way.row, found(kinematics, way.outcome, way.words, way.new, steps, tolerance)
 
 
@@ -144,15 +169,19 @@ SAME_WORD = 1e-9
 def _check(tolerance: float) -> None:
     if not 0.0 < tolerance < math.inf:
         raise SettingsError(
-            say("tolerance is {tolerance}; blocks can be divided for a tolerance above 0 only", tolerance=Length(tolerance)),
+            say(
+                "tolerance is {tolerance}; blocks can be divided for a tolerance above 0 only",
+                tolerance=Length(tolerance),
+            ),
             tolerance,
         )
 
 
 @dataclass(frozen=True, eq=False)
 class _Way:
-    """Rows (k,) of the divided path: ``row`` of the given path that each leads to, ``share`` of that row's block (1 for the row
-    itself), ``words`` (k, 5) mm and degrees, ``axis`` (k, 3) of inserted rows, which are ``new`` (i,), as on their moves."""
+    """Rows (k,) of the divided path: ``row`` of the given path that each leads to, ``share`` of that row's
+    block (1 for the row itself), ``words`` (k, 5) mm and degrees, ``axis`` (k, 3) of inserted rows, which are
+    ``new`` (i,), as on their moves."""
 
     row: Ints
     share: Floats
@@ -163,9 +192,17 @@ class _Way:
 
 
 def _divided(
-    kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints, tolerance: float, steps: Steps, progress: Progress
+    kinematics: Chain,
+    tip: Floats,
+    angles: Floats,
+    words: Floats,
+    rows: Ints,
+    tolerance: float,
+    steps: Steps,
+    progress: Progress,
 ) -> _Way:
-    """Divide the blocks that end in ``rows`` where they are over tolerance, but for those that rounding alone keeps over it."""
+    """Divide the blocks that end in ``rows`` where they are over tolerance, but for those that rounding alone
+    keeps over it."""
     over, deviation, held = _over(kinematics, tip, words, rows, tolerance)
     count, even = np.ones(len(over), np.int64), np.zeros(len(over), np.bool_)
     todo = np.flatnonzero(held > max(tolerance, most_off(kinematics, steps)))
@@ -183,9 +220,11 @@ def _divided(
     return _woven(words, Outcome(over, count, held, even), parts)
 
 
-def _over(kinematics: Chain, tip: Floats, words: Floats, rows: Ints, tolerance: float) -> tuple[Ints, Floats, Floats]:
-    """Which blocks, that end in ``rows``, are not proven to be within tolerance (b,), how far they are out at least (b,) mm, and
-    what is proven of them (b,) mm, rounding included."""
+def _over(
+    kinematics: Chain, tip: Floats, words: Floats, rows: Ints, tolerance: float
+) -> tuple[Ints, Floats, Floats]:
+    """Which blocks, that end in ``rows``, are not proven to be within tolerance (b,), how far they are out at
+    least (b,) mm, and what is proven of them (b,) mm, rounding included."""
     frame, over, out, proven = frames(kinematics), [np.empty(0, np.int64)], [np.empty(0)], [np.empty(0)]
     wanted = np.zeros(len(words), bool)
     wanted[rows] = True
@@ -212,8 +251,8 @@ class _Part:
 def _of_portion(
     kinematics: Chain, way: CommandedMoves, deviation: Floats, limit: Ints, tolerance: float, steps: Steps
 ) -> tuple[_Part, Bools]:
-    """Divide a portion of blocks. Those that cannot be divided along their arcs get even rotary words, those in doubt are
-    compared with halving. Also: which are even."""
+    """Divide a portion of blocks. Those that cannot be divided along their arcs get even rotary words, those
+    in doubt are compared with halving. Also: which are even."""
     goal = max(tolerance, most_off(kinematics, steps))
     pieces = divide(kinematics, way, deviation, limit, goal, steps)
     again = np.flatnonzero(np.isinf(pieces.goal) & ~way.even)
@@ -221,7 +260,9 @@ def _of_portion(
         even = way.even.copy()
         even[again] = True
         way = replace(way, even=even)
-        pieces = pieces.with_others(again, divide(kinematics, way.take(again), deviation[again], limit[again], goal, steps))
+        pieces = pieces.with_others(
+            again, divide(kinematics, way.take(again), deviation[again], limit[again], goal, steps)
+        )
     doubt = promising(pieces, np.flatnonzero(pieces.doubt)) if pieces.doubt.any() else np.empty(0, np.int64)
     if len(doubt):
         other = halved(kinematics, way.take(doubt), pieces.count[doubt], pieces.goal[doubt], steps)
@@ -254,19 +295,24 @@ def _moved(findings: tuple[Finding, ...], way: _Way) -> Iterator[Finding]:
 
 
 def _longer(path: CLPath, way: _Way, above: float) -> CLPath:
-    """The CL path with the inserted rows. Those that cut touch the part between their neighbours, the others nothing. The point
-    ``above`` mm over the tip goes straight."""
+    """The CL path with the inserted rows. Those that cut touch the part between their neighbours, the others
+    nothing. The point ``above`` mm over the tip goes straight."""
     columns: dict[str, Any] = {name: getattr(path, name)[way.row] for name in _CL_COLUMNS}
     new, share = way.new, way.share[way.new][:, None]
     end = way.row[new]
     cuts = (path.motion[end] < Motion.LINK)[:, None]
     point = path.tip + above * path.axis if above else path.tip
-    tip, contact, normal = (v[end - 1] + share * (v[end] - v[end - 1]) for v in (point, path.contact, path.normal))
+    tip, contact, normal = (
+        v[end - 1] + share * (v[end] - v[end - 1]) for v in (point, path.contact, path.normal)
+    )
     tip = tip - above * way.axis[new] if above else tip
     length = np.sqrt((normal * normal).sum(axis=1))[:, None]
     normal = np.where(length > 0.0, normal / np.where(length > 0.0, length, 1.0), path.normal[end])
     columns["tip"][new], columns["axis"][new] = tip, way.axis[new]
-    columns["contact"][new], columns["normal"][new] = np.where(cuts, contact, tip), np.where(cuts, normal, way.axis[new])
+    columns["contact"][new], columns["normal"][new] = (
+        np.where(cuts, contact, tip),
+        np.where(cuts, normal, way.axis[new]),
+    )
     return replace(path, **columns)
 
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The proof of pieces: how far the real path of rounded words leaves the commanded segment of the block that was divided.
+"""The proof of pieces: how far the real path of rounded words leaves the commanded segment of the block that
+was divided.
 
 piece     a block of the divided program, between two rows of rounded words.
 off       the distance of a row's real tip, as rounded, from the commanded segment.
 
-A piece's path is within its own ``bound`` of the piece's chord; the chord's ends are within ``off`` of the commanded segment,
-and so is the chord, because the distance from a segment is a convex function. So the path is within ``bound`` + the larger
-off of the commanded segment, and within ``bound`` of the piece's own.
+A piece's path is within its own ``bound`` of the piece's chord; the chord's ends are within ``off`` of the
+commanded segment, and so is the chord, because the distance from a segment is a convex function. So the path
+is within ``bound`` + the larger off of the commanded segment, and within ``bound`` of the piece's own.
 """
 
 from __future__ import annotations
@@ -29,7 +30,16 @@ from freecad_fiveaxis.core.motion.deviation.quartic import (
     node_poses,
 )
 from freecad_fiveaxis.core.motion.deviation.search import Chords, farthest
-from freecad_fiveaxis.core.motion.trajectory import Frames, at, chained_motion, flat_length, inner, motion, outer, tip
+from freecad_fiveaxis.core.motion.trajectory import (
+    Frames,
+    at,
+    chained_motion,
+    flat_length,
+    inner,
+    motion,
+    outer,
+    tip,
+)
 
 LARGEST = 1e6
 """mm or deg: words beyond this, and words that are no numbers, lead nowhere."""
@@ -37,26 +47,34 @@ LARGEST = 1e6
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """Pieces (p,), mm. ``least``: a distance that the path takes from its chord; ``most``: the proven bound of it, infinite while
-    it is not known; ``off``: the larger off of both ends."""
+    """Pieces (p,), mm. ``least``: a distance that the path takes from its chord; ``most``: the proven bound
+    of it, infinite while it is not known; ``off``: the larger off of both ends."""
 
     least: Floats
     most: Floats
     off: Floats
 
 
-def judge_pieces(frame: Frames, words: Floats, inside: Bools, off: Floats, limit: Floats, group: Ints | None = None) -> Judged:
-    """Judge the pieces between successive rows of ``words`` (p + 1, 5), mm and **degrees**, where ``inside`` (p,).
+def judge_pieces(
+    frame: Frames, words: Floats, inside: Bools, off: Floats, limit: Floats, group: Ints | None = None
+) -> Judged:
+    """Judge the pieces between successive rows of ``words`` (p + 1, 5), mm and **degrees**, where ``inside``
+    (p,).
 
-    ``off`` (p + 1,) mm of the rows. What a piece does exactly is only searched where it decides whether ``most + off`` is
-    within its ``limit`` (p,), and not in a ``group`` (p,) that holds a piece beyond its limit anyway.
+    ``off`` (p + 1,) mm of the rows. What a piece does exactly is only searched where it decides whether
+    ``most + off`` is within its ``limit`` (p,), and not in a ``group`` (p,) that holds a piece beyond its
+    limit anyway.
     """
     usable = np.all(np.abs(words) <= LARGEST, axis=1)  # False for NaN
     words = words if usable.all() else np.where(usable[:, None], words, 0.0)
     move, poses = chained_motion(frame, words)
     y = inner(frame, poses)
     tips, reach = np.array(outer(poses, y)), flat_length(y[0], y[1])
-    way, nodes, levers = chord(tips[:, :-1], tips[:, 1:]), node_poses(move, poses), end_levers(move, reach[:-1], reach[1:])
+    way, nodes, levers = (
+        chord(tips[:, :-1], tips[:, 1:]),
+        node_poses(move, poses),
+        end_levers(move, reach[:-1], reach[1:]),
+    )
     least, most = _by_quartic(way, np.array(tip(frame, nodes)), levers)
     most += allowance(move)
     worse = np.maximum(off[1:], off[:-1])
@@ -73,12 +91,13 @@ def judge_pieces(frame: Frames, words: Floats, inside: Bools, off: Floats, limit
 
 
 def _by_quartic(way: Chord, nodes: Floats, levers: Levers) -> tuple[Floats, Floats]:
-    """A distance that each path takes from its chord, and a bound of all, infinite where there is no proof; ``nodes`` (3, 3, n).
+    """A distance that each path takes from its chord, and a bound of all, infinite where there is no proof;
+    ``nodes`` (3, 3, n).
 
-    The bound of the distance from the infinite line is that of ``deviation.quartic``. Where the foot of the perpendicular may
-    leave the chord, it overshoots it by at most ``(1 - u) (u G - L)``, G the longest g_along and L the chord (symbols there),
-    that is by ``(G - L)^2 / 4G``; both are the sides of a right angle. In any case the point of the same u is at most ``|g| / 4``
-    away.
+    The bound of the distance from the infinite line is that of ``deviation.quartic``. Where the foot of the
+    perpendicular may leave the chord, it overshoots it by at most ``(1 - u) (u G - L)``, G the longest
+    g_along and L the chord (symbols there), that is by ``(G - L)^2 / 4G``; both are the sides of a right
+    angle. In any case the point of the same u is at most ``|g| / 4`` away.
     """
     line = bow(replace(way, length=np.full_like(way.length, np.inf)), nodes, levers)
     full = _bows(way, nodes)
@@ -97,7 +116,8 @@ def _by_quartic(way: Chord, nodes: Floats, levers: Levers) -> tuple[Floats, Floa
 
 
 def _bows(way: Chord, nodes: Floats) -> list[Floats]:
-    """A, B, C (3, n) of g = A + B s + C s^2 through the nodes; ``u (1 - u) g`` is the way from the chord at the same u."""
+    """A, B, C (3, n) of g = A + B s + C s^2 through the nodes; ``u (1 - u) g`` is the way from the chord at
+    the same u."""
     low, mid, high = (nodes[:, j] - way.start - u * way.vector for j, u in enumerate(NODES[:, 0]))
     return [4.0 * mid, (32.0 / 3.0) * (high - low), (128.0 / 3.0) * (low + high) - 64.0 * mid]
 
@@ -121,20 +141,23 @@ def _dots(p: Floats, q: Floats) -> Floats:
 
 
 def searched(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]:
-    """The segment deviation (n,) mm of blocks from words ``start`` to ``end`` (n, 5), and its proven bound, by search."""
+    """The segment deviation (n,) mm of blocks from words ``start`` to ``end`` (n, 5), and its proven bound,
+    by search."""
     move = motion(frame, start, end)
     ends = [np.array(tip(frame, at(move, np.full_like(move.a, u)))) for u in (0.0, 1.0)]
     way, levers = chord(ends[0], ends[1]), close_levers(frame, move)
     origin, along = (way.start[0], way.start[1], way.start[2]), (way.along[0], way.along[1], way.along[2])
     low, second, third = np.zeros_like(way.length), bending(levers, 2), bending(levers, 3)
     seen = held_back(move, way, way.length <= POINT)
-    found, _, bound = farthest(frame, Chords(seen, origin, along, low, way.length, second, third, levers.turn))
+    found, _, bound = farthest(
+        frame, Chords(seen, origin, along, low, way.length, second, third, levers.turn)
+    )
     return found, bound + allowance(move)
 
 
 def off_segment(frame: Frames, words: Floats, start: Floats, vector: Floats) -> Floats:
-    """The distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from the segments at ``start`` (n, 3) along
-    ``vector`` (n, 3), work frame, mm."""
+    """The distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from the segments at
+    ``start`` (n, 3) along ``vector`` (n, 3), work frame, mm."""
     move = motion(frame, words, words)
     points = np.array(tip(frame, at(move, np.zeros_like(move.a))))
     points[np.isnan(points)] = 0.0  # words that are no numbers are out of the question anyway
@@ -142,5 +165,6 @@ def off_segment(frame: Frames, words: Floats, start: Floats, vector: Floats) -> 
 
 
 def off_points(frame: Frames, words: Floats, tip_: Floats) -> Floats:
-    """The distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from points (n, 3) of the work frame."""
+    """The distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from points (n, 3) of the
+    work frame."""
     return off_segment(frame, words, tip_, np.zeros_like(tip_))

@@ -8,6 +8,7 @@ from .rounded import Program, block_findings, build_program, feed_blocks
 from .wrapping import shorter_turns
 
 __all__ = [
-    "Guided", "Program", "block_findings", "build_program", "feed_blocks", "plane_above", "rapid_minutes", "shorter_turns",
+    "Guided", "Program", "block_findings", "build_program", "feed_blocks", "plane_above", "rapid_minutes",
+    "shorter_turns",
     "standing", "turned_to", "upwards", "within_travel",
 ]  # fmt: skip

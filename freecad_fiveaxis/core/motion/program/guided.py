@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What an NC program says in blocks in which the controller guides the tip itself (RTCP, TCPC, TCPM, TRAORI, G43.4).
+"""What an NC program says in blocks in which the controller guides the tip itself (RTCP, TCPC, TCPM, TRAORI,
+G43.4).
 
-guided    the linear words of a block are the tip's place in the work; the tool axis is given by the rotary words, or by its
-          vector. Where the axes stand follows from the machine; how they get there is the controller's affair.
-proven    of a guided block: that its end, as rounded, puts tip and axis where the CL path wants them (``rounding_finding``), and
-          where the axes then stand. Not what happens between the ends.
+guided    the linear words of a block are the tip's place in the work; the tool axis is given by the rotary
+          words, or by its vector. Where the axes stand follows from the machine; how they get there is the
+          controller's affair.
+proven    of a guided block: that its end, as rounded, puts tip and axis where the CL path wants them
+          (``rounding_finding``), and where the axes then stand. Not what happens between the ends.
 """
 
 from __future__ import annotations
@@ -28,8 +30,9 @@ AT_POLE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Guided:
-    """One row a block: ``on`` (m,) True where the controller guides the tip; ``tip`` (m, 3) mm: the linear words as they stand in
-    the NC file there; ``vector`` (m, 3) the tool axis as it stands there, None where the rotary words give it in all blocks."""
+    """One row a block: ``on`` (m,) True where the controller guides the tip; ``tip`` (m, 3) mm: the linear
+    words as they stand in the NC file there; ``vector`` (m, 3) the tool axis as it stands there, None where
+    the rotary words give it in all blocks."""
 
     on: Bools
     tip: Floats
@@ -42,7 +45,8 @@ class Guided:
 
 
 def standing(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
-    """Words (m, 5) mm and degrees of the axes for tips (m, 3) mm and rotary words (m, 2) **degrees**, which are kept as given."""
+    """Words (m, 5) mm and degrees of the axes for tips (m, 3) mm and rotary words (m, 2) **degrees**, which
+    are kept as given."""
     words = np.empty((5, len(tip))).T
     words[:, :3] = joint_words(kinematics, tip, np.radians(angles))[:, :3]
     words[:, 3:] = angles
@@ -50,8 +54,9 @@ def standing(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
 
 
 def turned_to(kinematics: Chain, vector: Floats, near: Floats) -> Floats:
-    """Rotary words (m, 2) degrees that take up tool axes ``vector`` (m, 3), of the branch and winding nearest to ``near`` (m, 2)
-    degrees; at the pole the first one is that of ``near``. NaN where the machine cannot take up the axis."""
+    """Rotary words (m, 2) degrees that take up tool axes ``vector`` (m, 3), of the branch and winding nearest
+    to ``near`` (m, 2) degrees; at the pole the first one is that of ``near``. NaN where the machine cannot
+    take up the axis."""
     unit = vector / np.linalg.norm(vector, axis=1)[:, None]
     wanted, best, least = np.radians(near), np.full((len(vector), 2), np.nan), np.full(len(vector), np.inf)
     branches, sine = inverse_axis(kinematics, unit)
@@ -66,7 +71,8 @@ def turned_to(kinematics: Chain, vector: Floats, near: Floats) -> Floats:
 
 
 def rounding_finding(kinematics: Chain, words: Floats, tip: Floats, axis: Floats) -> Finding:
-    """How far the blocks' ends are from the CL path's ``tip`` (m, 3) mm and ``axis`` (m, 3): all that is proven."""
+    """How far the blocks' ends are from the CL path's ``tip`` (m, 3) mm and ``axis`` (m, 3): all that is
+    proven."""
     off, lean = 0.0, 0.0
     for rows in cache_chunks(len(words)):
         place, stands = forward(kinematics, words_to_q(words[rows]))

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How high Z must stand so that the rotary axes may turn: above the part, wherever they stand.
 
-height    of a point: along the machine's Z, which is a fixed direction of the machine and in the work frame turns with the table.
-plane     the word of Z at which the tip is higher than the part's box by a margin, at every pair of rotary words within the
-          limits. X and Y do not matter; where their axes lie between the work and a rotary axis, those of the first block count.
+height    of a point: along the machine's Z, which is a fixed direction of the machine and in the work frame
+          turns with the table.
+plane     the word of Z at which the tip is higher than the part's box by a margin, at every pair of rotary
+          words within the limits. X and Y do not matter; where their axes lie between the work and a rotary
+          axis, those of the first block count.
 """
 
 from __future__ import annotations
@@ -31,23 +33,26 @@ LEAST_LIFT = 0.5
 
 
 def plane_above(kinematics: Chain, low: Floats, high: Floats, margin: float, words: Floats) -> float:
-    """The word of Z (mm) of the plane ``margin`` mm above the part's box ``low``, ``high`` (3,) mm; not below the words (m, 5) of
-    the blocks with which the program begins and ends. Raises SettingsError where Z does not lift the tool.
+    """The word of Z (mm) of the plane ``margin`` mm above the part's box ``low``, ``high`` (3,) mm; not below
+    the words (m, 5) of the blocks with which the program begins and ends. Raises SettingsError where Z does
+    not lift the tool.
 
-    The highest of all pairs of rotary words is not found but bounded: where it lies between those looked at, its slope is zero,
-    and the nearest of them is lower by no more than the bend over half a step.
+    The highest of all pairs of rotary words is not found but bounded: where it lies between those looked at,
+    its slope is zero, and the nearest of them is lower by no more than the bend over half a step.
     """
     lift = float(kinematics.direction[2, 2])
     if abs(lift) < LEAST_LIFT or kinematics.slot[2] < _tables(kinematics):
         raise SettingsError(
-            say("Z of this machine does not lift the tool: give its file another safe_start than clearance"), None
+            say("Z of this machine does not lift the tool: give its file another safe_start than clearance"),
+            None,
         )
     corners, angles = np.array(list(product(*zip(low, high, strict=True)))), _angles(kinematics)
     q = np.column_stack([np.tile(words[0, :2], (len(angles), 1)), np.zeros(len(angles)), angles])
     tip, up = forward(kinematics, q)[0], upwards(kinematics, angles)
     above = float(((up @ corners.T).max(axis=1) - (tip * up).sum(axis=1)).max())
     lever = sum(
-        float(np.linalg.norm(point, axis=-1).max()) for point in (corners, kinematics.point1, kinematics.point2, words[0, :2])
+        float(np.linalg.norm(point, axis=-1).max())
+        for point in (corners, kinematics.point1, kinematics.point2, words[0, :2])
     )
     z = (above + margin + 0.5 * STEP**2 * 2.0 * lever) / abs(lift)
     z = max(z, float((math.copysign(1.0, lift) * words[[0, -1], 2]).max()))

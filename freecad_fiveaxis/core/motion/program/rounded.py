@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The NC program as the machine gets it: words rounded to the controller's step, feeds, times.
 
-block     one row: the straight joint move from the row before it to this one. Row 0 is the first position: where the
-          machine comes from is not known, so nothing is claimed of it.
+block     one row: the straight joint move from the row before it to this one. Row 0 is the first position:
+          where the machine comes from is not known, so nothing is claimed of it.
 G94, G93  feed in mm/min, or inverse time: one over the minutes that the block takes.
-F         is chosen such that the **tip over the part** moves at the CL path's feed along its real path, or slower where
-          an axis would exceed its maximum rate. It is rounded down, so that no rate is exceeded by rounding.
+F         is chosen such that the **tip over the part** moves at the CL path's feed along its real path, or
+          slower where an axis would exceed its maximum rate. It is rounded down, so that no rate is exceeded
+          by rounding.
 """
 
 from __future__ import annotations
@@ -34,22 +35,27 @@ from .guided import Guided, rounding_finding, standing, turned_to
 from .wrapping import by_the_shorter_way, wraps_of
 
 FEED_SLACK = 1e-9
-"""F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for 1000)."""
+"""F is rounded down, but a relative rounding error of this size must not cost a whole step (999.9999 for
+1000)."""
 
 TIMED = 300_000
-"""Blocks that are timed together, at most: the few that bend much are then many enough for the many calls that they need."""
+"""Blocks that are timed together, at most: the few that bend much are then many enough for the many calls
+that they need."""
 
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """``letters``: the five words in order: X Y Z, first rotary, second rotary (nearer to the work first), as "XYZCA".
+    """``letters``: the five words in order: X Y Z, first rotary, second rotary (nearer to the work first), as
+    "XYZCA".
 
-    ``words`` (m, 5) mm and **degrees**, as rounded for the controller, turns not folded; ``feed`` (m,) the F word
-    (mm/min, or 1/min where ``inverse_time``; 0 for rapids); ``inverse_time`` (m,) True under G93; ``motion`` (m,) of
-    :class:`~freecad_fiveaxis.core.toolpath.cl_path.Motion`; ``seconds`` (m,) the time that the block is meant to take (0 for
-    row 0); ``row`` (m,) row of the JointPath and of the CL path in it, -1 where there is none; ``line`` (m,) line of the NC file,
-    counted from 1. ``guided``: what the NC file says where the controller guides the tip; ``words`` are then where the axes
-    stand at the blocks' ends, worked out from that. ``wrap``: how the controller takes each rotary word of the NC file.
+    ``words`` (m, 5) mm and **degrees**, as rounded for the controller, turns not folded; ``feed`` (m,) the F
+    word (mm/min, or 1/min where ``inverse_time``; 0 for rapids); ``inverse_time`` (m,) True under G93;
+    ``motion`` (m,) of
+    :class:`~freecad_fiveaxis.core.toolpath.cl_path.Motion`; ``seconds`` (m,) the time that the block is meant
+    to take (0 for row 0); ``row`` (m,) row of the JointPath and of the CL path in it, -1 where there is none;
+    ``line`` (m,) line of the NC file, counted from 1. ``guided``: what the NC file says where the controller
+    guides the tip; ``words`` are then where the axes stand at the blocks' ends, worked out from that.
+    ``wrap``: how the controller takes each rotary word of the NC file.
     """
 
     letters: str
@@ -77,16 +83,22 @@ def feed_blocks(program: Program) -> Ints:
 def build_program(
     joints: JointPath, kinematics: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent
 ) -> Program:
-    """The program of a joint path for one controller: rounded words, one block for every row that moves, F words, times.
+    """The program of a joint path for one controller: rounded words, one block for every row that moves, F
+    words, times.
 
-    A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because no time can be
-    given for a move that starts nowhere. Raises ProgramError where another row that is no rapid has no feed above 0.
+    A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because
+    no time can be given for a move that starts nowhere. Raises ProgramError where another row that is no
+    rapid has no feed above 0.
     """
     findings = _no_inverse_time(dialect) if inverse_time and not dialect.inverse_time else ()
     inverse_time &= bool(dialect.inverse_time)
     rotary = tuple(axis.wrap for axis in kinematics.axes[3:])
     wrap = wraps_of(rotary, dialect)
-    words, row = _round_words(joints.q, dialect) if dialect.guide is None else _round_guided(joints, dialect.guide, dialect)
+    words, row = (
+        _round_words(joints.q, dialect)
+        if dialect.guide is None
+        else _round_guided(joints, dialect.guide, dialect)
+    )
     motion, tip_feed = joints.path.motion.take(row), joints.path.feed.take(row)
     findings += _first_findings(motion)
     motion[:1] = Motion.RAPID
@@ -96,7 +108,11 @@ def build_program(
     if dialect.guide is not None:
         guided, words, stands = _guided(joints, row, words, kinematics, dialect.guide)
         more += (
-            (rounding_finding(kinematics, stands, take_rows(joints.path.tip, row), take_rows(joints.path.axis, row)),)
+            (
+                rounding_finding(
+                    kinematics, stands, take_rows(joints.path.tip, row), take_rows(joints.path.axis, row)
+                ),
+            )
             if len(row)
             else ()
         )
@@ -105,19 +121,35 @@ def build_program(
     line = np.arange(dialect.first_line, dialect.first_line + len(row))
     findings += more + _feed_findings(times.commanded, times.held, scale)
     modes = np.full(len(row), inverse_time)
-    return Program(kinematics.letters, stands, times.feed, modes, motion, times.seconds, row, line, findings, guided, wrap)
+    return Program(
+        kinematics.letters,
+        stands,
+        times.feed,
+        modes,
+        motion,
+        times.seconds,
+        row,
+        line,
+        findings,
+        guided,
+        wrap,
+    )
 
 
 def _no_inverse_time(dialect: Dialect) -> tuple[Finding, ...]:
-    text = say("{name} has no inverse time (G93): F is written in mm/min, one for each block.", name=dialect.name)
+    text = say(
+        "{name} has no inverse time (G93): F is written in mm/min, one for each block.", name=dialect.name
+    )
     return (report_finding(Code.NO_INVERSE_TIME, text),)
 
 
 def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Floats, Ints]:
-    """As _round_words, of the words that a guided block says: the tip (mm) and the rotary words (deg), which are only rounded
-    where they are said. A row moves where tip, or what is said of the axis, changes."""
+    """As _round_words, of the words that a guided block says: the tip (mm) and the rotary words (deg), which
+    are only rounded where they are said. A row moves where tip, or what is said of the axis, changes."""
     rotary = 15 if guide.vector else dialect.rotary_decimals
-    programmed = np.column_stack([rounded(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])])
+    programmed = np.column_stack(
+        [rounded(joints.path.tip, dialect.linear_decimals), np.degrees(joints.q[:, 3:])]
+    )
     if guide.vector is None:
         programmed[:, 3:] = rounded(programmed[:, 3:], rotary)
     written = (
@@ -125,21 +157,30 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
         if guide.vector is None
         else np.column_stack([programmed[:, :3], rounded(joints.path.axis, guide.vector_decimals)])
     )
-    moving = np.flatnonzero(np.append(np.ones(min(len(programmed), 1), np.bool_), (np.diff(written, axis=0) != 0.0).any(axis=1)))
+    moving = np.flatnonzero(
+        np.append(np.ones(min(len(programmed), 1), np.bool_), (np.diff(written, axis=0) != 0.0).any(axis=1))
+    )
     return programmed[moving], moving
 
 
-def _guided(joints: JointPath, row: Ints, programmed: Floats, kinematics: Chain, guide: Guide) -> tuple[Guided, Floats, Floats]:
+def _guided(
+    joints: JointPath, row: Ints, programmed: Floats, kinematics: Chain, guide: Guide
+) -> tuple[Guided, Floats, Floats]:
     """What the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m, 5)."""
     tip, angles, vector = programmed[:, :3], programmed[:, 3:], None
     if guide.vector is not None:
         vector = rounded(take_rows(joints.path.axis, row), guide.vector_decimals)
         angles = turned_to(kinematics, vector, angles)
-    return Guided(np.ones(len(row), np.bool_), tip, vector), np.column_stack([tip, angles]), standing(kinematics, tip, angles)
+    return (
+        Guided(np.ones(len(row), np.bool_), tip, vector),
+        np.column_stack([tip, angles]),
+        standing(kinematics, tip, angles),
+    )
 
 
 def _round_words(q: Floats, dialect: Dialect) -> tuple[Floats, Ints]:
-    """Words (m, 5) mm and degrees, the doubles nearest to what is printed, of the rows that move; and these rows (m,)."""
+    """Words (m, 5) mm and degrees, the doubles nearest to what is printed, of the rows that move; and these
+    rows (m,)."""
     words, moves = empty_rows(len(q), 5), np.zeros(len(q), np.bool_)
     moves[:1] = True
 
@@ -175,7 +216,10 @@ def _check_feeds(row: Ints, motion: Bytes, tip_feed: Floats) -> None:
 def _first_findings(motion: Bytes) -> tuple[Finding, ...]:
     if not len(motion) or motion[0] == Motion.RAPID:
         return ()
-    text = say("The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.")
+    text = say(
+        "The CL path starts with a feed move; the program reaches its first position in rapid. Start it "
+        "above the part."
+    )
     return (report_finding(Code.FIRST_POSITION_RAPID, text, block=0),)
 
 
@@ -195,8 +239,8 @@ class _FeedScale:
         return self.dialect.largest_inverse if self.inverse_time else self.dialect.largest_feed
 
     def distance(self, change: Floats) -> Floats:
-        """What F times minutes gives in blocks that change the words by ``change`` (n, 5) mm and deg: 1, or what F is measured
-        over, mm (deg)."""
+        """What F times minutes gives in blocks that change the words by ``change`` (n, 5) mm and deg: 1, or
+        what F is measured over, mm (deg)."""
         return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
 
     def rounded_down(self, commanded: Floats) -> Floats:
@@ -207,8 +251,8 @@ class _FeedScale:
 
 
 class _Times(NamedTuple):
-    """``commanded`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids); ``held`` (m,) whether an
-    axis holds it back; ``seconds`` (m,) by the rounded F."""
+    """``commanded`` (m,) the F that each block asks for, ``feed`` (m,) as rounded (both 0 for rapids);
+    ``held`` (m,) whether an axis holds it back; ``seconds`` (m,) by the rounded F."""
 
     commanded: Floats
     held: Bools
@@ -217,17 +261,31 @@ class _Times(NamedTuple):
 
 
 def _time_blocks(
-    words: Floats, programmed: Floats, motion: Bytes, tip_feed: Floats, kinematics: Chain, scale: _FeedScale, progress: Progress
+    words: Floats,
+    programmed: Floats,
+    motion: Bytes,
+    tip_feed: Floats,
+    kinematics: Chain,
+    scale: _FeedScale,
+    progress: Progress,
 ) -> _Times:
-    """``words`` (m, 5): where the axes stand; ``programmed`` (m, 5): the same, or the tip and the rotary words where
-    it is guided."""
+    """``words`` (m, 5): where the axes stand; ``programmed`` (m, 5): the same, or the tip and the rotary
+    words where it is guided."""
     count, guided = len(words), programmed is not words
     times = _Times(np.zeros(count), np.zeros(count, np.bool_), np.zeros(count), np.zeros(count))
 
     def fill(steps: slice) -> None:
         rows, ends = slice(steps.start + 1, steps.stop + 1), slice(steps.start, steps.stop + 1)
-        q, ends_at, rapid = words_to_q(words[ends]), programmed[ends], np.flatnonzero(motion[rows] == Motion.RAPID)
-        change, wanted, along = np.diff(ends_at, axis=0), tip_feed[rows].copy(), np.ones(rows.stop - rows.start, np.bool_)
+        q, ends_at, rapid = (
+            words_to_q(words[ends]),
+            programmed[ends],
+            np.flatnonzero(motion[rows] == Motion.RAPID),
+        )
+        change, wanted, along = (
+            np.diff(ends_at, axis=0),
+            tip_feed[rows].copy(),
+            np.ones(rows.stop - rows.start, np.bool_),
+        )
         wanted[rapid], along[rapid] = 1.0, False
         distance = scale.distance(change)
         travel = np.linalg.norm(change[:, :3], axis=1) if guided else tip_travel(kinematics, q, along)
@@ -252,19 +310,28 @@ def _time_blocks(
 
 
 def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Finding, ...]:
-    """Findings whose ``block`` is a row of the joint path, at the block of the program that drives to it, with its NC line.
+    """Findings whose ``block`` is a row of the joint path, at the block of the program that drives to it,
+    with its NC line.
 
     A row without a block of its own (the row before it has the same words) is at that row's.
     """
     placed = []
     for finding in findings:
-        block = None if finding.block is None else int(np.searchsorted(program.row, finding.block, side="right")) - 1
-        placed.append(finding if block is None else replace(finding, block=block, line=int(program.line[block])))
+        block = (
+            None
+            if finding.block is None
+            else int(np.searchsorted(program.row, finding.block, side="right")) - 1
+        )
+        placed.append(
+            finding if block is None else replace(finding, block=block, line=int(program.line[block]))
+        )
     return tuple(placed)
 
 
 HELD = Template("In {count} blocks an axis would exceed its maximum rate; they run slower than programmed.")
-ABOVE = Template("In {count} blocks F would exceed the controller's largest; they run slower than programmed.")
+ABOVE = Template(
+    "In {count} blocks F would exceed the controller's largest; they run slower than programmed."
+)
 BELOW = Template("In {count} blocks F would be below one step; they run faster than programmed. Use G93.")
 
 
@@ -286,5 +353,9 @@ def _feed_findings(commanded: Floats, held: Bools, scale: _FeedScale) -> tuple[F
         if len(blocks):
             block = int(blocks[0])
             programmed = text.say(count=len(blocks))
-            found.append(report_finding(code, programmed, value, limit, block, scale.dialect.first_line + block, unit=unit_of))
+            found.append(
+                report_finding(
+                    code, programmed, value, limit, block, scale.dialect.first_line + block, unit=unit_of
+                )
+            )
     return tuple(found)

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arcs into chords within a tolerance (ISO 6983-1: G2 clockwise, G3 counter-clockwise, in the plane of G17, G18 or G19).
+"""Arcs into chords within a tolerance (ISO 6983-1: G2 clockwise, G3 counter-clockwise, in the plane of G17,
+G18 or G19).
 
-centre    by I J K from the arc's start (or absolute: G90.1, a klartext CC), or by the radius R: above 0 the shorter arc.
-chord     of an angle d leaves a circle of radius r by r (1 - cos(d/2)); the rotary words and the third axis go evenly with it.
+centre    by I J K from the arc's start (or absolute: G90.1, a klartext CC), or by the radius R: above 0 the
+          shorter arc.
+chord     of an angle d leaves a circle of radius r by r (1 - cos(d/2)); the rotary words and the third axis
+          go evenly with it.
 """
 
 from __future__ import annotations
@@ -20,7 +23,8 @@ from freecad_fiveaxis.core.base.sentences import say
 ARC_TOLERANCE = 0.001
 """mm; a tenth of the usual tolerance of a program."""
 MISMATCH = 0.02
-"""Start and end of an arc that lie by more than this share of the radius at different distances from its centre make no arc."""
+"""Start and end of an arc that lie by more than this share of the radius at different distances from its
+centre make no arc."""
 AXES = np.array([[0, 1, 2], [2, 0, 1], [1, 2, 0]])
 """By plane: the two axes of the circle, right-handed about the third."""
 MOST = 5_000_000
@@ -31,8 +35,9 @@ FULL = 1e-7
 
 @dataclass(frozen=True, eq=False)
 class Arcs:
-    """One row an arc, (n,): ``row`` of the moves; ``plane`` 0 XY, 1 ZX, 2 YZ; ``counter``: G3; ``offset`` (n, 3) I J K, NaN
-    where not given; ``absolute``: they are the centre's place; ``radius`` R, NaN where not given; ``centre`` (n, 3) the centre
+    """One row an arc, (n,): ``row`` of the moves; ``plane`` 0 XY, 1 ZX, 2 YZ; ``counter``: G3; ``offset`` (n,
+    3) I J K, NaN where not given; ``absolute``: they are the centre's place; ``radius`` R, NaN where not
+       given; ``centre`` (n, 3) the centre
     told before, NaN where none; ``turns`` full turns made besides, None: none."""
 
     row: Ints
@@ -47,8 +52,8 @@ class Arcs:
 
 @dataclass(frozen=True, eq=False)
 class Chords:
-    """The moves with chords for arcs: ``row`` (m',) of the moves that each belongs to, ``count`` (m,) of pieces of each move,
-    and the words ``before`` and ``programmed`` (m', 5)."""
+    """The moves with chords for arcs: ``row`` (m',) of the moves that each belongs to, ``count`` (m,) of
+    pieces of each move, and the words ``before`` and ``programmed`` (m', 5)."""
 
     row: Ints
     count: Ints
@@ -57,7 +62,8 @@ class Chords:
 
 
 def chorded(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> tuple[Chords, list[Finding]]:
-    """The moves (m, 5) with their arcs divided; one without a centre stays straight, with a finding. ``line`` (m,) is for that.
+    """The moves (m, 5) with their arcs divided; one without a centre stays straight, with a finding. ``line``
+    (m,) is for that.
 
     Raises ProgramError where the arcs would need more than :data:`MOST` chords.
     """
@@ -156,7 +162,8 @@ def _findings(arcs: Arcs, good: Bools, line: Ints) -> list[Finding]:
     if not len(bad):
         return []
     text = say(
-        "{count} arcs have no centre that fits their start and end; they are taken as straight. Post straight moves.",
+        "{count} arcs have no centre that fits their start and end; they are taken as straight. Post "
+        "straight moves.",
         count=len(bad),
     )
     return [report_finding(Code.ARC_WITHOUT_CENTRE, text, float(len(bad)), line=int(line[arcs.row[bad[0]]]))]

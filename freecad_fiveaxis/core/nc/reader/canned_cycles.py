@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Drilling and boring cycles (G73, G74, G81 to G86, G88, G89) written out as rapids and feeds.
 
-R, Z, Q   height of the plane where the feed begins, bottom of the hole, one peck. G91: R from the initial level, Z from R.
-level     the initial one is where the axis stood before the first of several cycles; G98 goes back to it, G99 to R.
-L, K      how often: under G91 a row of holes. LinuxCNC, Haas: L. Fanuc: K. 0: the words are kept, and nothing is drilled.
-kept      G90 and G91 within one cycle: Fanuc and Haas keep the heights that R and Z had when they were told, so that a row that
-          begins with one hole in absolute words (G81 X5. Z-10. R2., then G91 X10. K3) is drilled to one depth. LinuxCNC reads
-          the words anew.
+R, Z, Q   height of the plane where the feed begins, bottom of the hole, one peck. G91: R from the initial
+          level, Z from R.
+level     the initial one is where the axis stood before the first of several cycles; G98 goes back to it, G99
+          to R.
+L, K      how often: under G91 a row of holes. LinuxCNC, Haas: L. Fanuc: K. 0: the words are kept, and nothing
+          is drilled.
+kept      G90 and G91 within one cycle: Fanuc and Haas keep the heights that R and Z had when they were told,
+          so that a row that begins with one hole in absolute words (G81 X5. Z-10. R2., then G91 X10. K3) is
+          drilled to one depth. LinuxCNC reads the words anew.
 
-Sources: LinuxCNC 2.9, interp_cycles.cc (NIST RS274NGC 3, 3.5.16), moved as its ``rs274`` moves; Fanuc B-63324EN, 13.1; Haas mill
-operator's manual, canned cycles; R from the initial level and Z from R under G91, K repeats a series of holes: a description of
-G81 at zanotowane.pl/117/8692. That heights are kept is how such rows are written; no manual that says so was found.
-What differs between them is a row of :class:`Ways`.
+Sources: LinuxCNC 2.9, interp_cycles.cc (NIST RS274NGC 3, 3.5.16), moved as its ``rs274`` moves; Fanuc
+B-63324EN, 13.1; Haas mill operator's manual, canned cycles; R from the initial level and Z from R under G91,
+K repeats a series of holes: a description of G81 at zanotowane.pl/117/8692. That heights are kept is how such
+rows are written; no manual that says so was found. What differs between them is a row of :class:`Ways`.
 """
 
 from __future__ import annotations
@@ -44,13 +47,16 @@ NOT_IN_TEXT = -1
 MOST_NAMED = 20
 MOST = 2_000_000
 """Moves that the cycles of one program may become."""
-NOWHERE_YET = say("where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended")
+NOWHERE_YET = say(
+    "where it begins is not known: X, Y and Z are not all told since the tilted plane began or ended"
+)
 Moves = list[tuple[bool, float, float, float]]
 
 
 @dataclass(eq=False)
 class CycleMoves:
-    """The moves that lines become, along the axes of their planes; lines left, with code and reason; those of R, Q alone."""
+    """The moves that lines become, along the axes of their planes; lines left, with code and reason; those of
+    R, Q alone."""
 
     moves: dict[int, Moves] = field(default_factory=dict)
     refused: dict[int, tuple[int, str]] = field(default_factory=dict)
@@ -58,8 +64,9 @@ class CycleMoves:
 
 
 def written_out(words: Words, lines: Lines, grammar: Grammar, controller: str) -> tuple[Words, list[Finding]]:
-    """The words with the cycles as moves of G0 and G1 in absolute words; each line that becomes several keeps its number in
-    ``Words.source``. Without any cycle, the same object. ``controller``: the dialect's name, of :data:`WAYS` or LinuxCNC's."""
+    """The words with the cycles as moves of G0 and G1 in absolute words; each line that becomes several keeps
+    its number in ``Words.source``. Without any cycle, the same object. ``controller``: the dialect's name, of
+    :data:`WAYS` or LinuxCNC's."""
     ways = WAYS.get(controller, LINUXCNC)
     if grammar.name != "iso" or not np.isin(lines.code, ways.read).any():
         return words, []
@@ -74,14 +81,20 @@ def _cycle_moves(lines: Lines, table: _Table) -> CycleMoves:
     code = lines.mode(group, 0)
     cuts = np.flatnonzero(np.diff(code > 0, prepend=False))
     place, since = np.zeros(3), 0
-    for first, last in zip(cuts[::2].tolist(), [*cuts[1::2].tolist(), lines.count][: len(cuts[::2])], strict=True):
+    for first, last in zip(
+        cuts[::2].tolist(), [*cuts[1::2].tolist(), lines.count][: len(cuts[::2])], strict=True
+    ):
         place = table.end(place, since, first)
         hole, since = Hole(initial=float(place[AXES[table.plane[first], 2]])), last
         for row in (np.flatnonzero(table.concerned[first:last]) + first).tolist():
             place = table.drilled(cycles, hole, int(code[row]), row, place)
         if sum(map(len, cycles.moves.values())) > MOST:
             raise ProgramError(
-                say("line {line}: the cycles make more than {most} moves; divide the program", line=table.line(first), most=MOST),
+                say(
+                    "line {line}: the cycles make more than {most} moves; divide the program",
+                    line=table.line(first),
+                    most=MOST,
+                ),
                 MOST,
             )
     return cycles
@@ -204,7 +217,13 @@ class _Table:
         return start.tolist(), np.where(kind == STEP, value, 0.0).tolist()
 
     def _moves(
-        self, hole: Hole, row: int, at: tuple[float, float, float], across: list[float], step: list[float], times: int
+        self,
+        hole: Hole,
+        row: int,
+        at: tuple[float, float, float],
+        across: list[float],
+        step: list[float],
+        times: int,
     ) -> Moves:
         """Rapids and feeds (fast, u, v, w) of a line."""
         ways, r, moves = self.ways, hole.r, Moves()
@@ -242,8 +261,8 @@ def _with_moves(words: Words, lines: Lines, cycles: CycleMoves, table: _Table) -
 
 
 def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints, Bytes, Floats]) -> Words:
-    """The words that are kept (``letter``: theirs), with ``more`` (lines,) rows after each line, and words put in: the rows where
-    they stand, letters, values."""
+    """The words that are kept (``letter``: theirs), with ``more`` (lines,) rows after each line, and words
+    put in: the rows where they stand, letters, values."""
     at, letters, values = put
     shift = np.cumsum(more) - more
     start = np.full(len(letter), NOT_IN_TEXT) if words.start is None else words.start[keep]
@@ -261,7 +280,8 @@ def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints
 
 
 def _kept(words: Words, rows: Ints, cycles: CycleMoves, ways: Ways) -> Bools:
-    """Which words stay: not those of the cycles that are written out, and no code of one where it stands alone."""
+    """Which words stay: not those of the cycles that are written out, and no code of one where it stands
+    alone."""
     own = np.isin(words.line, rows) & np.isin(words.letter, [ord(letter) for letter in WORDS])
     code: Bools = (words.letter == ord("G")) & np.isin(tenfold(words.value), ways.read)
     lone = np.isin(words.line, list(cycles.stored)) & np.isin(words.letter, [ord(letter) for letter in "RQ"])
@@ -269,16 +289,19 @@ def _kept(words: Words, rows: Ints, cycles: CycleMoves, ways: Ways) -> Bools:
 
 
 def _stepwise(letter: Bytes, chosen: Bools) -> Bytes:
-    """The letters of rotary axes as those of incremental words, where ``chosen``: the moves themselves are absolute."""
+    """The letters of rotary axes as those of incremental words, where ``chosen``: the moves themselves are
+    absolute."""
     letter = letter.copy()
     for axis in "ABC":
         letter[chosen & (letter == ord(axis))] = ord(codes.STEP_OF[axis])
     return letter
 
 
-def _new_words(cycles: CycleMoves, rows: Ints, count: Ints, shift: Ints, table: _Table) -> tuple[Ints, Bytes, Floats]:
-    """Line, letter and value of the words of all moves; of the G91 behind those that stand under it; and the code of each refused
-    line, for the moves before it are in other modes."""
+def _new_words(
+    cycles: CycleMoves, rows: Ints, count: Ints, shift: Ints, table: _Table
+) -> tuple[Ints, Bytes, Floats]:
+    """Line, letter and value of the words of all moves; of the G91 behind those that stand under it; and the
+    code of each refused line, for the moves before it are in other modes."""
     moves = np.array([move for row in rows.tolist() for move in cycles.moves[row]], float).reshape(-1, 4)
     of, first = np.repeat(rows, count), rows + shift[rows]
     at = np.repeat(first, count) + np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
@@ -293,7 +316,11 @@ def _new_words(cycles: CycleMoves, rows: Ints, count: Ints, shift: Ints, table: 
         (refused + shift[refused], "G", np.array([code / 10.0 for code, _ in cycles.refused.values()])),
     ]
     letters = np.concatenate([np.full(len(line), ord(letter), np.int8) for line, letter, _ in parts])
-    return np.concatenate([line for line, *_ in parts]), letters, np.concatenate([value for *_, value in parts])
+    return (
+        np.concatenate([line for line, *_ in parts]),
+        letters,
+        np.concatenate([value for *_, value in parts]),
+    )
 
 
 def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding]:
@@ -301,7 +328,8 @@ def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding
         report_finding(
             codes.CYCLE_KIND[0],
             say(
-                "The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.",
+                "The cycle G{code} is not written out, and its moves are missing: {reason}. Correct it, or "
+                "post straight moves.",
                 code=f"{code / 10:g}",
                 reason=reason,
             ),
@@ -312,7 +340,8 @@ def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding
     pecks = np.flatnonzero(lines.any_of(PECKING))
     if controller in WAYS and len(pecks) and cycles.moves:
         text = say(
-            "Between pecks the tool stays {back} off the depth reached here; on this control a setting says how far. "
+            "Between pecks the tool stays {back} off the depth reached here; on this control a setting says "
+            "how far. "
             "No other place hangs on it.",
             back=Length(WAYS[controller].peck),
         )
@@ -320,7 +349,8 @@ def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding
     fine = np.flatnonzero(lines.any_of((FINE,)))
     if controller in WAYS and len(fine) and cycles.moves:
         text = say(
-            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the tool rises, "
+            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the "
+            "tool rises, "
             "and comes back above."
         )
         found.append(report_finding(Code.BORING_SHIFT, text, line=int(fine[0])))

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the G and M codes mean to the reader (ISO 6983-1, NIST RS274NGC 3, Fanuc B-63324EN; G43.4 is written 434).
+"""What the G and M codes mean to the reader (ISO 6983-1, NIST RS274NGC 3, Fanuc B-63324EN; G43.4 is written
+434).
 
 modal group  codes of which one is in force at a time: motion, distance, units, feed mode, plane.
-finding      severity, code and text for what is not interpreted; the text goes on after "G2 stands in 3 lines:".
+finding      severity, code and text for what is not interpreted; the text goes on after "G2 stands in 3
+             lines:".
 grammar      one table for each language: ISO (LinuxCNC, Fanuc, Haas, Mach3, grbl), Siemens, Heidenhain.
 private      small letters stand for words that ISO has not (:mod:`.siemens`, :mod:`.heidenhain`).
 """
@@ -21,7 +23,8 @@ CLOCKWISE, COUNTER = 20, 30
 CYCLES = (*range(730, 780, 10), *range(810, 900, 10), 330, 331, 382, 383, 384, 385)
 SPLINES = (50, 52, 62)
 MOTION = {
-    0: RAPID, 10: STRAIGHT, 800: NONE, 20: ARC, 30: ARC, **dict.fromkeys(SPLINES, SPLINE_MODE), **dict.fromkeys(CYCLES, CYCLE),
+    0: RAPID, 10: STRAIGHT, 800: NONE, 20: ARC, 30: ARC, **dict.fromkeys(SPLINES, SPLINE_MODE),
+    **dict.fromkeys(CYCLES, CYCLE),
 }  # fmt: skip
 DISTANCE = {900: 0, 910: 1}
 CENTRES = {911: 0, 901: 1}
@@ -48,15 +51,18 @@ GUIDE_ON, GUIDE_OFF = (434, 435, 2340), (430, 490, 2341)
 VECTORS_ON = (435,)
 """I J K of straight blocks are the tool's direction."""
 HARMLESS = {
-    *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51, 80, 90, 150, 400,
-    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON, *GUIDE_OFF, *TILT,
+    *(MOTION.keys() - set(CYCLES) - set(SPLINES)), *DISTANCE, *CENTRES, *PLANES, 210, 200, 940, 930, 40, 51,
+    80, 90, 150, 400,
+    430, 440, 490, 431, 432, 500, 610, 611, 640, 690, 960, 970, 980, 990, 1870, *OFFSETS, *GUIDE_ON,
+    *GUIDE_OFF, *TILT,
 }  # fmt: skip
 SIDES = (410, 411, 420, 421)
 """Cutter compensation; with D0 in the same line it moves nothing."""
 WORDS_IGNORED = "NOSMTHDPQLFG"
 AXES = "XYZABCUVW"
 INCREMENTED = AXES + "IJKR"
-"""Words that count the least increment where they have no decimal point, on the controllers that are set so."""
+"""Words that count the least increment where they have no decimal point, on the controllers that are set
+so."""
 
 PECK = "Q"
 
@@ -76,8 +82,8 @@ PLANE = "w"
 DRILL = "d"
 """d3: the fourth of the program's calls of drilling cycles (:mod:`.siemens_cycles`)."""
 SHIFTED = "s"
-"""The words of this line shift the zero; s0: ends all shifts, s1: of the axes named, s2: of all, s3: on from where it is;
-s4, s5: turn the coordinates anew, on (Siemens' ROT, AROT)."""
+"""The words of this line shift the zero; s0: ends all shifts, s1: of the axes named, s2: of all, s3: on from
+where it is; s4, s5: turn the coordinates anew, on (Siemens' ROT, AROT)."""
 IN_THE_PLANE = "I"
 """In a line that turns the coordinates: the angle about the normal of G17, G18 or G19 (Siemens' RPL=)."""
 TURNS = "o"
@@ -89,10 +95,14 @@ MACHINE = "v"
 
 AXIS_LETTERS = "XYZABC"
 ABSOLUTE = "u"
-"""u3: the word of A in this line, the fourth of AXIS_LETTERS, is absolute whatever is in force (Siemens' A=AC())."""
+"""u3: the word of A in this line, the fourth of AXIS_LETTERS, is absolute whatever is in force (Siemens'
+A=AC())."""
 
 Kind = tuple[Code, str]
-CYCLE_KIND: Kind = (Code.CYCLE_NOT_INTERPRETED, say("cycles, whose moves are missing here; post straight moves"))
+CYCLE_KIND: Kind = (
+    Code.CYCLE_NOT_INTERPRETED,
+    say("cycles, whose moves are missing here; post straight moves"),
+)
 ARC_KIND: Kind = (
     Code.ARC_NOT_INTERPRETED,
     say("arcs of a form that is not known here, taken as straight to their end points; post straight moves"),
@@ -101,17 +111,26 @@ SPLINE: Kind = (
     Code.SPLINE_NOT_INTERPRETED,
     say("splines, taken as straight to their end points; post straight moves"),
 )
-CALL: Kind = (Code.CALL_NOT_INTERPRETED, say("calls, whose moves are missing here; post one program without them"))
+CALL: Kind = (
+    Code.CALL_NOT_INTERPRETED,
+    say("calls, whose moves are missing here; post one program without them"),
+)
 HOME: Kind = (
     Code.MACHINE_POSITION,
     say("moves to machine positions unknown to the program; they are not audited"),
 )
-SHIFT: Kind = (Code.OFFSET_NOT_INTERPRETED, say("shifts, turns or scales of the coordinates; post without them"))
+SHIFT: Kind = (
+    Code.OFFSET_NOT_INTERPRETED,
+    say("shifts, turns or scales of the coordinates; post without them"),
+)
 POLAR: Kind = (
     Code.POLAR_NOT_INTERPRETED,
     say("polar coordinates, whose moves are missing here; post X, Y and Z"),
 )
-RADIUS: Kind = (Code.COMPENSATION_NOT_INTERPRETED, say("cutter compensation; the words are taken as they are"))
+RADIUS: Kind = (
+    Code.COMPENSATION_NOT_INTERPRETED,
+    say("cutter compensation; the words are taken as they are"),
+)
 PER_TURN_KIND: Kind = (Code.FEED_PER_TURN, say("feeds per spindle turn; no time is given for these blocks"))
 MACRO: Kind = (
     Code.MACRO_NOT_INTERPRETED,
@@ -119,16 +138,24 @@ MACRO: Kind = (
 )
 CORNER: Kind = (
     Code.CORNER_NOT_INTERPRETED,
-    say("roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and arcs"),
+    say(
+        "roundings, chamfers or angles of a contour, whose moves are missing here; post straight moves and "
+        "arcs"
+    ),
 )
 SPATIAL: Kind = (
     Code.ORIENTATION_NOT_INTERPRETED,
-    say("tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"),
+    say(
+        "tool axes told by spatial, Euler or lead angles; they are missing here. Post rotary words or vectors"
+    ),
 )
 UNKNOWN: Kind = (Code.UNKNOWN_CODE, say("not known and not interpreted; what it does is missing here"))
 DELTA: Kind = (
     Code.TOOL_DELTA,
-    say("a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the difference"),
+    say(
+        "a tool unlike that of the control's table (DL, DR); the words are taken as they are, without the "
+        "difference"
+    ),
 )
 PRESET: Kind = (
     Code.DATUM_OF_TABLE,
@@ -136,7 +163,10 @@ PRESET: Kind = (
 )
 PRESETS: Kind = (
     Code.WORK_OFFSET_CHANGE,
-    say("rows of the control's table, whose distance is not known; the blocks between are not right. Audit each part on its own"),
+    say(
+        "rows of the control's table, whose distance is not known; the blocks between are not right. Audit "
+        "each part on its own"
+    ),
 )
 WAY: Kind = (
     Code.ROTARY_DIRECTION,
@@ -156,10 +186,11 @@ CODES: dict[int, Kind] = {
 
 @dataclass(frozen=True)
 class Grammar:
-    """One language. ``units``: codes of mm (0) and inches (1), ``units_text``: how messages call them; ``harmless``, ``codes``,
-    ``m_codes``: what is said of a code; ``ends``: M codes that end the program; ``guide_m``: M codes that switch the guide on (1)
-    and off (0); ``dwell``: words that can be the time of G4, the first of them that stands in its line is; ``offsets``: work
-    offsets; ``no_move``, ``machine_m``: G and M codes whose axis words are no move; ``motion``: the modes of motion codes."""
+    """One language. ``units``: codes of mm (0) and inches (1), ``units_text``: how messages call them;
+    ``harmless``, ``codes``, ``m_codes``: what is said of a code; ``ends``: M codes that end the program;
+    ``guide_m``: M codes that switch the guide on (1) and off (0); ``dwell``: words that can be the time of
+    G4, the first of them that stands in its line is; ``offsets``: work offsets; ``no_move``, ``machine_m``: G
+    and M codes whose axis words are no move; ``motion``: the modes of motion codes."""
 
     name: str
     units: Mapping[int, int]
@@ -177,11 +208,13 @@ class Grammar:
 
 
 ISO = Grammar(
-    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL, *DYNAMIC, *KINEMATICS}), CODES,
+    "iso", {210: 0, 200: 1}, say("neither G20 nor G21"), frozenset({*HARMLESS, LOCAL, *DYNAMIC, *KINEMATICS}),
+    CODES,
     {97: CALL, 98: CALL, 198: CALL}, guide_m={128: 1, 129: 0, 428: 1, 429: 0, 430: 0},
 )  # fmt: skip
 _SIEMENS_OWN = {
-    700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0, 6450: 0, 500: 0,
+    700: 1, 7000: 1, 710: 0, 7100: 0, 600: 0, 6010: 0, 6020: 0, 6030: 0, 6410: 0, 6420: 0, 6430: 0, 6440: 0,
+    6450: 0, 500: 0,
     5000: 0, 4500: 0, 4510: 0, 2900: 0, 90: 0, 250: 0, 260: 0, 1500: 0, 4600: 0, 4610: 0, 1470: 0, 1480: 0,
 }  # fmt: skip
 WITHOUT_OFFSET = 5000
@@ -206,7 +239,9 @@ SIEMENS = Grammar(
     dwell="FS",
     offsets=_SIEMENS_OFFSETS,
     no_move=(530, 740, 750, 1530, *POLES),
-    motion={code: mode for code, mode in MOTION.items() if code not in (740, 750)},  # fixed points, in their line alone
+    motion={
+        code: mode for code, mode in MOTION.items() if code not in (740, 750)
+    },  # fixed points, in their line alone
 )
 HEIDENHAIN = Grammar(
     "heidenhain",

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Straight lines of a contour that are told by their angle: Fanuc's ``,A30.``, Siemens' ``ANG=30``.
 
-The angle is counted in the working plane from its first axis (G17: X, G18: Z, G19: Y) to the second. One coordinate of the end
-makes the other; a line with the angle alone ends where it meets the next one, which has an angle and both coordinates of its end.
+The angle is counted in the working plane from its first axis (G17: X, G18: Z, G19: Y) to the second. One
+coordinate of the end makes the other; a line with the angle alone ends where it meets the next one, which has
+an angle and both coordinates of its end.
 
-Sources: Siemens, SINUMERIK ONE, NC programming, 6FC5398-2EP40, 2.9.9 (contour definitions: the end point by an angle, two
-straight lines), and 808D advanced, 6FC5398-4DP10, p. 89 (the angle is referred to the abscissa of the plane, positive
-counter-clockwise); Fanuc's direct drawing dimension programming has the same words after a comma.
+Sources: Siemens, SINUMERIK ONE, NC programming, 6FC5398-2EP40, 2.9.9 (contour definitions: the end point by
+an angle, two straight lines), and 808D advanced, 6FC5398-4DP10, p. 89 (the angle is referred to the abscissa
+of the plane, positive counter-clockwise); Fanuc's direct drawing dimension programming has the same words
+after a comma.
 """
 
 from __future__ import annotations
@@ -27,7 +29,8 @@ EVEN = 1e-9
 
 
 class Contour:
-    """The words of the motion lines (m,), X Y Z, mm, with how they are meant; where they lead is followed from row to row."""
+    """The words of the motion lines (m,), X Y Z, mm, with how they are meant; where they lead is followed
+    from row to row."""
 
     def __init__(self, words: list[tuple[Floats, Bytes]], plane: Ints, meaning: Ints) -> None:
         self.words, self.plane = [(value.copy(), kind.copy()) for value, kind in words[:3]], plane
@@ -53,7 +56,10 @@ class Contour:
         start = self.start(row)
         axes = AXES[self.plane[row], :2].tolist()
         kinds = [self.words[axis][1][row] for axis in axes]
-        value = [self.words[axis][0][row] + (start[axis] if how == STEP else 0.0) for axis, how in zip(axes, kinds, strict=True)]
+        value = [
+            self.words[axis][0][row] + (start[axis] if how == STEP else 0.0)
+            for axis, how in zip(axes, kinds, strict=True)
+        ]
         return np.array(value), [how != NOTHING for how in kinds]
 
     def put(self, row: int, place: Floats) -> None:
@@ -65,19 +71,21 @@ class Contour:
 def angled(
     lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, meaning: Ints
 ) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
-    """The words of the motion lines ``at`` (m,) with those that their angles make; ``mode`` (m,) of motion; ``meaning`` (m,) of
-    X Y Z."""
+    """The words of the motion lines ``at`` (m,) with those that their angles make; ``mode`` (m,) of motion;
+    ``meaning`` (m,) of X Y Z."""
     if codes.ANGLE not in lines.letters:
         return words, []
     straight = np.isin(mode, (codes.RAPID, codes.STRAIGHT))
-    return _with_angles(words, lines.column(codes.ANGLE)[at], straight, lines.mode(codes.PLANES, 0)[at], meaning, at)
+    return _with_angles(
+        words, lines.column(codes.ANGLE)[at], straight, lines.mode(codes.PLANES, 0)[at], meaning, at
+    )
 
 
 def _with_angles(
     words: list[tuple[Floats, Bytes]], angle: Floats, straight: Bools, plane: Ints, meaning: Ints, line: Ints
 ) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
-    """The words of the motion lines with those that the ``angle`` (m,), deg, of some of them makes; ``straight`` (m,): whether
-    one moves so; ``meaning``: of X Y Z; ``line`` (m,) of the file."""
+    """The words of the motion lines with those that the ``angle`` (m,), deg, of some of them makes;
+    ``straight`` (m,): whether one moves so; ``meaning``: of X Y Z; ``line`` (m,) of the file."""
     rows = np.flatnonzero(~np.isnan(angle))
     if not len(rows):
         return words, []
@@ -137,7 +145,8 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
     if not lost:
         return []
     text = say(
-        "{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one coordinate of the end, "
+        "{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one "
+        "coordinate of the end, "
         "or a next line with an angle and both. Post the places of their ends.",
         count=len(lost),
         line=int(line[lost[0]]),

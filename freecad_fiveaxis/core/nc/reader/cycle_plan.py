@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a drilling or boring cycle does in a hole: its rapids and feeds along the drilling axis, whatever language called it.
+"""What a drilling or boring cycle does in a hole: its rapids and feeds along the drilling axis, whatever
+language called it.
 
 Sources: those of :mod:`.canned_cycles` and :mod:`.siemens_cycles`.
 """
@@ -14,7 +15,8 @@ import numpy as np
 READ = (730, 740, 810, 820, 830, 840, 850, 860, 880, 890)
 """The cycles that are written out; the others stay as they are, and are named."""
 FINE = 760
-"""Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall before it rises."""
+"""Fine boring on Fanuc and Haas: as G86, but the spindle stops oriented and the tool leaves the wall before
+it rises."""
 PECKING = (730, 830)
 EQUAL_HEIGHT = 1e-6
 """mm, inch where a Siemens call is in inches: heights of a hole that differ by less are one."""
@@ -24,10 +26,11 @@ Steps = list[tuple[bool, float]]
 
 @dataclass(frozen=True)
 class Ways:
-    """What controls do differently. ``to_r``: the level at first is R (G99), not the initial one; ``peck``: mm that a rapid keeps
-    above the depth reached (Fanuc: parameters 5114, 5115; Haas: settings 22, 52); ``rises``: below R, LinuxCNC rises first;
-    ``feeds_out``: cycles that feed out to the level, not to R; ``stays``: G88 ends at the bottom; ``repeats``: their letter;
-    ``read``: the cycles that are written out."""
+    """What controls do differently. ``to_r``: the level at first is R (G99), not the initial one; ``peck``:
+    mm that a rapid keeps above the depth reached (Fanuc: parameters 5114, 5115; Haas: settings 22, 52);
+    ``rises``: below R, LinuxCNC rises first; ``feeds_out``: cycles that feed out to the level, not to R;
+    ``stays``: G88 ends at the bottom; ``repeats``: their letter; ``read``: the cycles that are written
+    out."""
 
     to_r: bool = False
     peck: float = 1.0
@@ -44,8 +47,8 @@ WAYS = {"fanuc": Ways(repeats="K", read=(*READ, FINE)), "haas": Ways(read=(*READ
 
 @dataclass(eq=False)
 class Hole:
-    """What stays from hole to hole, mm: the words ``programmed_r``, ``programmed_z``, ``q``; the heights ``initial``, ``r``
-    and ``z``."""
+    """What stays from hole to hole, mm: the words ``programmed_r``, ``programmed_z``, ``q``; the heights
+    ``initial``, ``r`` and ``z``."""
 
     code: int = 0
     initial: float = 0.0
@@ -77,8 +80,8 @@ def even_depths(r: float, z: float, q: float) -> list[float]:
 
 
 def pecks(r: float, depths: Sequence[float], z: float, back: float, full: bool, fast: bool = True) -> Steps:
-    """Down to each of the depths and to ``z``; between, up to R and down again (``full``), or up by ``back`` only, by rapid or
-    feed (``fast``)."""
+    """Down to each of the depths and to ``z``; between, up to R and down again (``full``), or up by ``back``
+    only, by rapid or feed (``fast``)."""
     moves = Steps()
     for depth in depths:
         moves += [(False, depth), *([(True, r)] if full else []), (fast, min(depth + back, r))]

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Expressions of NC programs: parsed once into functions of the variables, never handed to Python itself.
 
-value     a number, a variable (#1, #[#2+1], #<name>), an expression in brackets, a function of one (SIN[..], ATAN[..]/[..]).
-dialect   LinuxCNC: AND, OR, XOR are logical and bind least; FIX and FUP go down and up; a variable that was never set is 0, one
-          with a name is an error. Fanuc, Haas: bitwise, AND binds as *, OR and XOR as +; FIX goes to zero, FUP from it; a
-          variable that was never set is vacant, and a word with it is left out.
+value     a number, a variable (#1, #[#2+1], #<name>), an expression in brackets, a function of one (SIN[..],
+          ATAN[..]/[..]).
+dialect   LinuxCNC: AND, OR, XOR are logical and bind least; FIX and FUP go down and up; a variable that was
+          never set is 0, one with a name is an error. Fanuc, Haas: bitwise, AND binds as *, OR and XOR as +;
+          FIX goes to zero, FUP from it; a variable that was never set is vacant, and a word with it is left
+          out.
 
-ATAN[y]/[x]  LinuxCNC: from -180 to 180. Fanuc: from 0 to 360 with parameter 6004#0 (NAT) = 0, its default: #1=ATAN[-1]/[-1] is
-             225.0, the example of Fanuc's manuals (custom macro, arithmetic and logic operation), read where others quote it;
-             with NAT = 1 as LinuxCNC's. Haas is taken to do as Fanuc does: its page was not at hand.
+ATAN[y]/[x]  LinuxCNC: from -180 to 180. Fanuc: from 0 to 360 with parameter 6004#0 (NAT) = 0, its default:
+             #1=ATAN[-1]/[-1] is 225.0, the example of Fanuc's manuals (custom macro, arithmetic and logic
+             operation), read where others quote it; with NAT = 1 as LinuxCNC's. Haas is taken to do as Fanuc
+             does: its page was not at hand.
 
-Angles in degrees. Sources: LinuxCNC 2.9, G-code overview; Fanuc B-63324EN, 15.4 (custom macro); Haas mill operator's manual.
+Angles in degrees. Sources: LinuxCNC 2.9, G-code overview; Fanuc B-63324EN, 15.4 (custom macro); Haas mill
+operator's manual.
 """
 
 from __future__ import annotations
@@ -37,8 +41,8 @@ Value = float | None
 
 
 class Unread(Exception):
-    """What is not understood, and why, in the line of index ``at`` (-1: the one that runs); the whole program is then named as
-    not interpreted."""
+    """What is not understood, and why, in the line of index ``at`` (-1: the one that runs); the whole program
+    is then named as not interpreted."""
 
     def __init__(self, reason: str, at: int = -1) -> None:
         super().__init__(reason)
@@ -47,7 +51,8 @@ class Unread(Exception):
 
 @dataclass(eq=False)
 class Variables:
-    """``own`` and ``own_named``: of the subprogram that runs; ``shared``, ``shared_named``: of all. ``fanuc``: whose ways."""
+    """``own`` and ``own_named``: of the subprogram that runs; ``shared``, ``shared_named``: of all.
+    ``fanuc``: whose ways."""
 
     fanuc: bool = False
     own: dict[int, Value] = field(default_factory=dict)
@@ -115,7 +120,9 @@ class Parser:
     def needs(self, start: str) -> None:
         """Read ``start``. Raises Unread where it does not stand here."""
         if not self.takes(start):
-            raise Unread(say("{missing} is missing before {rest}", missing=repr(start), rest=repr(self.rest()[:20])))
+            raise Unread(
+                say("{missing} is missing before {rest}", missing=repr(start), rest=repr(self.rest()[:20]))
+            )
 
     def match(self, pattern: re.Pattern[str]) -> str | None:
         """The text of the pattern here, which is then read."""
@@ -226,7 +233,8 @@ def _named(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
 
 
 def _shown(name: str) -> str:
-    """A name as the program writes it: Siemens' R1 and names of variables (:mod:`.siemens_names`), or LinuxCNC's."""
+    """A name as the program writes it: Siemens' R1 and names of variables (:mod:`.siemens_names`), or
+    LinuxCNC's."""
     if re.fullmatch("_R[0-9]+", name):
         return name[1:]
     return name.partition(".")[2].upper() if name.startswith(("v.", "_g.")) else f"#<{name.lower()}>"
@@ -249,7 +257,13 @@ def _power(a: float, b: float) -> float:
     return float(result)
 
 
-LINUXCNC_LEVELS = (("AND", "OR", "XOR"), ("EQ", "NE", "GT", "GE", "LT", "LE"), ("+", "-"), ("*", "/", "MOD"), ("**",))
+LINUXCNC_LEVELS = (
+    ("AND", "OR", "XOR"),
+    ("EQ", "NE", "GT", "GE", "LT", "LE"),
+    ("+", "-"),
+    ("*", "/", "MOD"),
+    ("**",),
+)
 FANUC_LEVELS = (("EQ", "NE", "GT", "GE", "LT", "LE"), ("+", "-", "OR", "XOR"), ("*", "/", "MOD", "AND"))
 _COMMON: dict[str, Callable[[float, float], float]] = {
     "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "**": _power,
@@ -257,18 +271,21 @@ _COMMON: dict[str, Callable[[float, float], float]] = {
     "LT": lambda a, b: float(a < b), "LE": lambda a, b: float(a <= b),
 }  # fmt: skip
 OPERATORS: dict[str, Callable[[float, float], float]] = _COMMON | {
-    "MOD": lambda a, b: math.fmod(a, b) + abs(b) * (math.fmod(a, b) < 0.0), "EQ": lambda a, b: float(abs(a - b) < EQUAL),
+    "MOD": lambda a, b: math.fmod(a, b) + abs(b) * (math.fmod(a, b) < 0.0), "EQ": lambda a,
+    b: float(abs(a - b) < EQUAL),
     "NE": lambda a, b: float(abs(a - b) >= EQUAL), "AND": lambda a, b: float(a != 0.0 and b != 0.0),
     "OR": lambda a, b: float(a != 0.0 or b != 0.0), "XOR": lambda a, b: float((a != 0.0) != (b != 0.0)),
 }  # fmt: skip
 FANUC_OPERATORS: dict[str, Callable[[float, float], float]] = _COMMON | {
-    "MOD": math.fmod, "AND": lambda a, b: float(_whole(a) & _whole(b)), "OR": lambda a, b: float(_whole(a) | _whole(b)),
+    "MOD": math.fmod, "AND": lambda a, b: float(_whole(a) & _whole(b)), "OR": lambda a,
+    b: float(_whole(a) | _whole(b)),
     "XOR": lambda a, b: float(_whole(a) ^ _whole(b)),
 }  # fmt: skip
 FUNCTIONS: dict[str, Callable[[float], float]] = {
     "SIN": lambda a: math.sin(math.radians(a)), "COS": lambda a: math.cos(math.radians(a)),
     "TAN": lambda a: math.tan(math.radians(a)), "ASIN": lambda a: math.degrees(math.asin(a)),
-    "ACOS": lambda a: math.degrees(math.acos(a)), "ATAN": lambda a: math.degrees(math.atan(a)), "SQRT": math.sqrt,
+    "ACOS": lambda a: math.degrees(math.acos(a)), "ATAN": lambda a: math.degrees(math.atan(a)),
+    "SQRT": math.sqrt,
     "SQR": math.sqrt, "EXP": math.exp, "LN": math.log, "ABS": abs, "FIX": lambda a: float(math.floor(a)),
     "FUP": lambda a: float(math.ceil(a)), "ROUND": lambda a: math.copysign(math.floor(abs(a) + 0.5), a),
 }  # fmt: skip

@@ -15,11 +15,16 @@ from .codes import INCH, Grammar
 from .lines import Lines, last_of
 
 NO_FEED = Template("{count} blocks have no F above 0 in force; most controllers stop there. Give F.")
-NO_INVERSE_FEED = Template("{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block.")
+NO_INVERSE_FEED = Template(
+    "{count} blocks under G93 have no F of their own; most controllers stop there. Give F in every block."
+)
 
 
-def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Floats, Bools, tuple[Finding, ...]]:
-    """F (m,) in force in the motion lines ``at`` in mm/min or 1/min, whether it is inverse time, and the findings."""
+def feeds(
+    lines: Lines, at: Ints, feeding: Bools, grammar: Grammar
+) -> tuple[Floats, Bools, tuple[Finding, ...]]:
+    """F (m,) in force in the motion lines ``at`` in mm/min or 1/min, whether it is inverse time, and the
+    findings."""
     mode, inch, column = lines.mode(codes.FEED_MODE, 0), lines.inch(grammar), lines.column("F")
     given = np.flatnonzero(~np.isnan(column))
     column[given] *= np.where(inch[given] & (mode[given] != codes.INVERSE), INCH, 1.0)
@@ -34,7 +39,9 @@ def feeds(lines: Lines, at: Ints, feeding: Bools, grammar: Grammar) -> tuple[Flo
         (feeding & inverse & ~own & (feed > 0.0), Code.INVERSE_FEED_MISSING, NO_INVERSE_FEED),
     )
     found = [
-        report_finding(code, text.say(count=int(rows.sum())), block=int(rows.argmax()), line=int(at[rows.argmax()]))
+        report_finding(
+            code, text.say(count=int(rows.sum())), block=int(rows.argmax()), line=int(at[rows.argmax()])
+        )
         for rows, code, text in cases
         if rows.any()
     ]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the reader says about a program: what it did not interpret, what it had to assume, and what the controller guides."""
+"""What the reader says about a program: what it did not interpret, what it had to assume, and what the
+controller guides."""
 
 from __future__ import annotations
 
@@ -29,20 +30,25 @@ LARGEST_CODE = 1e6
 NEARLY_ROUND = 270.0
 """deg; a feed block that turns so far on purpose, while all words lie within one turn, is hardly met."""
 LARGE_INCHES, FAST_INCHES = 40.0, 150.0
-"""A part of less than 40 inches is milled at less than 150 inches a minute; one of 40 mm mostly faster than 150 mm."""
+"""A part of less than 40 inches is milled at less than 150 inches a minute; one of 40 mm mostly faster than
+150 mm."""
 UNITS_TAKEN = Template(
-    "The program says {units}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give {option}, mm or inch."
+    "The program says {units}; taken as mm: it then moves {size} mm at most, at F up to {feed}. Give "
+    "{option}, mm or inch."
 )
 UNITS_DOUBTED = Template(
-    "The program says {units}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of inches. "
+    "The program says {units}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of "
+    "inches. "
     "Give {option}, mm or inch."
 )
 POINTS = Template(
-    "{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its least "
+    "{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its "
+    "least "
     "increment, it is {small} there: give {option}."
 )
 COUNTED_ON = Template(
-    "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the machine file says modulo, "
+    "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the "
+    "machine file says modulo, "
     "so the shorter way is taken. If the control counts turns, set wrap_strategy to unwound."
 )
 IF_SET = Template(
@@ -50,7 +56,8 @@ IF_SET = Template(
     "{name} does so only if it is set to: check it."
 )
 WITHIN_A_TURN = Template(
-    "{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem meant by the shorter "
+    "{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem "
+    "meant by the shorter "
     "way. If the control takes it, set wrap_strategy to modulo."
 )
 
@@ -68,13 +75,16 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
         text = say("The lines after the end of the program in line {last} are not read.", last=last)
         findings = (report_finding(Code.TEXT_AFTER_END, text, line=line),)
     start = None if words.start is None else words.start[:keep]
-    return replace(words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start), findings
+    return replace(
+        words, letter=words.letter[:keep], value=words.value[:keep], line=words.line[:keep], start=start
+    ), findings
 
 
 def shift_finding(name: str, reason: str, row: int) -> Finding:
     """An error: the shift of the zero ``name`` in line ``row`` is not interpreted."""
     text = say(
-        "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they were before: "
+        "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they "
+        "were before: "
         "{reason}. Post without it.",
         name=name,
         reason=reason,
@@ -88,7 +98,8 @@ def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
         return findings
     lines = words.in_file(np.array([found.line or 0 for found in findings], np.int64))
     return tuple(
-        found if found.line is None else replace(found, line=line) for found, line in zip(findings, lines.tolist(), strict=True)
+        found if found.line is None else replace(found, line=line)
+        for found, line in zip(findings, lines.tolist(), strict=True)
     )
 
 
@@ -97,7 +108,8 @@ def language_finding(language: str, expected: str) -> tuple[Finding, ...]:
     if language == expected:
         return ()
     text = say(
-        "The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes them.",
+        "The text is {language}, and read as such; give its {option}, so that feeds are taken as it takes "
+        "them.",
         language=NAMES[language],
         option=Option("controller"),
     )
@@ -107,7 +119,8 @@ def language_finding(language: str, expected: str) -> tuple[Finding, ...]:
 def read_as_finding(language: str, controller: str) -> Finding:
     """What a text was taken for that nobody has said the controller of."""
     text = say(
-        "The text is {language}; it is read as a program of {controller}. If it is for another, give its {option}.",
+        "The text is {language}; it is read as a program of {controller}. If it is for another, give its "
+        "{option}.",
         language=NAMES[language],
         controller=controller,
         option=Option("controller"),
@@ -116,9 +129,9 @@ def read_as_finding(language: str, controller: str) -> Finding:
 
 
 def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Finding], list[Finding]]:
-    """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of the blocks. A retract
-    to a machine position before the first of them, or after the last, is how a program should begin and end. The second of both
-    have the lines of the file already."""
+    """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of
+    the blocks. A retract to a machine position before the first of them, or after the last, is how a program
+    should begin and end. The second of both have the lines of the file already."""
     found, known, ends = [], list[Finding](), (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
@@ -130,10 +143,15 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
             keep &= ~(np.isin(number, codes.SIDES) & np.isin(words.line[at], _without_radius(words)))
         at, number = at[keep], number[keep]
         met: dict[codes.Kind, dict[str, tuple[int, int]]] = {}
-        for value, first, count in zip(*np.unique(number, return_index=True, return_counts=True), strict=True):
+        for value, first, count in zip(
+            *np.unique(number, return_index=True, return_counts=True), strict=True
+        ):
             line, name = int(words.line[at[first]]), f"{letter}{words.value[at[first]]:g}"
             if value in table:
-                met.setdefault(table[int(value)], {})[name] = int(words.in_file(words.line[at[first : first + 1]])[0]), int(count)
+                met.setdefault(table[int(value)], {})[name] = (
+                    int(words.in_file(words.line[at[first : first + 1]])[0]),
+                    int(count),
+                )
             elif letter == "G" and int(value) not in grammar.harmless:
                 text = say(
                     "{name} is not known and not interpreted ({count} lines); what it does is missing here.",
@@ -162,13 +180,16 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
     found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
     tilts = np.isin(lines.code, codes.TILT).any()
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
-    for value, first, count in zip(*np.unique(words.letter, return_index=True, return_counts=True), strict=True):
+    for value, first, count in zip(
+        *np.unique(words.letter, return_index=True, return_counts=True), strict=True
+    ):
         letter, line = chr(value), int(words.line[first])
         if letter in letters or letter in codes.WORDS_IGNORED or letter.islower() or letter == LETTER:
             continue
         if letter in codes.AXES:
             text = say(
-                "The machine has no axis {letter}: its {count} words are left out. Choose the program's own machine.",
+                "The machine has no axis {letter}: its {count} words are left out. Choose the program's own "
+                "machine.",
                 letter=letter,
                 count=count,
             )
@@ -203,7 +224,8 @@ def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, gramm
     offsets = np.unique(lines.code[np.isin(lines.code, grammar.offsets)])
     if len(offsets) > 1:
         text = say(
-            "The program uses {count} work offsets; their distance is not known, and the blocks between are not right.",
+            "The program uses {count} work offsets; their distance is not known, and the blocks between are "
+            "not right.",
             count=len(offsets),
         )
         found.append(report_finding(Code.WORK_OFFSET_CHANGE, text, line=first))
@@ -220,11 +242,16 @@ def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Find
     if not len(rows):
         return []
     text = say(
-        "{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and they are not right "
+        "{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and "
+        "they are not right "
         "here. Post them under the offset, or as machine positions (SUPA).",
         count=len(rows),
     )
-    return [report_finding(codes.SHIFT[0], text, float(len(rows)), block=int(rows[0]), line=int(motions.at[rows[0]]), unit="")]
+    return [
+        report_finding(
+            codes.SHIFT[0], text, float(len(rows)), block=int(rows[0]), line=int(motions.at[rows[0]]), unit=""
+        )
+    ]
 
 
 def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
@@ -241,7 +268,9 @@ def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
 
 def point_findings(words: Words) -> tuple[Finding, ...]:
     """How many words of axes have no decimal point, and are not 0."""
-    at = np.flatnonzero(words.bare() & np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & (words.value != 0.0))
+    at = np.flatnonzero(
+        words.bare() & np.isin(words.letter, [ord(one) for one in codes.INCREMENTED]) & (words.value != 0.0)
+    )
     if not len(at):
         return ()
     text = POINTS.say(
@@ -258,15 +287,20 @@ def wrap_findings(
     letters: str, wrap: tuple[str, str], meant: list[tuple[Floats, Bytes]], motions: Moves, feeding: Bools,
     dialect: Dialect | None,
 ) -> list[Finding]:  # fmt: skip
-    """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and where the controller
-    does what the machine file says only if it is set so. ``meant``: as of :func:`.positions.moves`; ``feeding`` (m,)."""
+    """Where the rotary words and the machine file's ``wrap_strategy`` (``wrap``) contradict each other, and
+    where the controller does what the machine file says only if it is set so. ``meant``: as of
+    :func:`.positions.moves`; ``feeding`` (m,)."""
     found, skipped = [], len(meant[0][0]) - len(motions.at)
     for k, way in enumerate(wrap, 3):
         value, kind = meant[k][0][skipped:], meant[k][1][skipped:]
         rows = np.flatnonzero(kind == ABSOLUTE)
         step = np.abs(np.diff(value[rows]))
         one_turn = bool(len(rows)) and float(np.ptp(value[rows])) <= CIRCLE
-        wide = rows[1:][step > CIRCLE / 2] if way == "modulo" else rows[1:][(step > NEARLY_ROUND) & feeding[rows[1:]]]
+        wide = (
+            rows[1:][step > CIRCLE / 2]
+            if way == "modulo"
+            else rows[1:][(step > NEARLY_ROUND) & feeding[rows[1:]]]
+        )
         sentence = None
         if way == "modulo" and len(wide) and not one_turn:
             sentence = COUNTED_ON
@@ -276,10 +310,18 @@ def wrap_findings(
             sentence = WITHIN_A_TURN
         if sentence is not None:
             severity = Severity.NOTE if sentence is IF_SET else Severity.WARNING
-            text = sentence.say(letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name)
+            text = sentence.say(
+                letter=letters[k], count=len(wide), name="ISO" if dialect is None else dialect.name
+            )
             block = int(wide[0])
             found.append(
-                report_finding(Code.WRAP_CONTRADICTED, text, float(len(wide)), line=int(motions.at[block]), severity=severity)
+                report_finding(
+                    Code.WRAP_CONTRADICTED,
+                    text,
+                    float(len(wide)),
+                    line=int(motions.at[block]),
+                    severity=severity,
+                )
             )
     return found
 
@@ -291,17 +333,26 @@ def guide_findings(program: Program, motions: Moves) -> tuple[Finding, ...]:
         count, block = int(program.guided.on.sum()), int(program.guided.on.argmax())
         text = say(
             "In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the "
-            "controller's affair, and neither measured nor proven here. Limits and rates are those of the axes "
+            "controller's affair, and neither measured nor proven here. Limits and rates are those of the "
+            "axes "
             "that this machine file needs for it.",
             count=count,
         )
         found.append(
-            report_finding(Code.TIP_GUIDED_BY_CONTROLLER, text, float(count), block=block, line=int(program.line[block]), unit="")
+            report_finding(
+                Code.TIP_GUIDED_BY_CONTROLLER,
+                text,
+                float(count),
+                block=block,
+                line=int(program.line[block]),
+                unit="",
+            )
         )
     if len(motions.lost):
         line = int(motions.at[motions.lost[0]])
         text = say(
-            "{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its own machine.",
+            "{count} tool axes cannot be taken up by this machine; the one before each is kept. Choose its "
+            "own machine.",
             count=len(motions.lost),
         )
         found.append(report_finding(Code.AXIS_NOT_REACHABLE, text, float(len(motions.lost)), line=line))

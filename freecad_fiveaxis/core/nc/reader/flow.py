@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which lines of a program belong together: loops, branches, subprograms and the lines that jumps go to.
 
-O-word    LinuxCNC: O100 WHILE [..] ... O100 ENDWHILE; SUB, CALL, RETURN, IF, ELSEIF, ELSE, DO, REPEAT, BREAK, CONTINUE.
+O-word    LinuxCNC: O100 WHILE [..] ... O100 ENDWHILE; SUB, CALL, RETURN, IF, ELSEIF, ELSE, DO, REPEAT, BREAK,
+          CONTINUE.
 macro     Fanuc, Haas: WHILE [..] DO1 ... END1, GOTO 10 to N10, O1000 as the head of a subprogram.
 
 Sources: LinuxCNC 2.9, O codes; Fanuc B-63324EN, 15.5 and 13.3; Haas mill operator's manual, M97 and M98.
@@ -30,9 +31,10 @@ LOOPS = ("WHILE", "DO", "REPEAT")
 
 @dataclass(eq=False)
 class Flow:
-    """By index of a line (from 0). ``end``: where what begins there ends; ``begin``: the other way round; ``next``: from IF,
-    ELSEIF and ELSE to the branch after it; ``loop``: of BREAK and CONTINUE; ``subs``: LinuxCNC's subprograms by name; ``heads``:
-    O numbers; ``numbers``: lines by their block number; ``words``: name and keyword of each O-word line."""
+    """By index of a line (from 0). ``end``: where what begins there ends; ``begin``: the other way round;
+    ``next``: from IF, ELSEIF and ELSE to the branch after it; ``loop``: of BREAK and CONTINUE; ``subs``:
+    LinuxCNC's subprograms by name; ``heads``: O numbers; ``numbers``: lines by their block number; ``words``:
+    name and keyword of each O-word line."""
 
     end: dict[int, int] = field(default_factory=dict)
     begin: dict[int, int] = field(default_factory=dict)
@@ -44,14 +46,17 @@ class Flow:
     words: dict[int, tuple[str, str]] = field(default_factory=dict)
 
     def numbered(self, number: int, at: int) -> int:
-        """The line that a jump from line ``at`` to N``number`` leads to: on to the end of its program, then from its start.
+        """The line that a jump from line ``at`` to N``number`` leads to: on to the end of its program, then
+        from its start.
 
         Raises Unread where there is none."""
         edges = sorted(self.heads.values())
         program = bisect_right(edges, at)
         first = edges[program - 1] if program else 0
         last = edges[program] if program < len(edges) else None
-        lines = [line for line in self.numbers.get(number, []) if first <= line and (last is None or line < last)]
+        lines = [
+            line for line in self.numbers.get(number, []) if first <= line and (last is None or line < last)
+        ]
         if not lines:
             raise Unread(say("N{number} stands in no line of this program", number=str(number)))
         return next((line for line in lines if line > at), lines[0])
@@ -64,7 +69,8 @@ def without_number(line: str) -> str:
 
 
 def flow_of(lines: list[str]) -> Flow:
-    """The structure of a program, its lines without blanks and in capitals. Raises Unread for ends without a begin."""
+    """The structure of a program, its lines without blanks and in capitals. Raises Unread for ends without a
+    begin."""
     flow, opened = Flow(), list[tuple[str, str, int]]()
     for at, line in enumerate(lines):
         if line[:1] == "N" and (found := BLOCK_NUMBER.match(line)):

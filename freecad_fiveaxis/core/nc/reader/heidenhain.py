@@ -2,10 +2,13 @@
 """Heidenhain conversational text (klartext) to plain words (User's manual Klartext programming).
 
 % NAME G71   begin and end of a program in DIN/ISO, with its unit.
-12 L X+1 IY-2 A+3 R0 F500 M3   a block number, the function L, words, I for an incremental one, radius compensation, F, M.
-FMAX   rapid, in its block alone.      LN ... TX TY TZ   with the tool's direction.      CC, C, CR   centre, arc, arc by radius.
+12 L X+1 IY-2 A+3 R0 F500 M3   a block number, the function L, words, I for an incremental one, radius
+                               compensation, F, M.
+FMAX   rapid, in its block alone.      LN ... TX TY TZ   with the tool's direction.      CC, C, CR   centre,
+       arc, arc by radius.
 CYCL DEF 7.1 X+10, TRANS DATUM AXIS X+10   shifts of the zero (:mod:`.shifts`).
-TOOL CALL, CYCL DEF, FUNCTION ...      lines of words: known and harmless, known and not interpreted, or unknown.
+TOOL CALL, CYCL DEF, FUNCTION ...      lines of words: known and harmless, known and not interpreted, or
+                                       unknown.
 ~      the line goes on in the next one.                 Q1, QL1, QR1, QS1   parameters: not interpreted.
 """
 
@@ -24,7 +27,10 @@ CONTINUED = re.compile(rb"[^\n]*~ *\n(?:[^\n]*~ *\n)*[^\n]*")
 NUMBERED = re.compile(rb"^( *(?:/ *)?)([0-9]+)(?= *(?:[A-Z/]|$))", re.MULTILINE)
 CYCLE = re.compile(rb"\bCYCL +DEF(?=[0-9])")
 CODE_LINE = re.compile(rb"^ *(?:/ *)?(?!LN )([A-Z]{2,}[^\n]*)$", re.MULTILINE)
-OWN = re.compile(rb"(?:LN?|CC|CR?)(?= |[IXYZABCUVW][XYZABC]?[-+.0-9])|I[XYZABC](?= *[-+.0-9])|FMAX|R[LR]\b|[TN][XYZ] *[-+.0-9]")
+OWN = re.compile(
+    rb"(?:LN?|CC|CR?)(?= |[IXYZABCUVW][XYZABC]?[-+.0-9])|I[XYZABC](?= *[-+.0-9])|FMAX|R[LR]\b|[TN][XYZ] "
+    rb"*[-+.0-9]"
+)
 """How lines of words begin that are not lines of one function: they are words with numbers."""
 LINE = re.compile(rb"^( *)LN?(?=[ IXYZABCFRMTN])", re.MULTILINE)
 ARC = re.compile(rb"^( *)CR?(?= +(?:[XYZxyz]|DR))", re.MULTILINE)
@@ -33,7 +39,8 @@ SENSE = re.compile(rb"DR *([-+])")
 NO_RADIUS = re.compile(rb"(?<![A-Z0-9.])R0(?![0-9.])")
 SIDE = re.compile(rb"(?<![A-Z])R([LR])(?![A-Z])")
 FIRST_LINE = re.compile(rb"\s*%[^\n]*?\s+G7([01])(?![0-9.])")
-"""The begin of a DIN/ISO program: its name, and its unit: G70 is inch, G71 mm (User's manual DIN/ISO programming)."""
+"""The begin of a DIN/ISO program: its name, and its unit: G70 is inch, G71 mm (User's manual DIN/ISO
+programming)."""
 LAST_LINE = re.compile(rb"^ *N[0-9]+ *%[^\n]*", re.MULTILINE)
 """The end of a DIN/ISO program: its name once more."""
 RETRACT = re.compile(rb"M140 *MB *(?:MAX|[-+]?[0-9.]+)(?: +F *(?:MAX|[0-9.]+))?")
@@ -42,7 +49,8 @@ SAME_SIDE = re.compile(rb"(?<![A-Z])R(?= +[FM])")
 """R alone: the radius compensation stays as it is."""
 STEP = re.compile(rb"I([XYZABC])")
 SHIFT = re.compile(
-    rb"(?:CYCL DEF 7\.[1-9]|TRANS DATUM AXIS) *((?:I?[XYZABC] *[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+) *)+)$|TRANS DATUM RESET$"
+    rb"(?:CYCL DEF 7\.[1-9]|TRANS DATUM AXIS) *((?:I?[XYZABC] *[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+) *)+)$|TRANS "
+    rb"DATUM RESET$"
 )
 """A shift of the zero, told by axes; one of a table is not known here."""
 FEED_BY_NAME = re.compile(rb"F *(?:AUTO|Q[LR]?[0-9]+|MAXT|[UZ](?= *[0-9])|T(?= *[0-9]))")
@@ -52,26 +60,33 @@ PRIVATE = ((b"TX", "i"), (b"TY", "j"), (b"TZ", "k"), (b"NX", "n"), (b"NY", "n"),
 UNKNOWN_FEED = (Code.FEED_BY_PARAMETER, say("feeds told by a parameter or the tool; F is not known there"))
 HARMLESS = (
     b"END PGM", b"BLK FORM", b"TOOL CALL", b"TOOL DEF", b"LBL", b"STOP", b"CYCL DEF 32", b"CYCL DEF 9.",
-    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING", b"CYCLE DEF 9.",
+    b"CYCL DEF 13", b"CYCL DEF 7.0", b"FUNCTION MODE MILL", b"FUNCTION FEED", b"SECTION MONITORING",
+    b"CYCLE DEF 9.",
 )  # fmt: skip
 """How lines begin that move nothing; a post of old TNCs spells the dwell CYCLE DEF."""
 DELTA = re.compile(rb"(?<![A-Z0-9])D(?:L|R2?) *[-+]? *(?:Q[LRS]?[0-9]+|[0-9]*\.?[0-9]+\.?)")
 NO_DELTA = re.compile(rb"D(?:L|R2?) *[-+]? *[0.]+$")
 PRESET = re.compile(rb"CYCL DEF 247\b(?:.*?Q339 *= *([-+]?[0-9]+))?")
 KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
-    (b"CYCL DEF 7 ", codes.SHIFT), (b"CYCL DEF 7.", codes.SHIFT), (b"CYCL DEF 8", codes.SHIFT), (b"CYCL DEF 10", codes.SHIFT),
-    (b"CYCL DEF 11", codes.SHIFT), (b"CYCL DEF 19", codes.SHIFT), (b"CYCL DEF 26", codes.SHIFT), (b"PLANE", codes.SHIFT),
-    (b"TRANS", codes.SHIFT), (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND), (b"PATTERN", codes.CYCLE_KIND),
-    (b"CALL", codes.CALL), (b"SEL", codes.CALL), (b"FN", codes.MACRO), (b"IF", codes.MACRO), (b"DECLARE", codes.MACRO),
+    (b"CYCL DEF 7 ", codes.SHIFT), (b"CYCL DEF 7.", codes.SHIFT), (b"CYCL DEF 8", codes.SHIFT),
+    (b"CYCL DEF 10", codes.SHIFT),
+    (b"CYCL DEF 11", codes.SHIFT), (b"CYCL DEF 19", codes.SHIFT), (b"CYCL DEF 26", codes.SHIFT),
+    (b"PLANE", codes.SHIFT),
+    (b"TRANS", codes.SHIFT), (b"CYCL", codes.CYCLE_KIND), (b"TCH PROBE", codes.CYCLE_KIND),
+    (b"PATTERN", codes.CYCLE_KIND),
+    (b"CALL", codes.CALL), (b"SEL", codes.CALL), (b"FN", codes.MACRO), (b"IF", codes.MACRO),
+    (b"DECLARE", codes.MACRO),
     (b"RND", codes.ARC_KIND), (b"CHF", codes.ARC_KIND), (b"APPR", codes.ARC_KIND), (b"DEP", codes.ARC_KIND),
     (b"CT", codes.ARC_KIND),
-    (b"CP", codes.ARC_KIND), (b"LP", codes.ARC_KIND), (b"LT", codes.ARC_KIND), (b"FPOL", codes.ARC_KIND), (b"FL", codes.ARC_KIND),
+    (b"CP", codes.ARC_KIND), (b"LP", codes.ARC_KIND), (b"LT", codes.ARC_KIND), (b"FPOL", codes.ARC_KIND),
+    (b"FL", codes.ARC_KIND),
 )  # fmt: skip
 """The first that the line begins with."""
 
 
 def plain(text: bytes, notes: Notes) -> bytes:
-    """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
+    """The text, in capitals and without comments, as ISO words with the private letters; every line stays
+    where it is."""
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
@@ -174,7 +189,8 @@ def _name_datum_changes(notes: Notes) -> None:
 
 
 def _word_of(line: bytes) -> bytes | None:
-    """The private word of a function that is interpreted, nothing for one that is harmless, None for another."""
+    """The private word of a function that is interpreted, nothing for one that is harmless, None for
+    another."""
     if line.startswith(b"BEGIN PGM"):
         return b"G20" if line.endswith(b"INCH") else b"G21"
     if line.startswith(b"FUNCTION RESET TCPM"):
@@ -189,5 +205,7 @@ def _note_function(line: bytes, at: int, notes: Notes) -> None:
         kind = codes.SPATIAL
     else:
         kind = next((kind for start, kind in KINDS if line.startswith(start)), codes.UNKNOWN)
-    name = line[:2] if line.startswith((b"CP ", b"LP ")) else b" ".join(line.split()[:3])  # each has other numbers
+    name = (
+        line[:2] if line.startswith((b"CP ", b"LP ")) else b" ".join(line.split()[:3])
+    )  # each has other numbers
     notes.note(kind, name.decode("latin-1"), at)

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Heidenhain's drilling cycles as blocks of klartext: one hole each time that a cycle is called, the tool above it.
+"""Heidenhain's drilling cycles as blocks of klartext: one hole each time that a cycle is called, the tool
+above it.
 
-200, 203   down by Q202 at F Q206, between up to Q200 over the surface Q203 (FMAX) and down again to Q200 over the depth reached.
-           203: infeeds less by Q212 down to Q205, Q213 breaks of the chip by Q256 before each such retract; up at Q208.
+200, 203   down by Q202 at F Q206, between up to Q200 over the surface Q203 (FMAX) and down again to Q200 over
+           the depth reached. 203: infeeds less by Q212 down to Q205, Q213 breaks of the chip by Q256 before
+           each such retract; up at Q208.
 207        tapping: down to Q201 and up again at the pitch Q239 times the spindle's speed.
-208        bore milling: helices of the pitch Q334, a circle at the bottom, back to the middle. Their radius is (Q335 - tool) / 2;
-           the tool's diameter stands in a comment above its TOOL CALL (DM=16, as hyperMILL writes it), or is not known.
-241        single-lip drilling: at F Q253 to a fifth of Q379, Q200 at most, over the start Q379 under the surface, on at F Q206,
-           up at Q208.
-1          CYCL DEF 1.0 to 1.5, from where the tool stands: down by 1.3, up by FMAX, down to a stop before the depth reached.
+208        bore milling: helices of the pitch Q334, a circle at the bottom, back to the middle. Their radius
+           is (Q335 - tool) / 2; the tool's diameter stands in a comment above its TOOL CALL (DM=16, as
+           hyperMILL writes it), or is not known.
+241        single-lip drilling: at F Q253 to a fifth of Q379, Q200 at most, over the start Q379 under the
+           surface, on at F Q206, up at Q208.
+1          CYCL DEF 1.0 to 1.5, from where the tool stands: down by 1.3, up by FMAX, down to a stop before the
+           depth reached.
 
-At last up to Q200, or Q204, over the surface. Sources: Heidenhain TNC 620 and TNC 640, cycle programming. Written without the
-manual at hand, to be checked on the control: breaks by FMAX, the way onto the circle of 208 (straight here), FMAX for Q208 of 0,
-241's Q379.
+At last up to Q200, or Q204, over the surface. Sources: Heidenhain TNC 620 and TNC 640, cycle programming.
+Written without the manual at hand, to be checked on the control: breaks by FMAX, the way onto the circle of
+208 (straight here), FMAX for Q208 of 0, 241's Q379.
 """
 
 from __future__ import annotations
@@ -27,8 +31,10 @@ from freecad_fiveaxis.core.base.sentences import say
 from .expressions import NUMBER, Unread
 
 NEEDED = {
-    "200": ("200", "201", "202", "203", "206"), "203": ("200", "201", "202", "203", "206"), "207": ("200", "201", "203", "239"),
-    "208": ("200", "201", "203", "206", "334", "335"), "241": ("200", "201", "203", "206"), "1": ("1", "2", "3", "5"),
+    "200": ("200", "201", "202", "203", "206"), "203": ("200", "201", "202", "203", "206"),
+    "207": ("200", "201", "203", "239"),
+    "208": ("200", "201", "203", "206", "334", "335"), "241": ("200", "201", "203", "206"),
+    "1": ("1", "2", "3", "5"),
 }  # fmt: skip
 FREE = (0.0, 99999.0)
 """Feeds that mean FMAX."""
@@ -43,7 +49,8 @@ TOOL_CALL = re.compile(rb" *[0-9]* *TOOL +CALL\b")
 
 @dataclass(eq=False)
 class Cycle:
-    """A cycle that was defined: its number, and its words by their numbers (Q200 as 200; 1.2 of cycle 1 as 2)."""
+    """A cycle that was defined: its number, and its words by their numbers (Q200 as 200; 1.2 of cycle 1 as
+    2)."""
 
     number: str
     words: dict[str, float] = field(default_factory=dict)
@@ -51,8 +58,8 @@ class Cycle:
 
 @dataclass(frozen=True)
 class Around:
-    """What a call finds: ``feed`` as text, ``speed`` 1/min and the tool's ``diameter`` mm where they are known; ``place``: X and
-    Y mm of the hole."""
+    """What a call finds: ``feed`` as text, ``speed`` 1/min and the tool's ``diameter`` mm where they are
+    known; ``place``: X and Y mm of the hole."""
 
     feed: str
     speed: float | None
@@ -141,14 +148,21 @@ def _bore(words: dict[str, float], around: Around) -> list[str]:
     """Cycle 208."""
     up, _, bottom = _levels(words)
     if around.diameter is None:
-        raise Unread(say("its radius is that of the tool, which only the control knows; name it above TOOL CALL as ; DM=16"))
+        raise Unread(
+            say(
+                "its radius is that of the tool, which only the control knows; name it above TOOL CALL as ; "
+                "DM=16"
+            )
+        )
     radius, down = 0.5 * (words["335"] - around.diameter), f"F{words['206']:.6f}"
     if radius < -1e-6:
         raise Unread(say("the tool is wider than the hole"))
     if radius < 1e-6:
         return [_fast(up), f"L Z{bottom:+.6f} {down}", _fast(up)]
     x, y = around.place()
-    circle = f"C X{x + radius:+.6f} Y{y:+.6f} Z{{:+.6f}} DR{'-' if words.get('351', 1.0) < 0.0 else '+'} {down}"
+    circle = (
+        f"C X{x + radius:+.6f} Y{y:+.6f} Z{{:+.6f}} DR{'-' if words.get('351', 1.0) < 0.0 else '+'} {down}"
+    )
     turns = [circle.format(up + depth) for depth in _depths(bottom - up, words["334"], 0.0, 0.0)]
     middle = f"X{x:+.6f} Y{y:+.6f}"
     return [
@@ -163,12 +177,18 @@ def _bore(words: dict[str, float], around: Around) -> list[str]:
 
 
 def _old_pecking(words: dict[str, float], around: Around) -> list[str]:
-    """Cycle 1: all by steps from where the tool stands. Clearance and infeed have the sign of the depth, as old controls ask, or
-    none, as later ones do (SET UP 2, DEPTH -20, PECKG 5); posts of both kinds were read."""
+    """Cycle 1: all by steps from where the tool stands. Clearance and infeed have the sign of the depth, as
+    old controls ask, or none, as later ones do (SET UP 2, DEPTH -20, PECKG 5); posts of both kinds were
+    read."""
     clear, depth, infeed = abs(words["1"]), words["2"], abs(words["3"])
     if depth > 0.0:
         raise Unread(say("its depth is not below 0, or its infeed is not above it"))
-    stop, down, at, rows = 0.6 if depth >= -30.0 else min(-depth / 50.0, 7.0), f"F{words['5']:.6f}", 0.0, list[str]()
+    stop, down, at, rows = (
+        0.6 if depth >= -30.0 else min(-depth / 50.0, 7.0),
+        f"F{words['5']:.6f}",
+        0.0,
+        list[str](),
+    )
     for one in _depths(depth, infeed, 0.0, 0.0):
         if at < 0.0:
             again = min(0.0, at + stop)
@@ -207,7 +227,8 @@ def place_before(rows: list[tuple[int, str]]) -> tuple[float, float]:
 
 
 def diameters(text: bytes) -> dict[int, float]:
-    """Find the tools' diameters mm, by the index of the line of their TOOL CALL, in comments right above it (DM=16)."""
+    """Find the tools' diameters mm, by the index of the line of their TOOL CALL, in comments right above it
+    (DM=16)."""
     found, commented = dict[int, float](), None
     if b"DM" not in text:
         return found

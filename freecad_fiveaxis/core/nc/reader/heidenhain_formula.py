@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Formulas of Q parameters: Q2 + 3 * SIN Q4, +Q2 DIV +2, +3 LEN +4 (Heidenhain TNC 620 and TNC 640, Klartext Programming)."""
+"""Formulas of Q parameters: Q2 + 3 * SIN Q4, +Q2 DIV +2, +3 LEN +4 (Heidenhain TNC 620 and TNC 640, Klartext
+Programming)."""
 
 from __future__ import annotations
 
@@ -17,13 +18,15 @@ FUNCTION = re.compile(r"ASIN|ACOS|ATAN|SIN|COS|TAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|AB
 OPERATOR = re.compile(r"DIV|LEN|ANG|[-+*/^%]")
 LEVELS: tuple[tuple[str, ...], ...] = (("+", "-"), ("*", "/", "DIV", "%", "LEN", "ANG"), ("^",))
 OPERATORS: dict[str, Callable[[float, float], float]] = {
-    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "DIV": operator.truediv, "^": math.pow,
+    "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "DIV": operator.truediv,
+    "^": math.pow,
     "%": math.fmod, "LEN": math.hypot, "ANG": lambda a, b: math.degrees(math.atan2(a, b)),
 }  # fmt: skip
 FUNCTIONS: dict[str, Callable[[float], float]] = {
     "SIN": lambda a: math.sin(math.radians(a)), "COS": lambda a: math.cos(math.radians(a)),
     "TAN": lambda a: math.tan(math.radians(a)), "ASIN": lambda a: math.degrees(math.asin(a)),
-    "ACOS": lambda a: math.degrees(math.acos(a)), "ATAN": lambda a: math.degrees(math.atan(a)), "SQRT": math.sqrt,
+    "ACOS": lambda a: math.degrees(math.acos(a)), "ATAN": lambda a: math.degrees(math.atan(a)),
+    "SQRT": math.sqrt,
     "SQ": lambda a: a * a, "LN": math.log, "LOG": math.log10, "EXP": math.exp, "NEG": operator.neg,
     "INT": lambda a: float(math.trunc(a)), "ABS": abs, "FRAC": lambda a: a - math.trunc(a),
     "SGN": lambda a: -1.0 if a < 0.0 else 1.0,
@@ -73,7 +76,9 @@ class Formula:
         if self.match(OPEN):
             value = self.sum()
             if not self.match(CLOSE):
-                raise Unread(say("{missing} is missing before {rest}", missing="')'", rest=repr(self.rest()[:20])))
+                raise Unread(
+                    say("{missing} is missing before {rest}", missing="')'", rest=repr(self.rest()[:20]))
+                )
             return value
         if found := self.match(NUMBER):
             return float(found[0])

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Klartext's polar lines as Cartesian ones (Heidenhain TNC 640, Klartext Programming, Path contours: Polar coordinates).
+"""Klartext's polar lines as Cartesian ones (Heidenhain TNC 640, Klartext Programming, Path contours: Polar
+coordinates).
 
 CC X+5 Y+5     the pole. CC IX+2 IY+0: from where the tool stands; CC alone: where it stands.
-LP PR+10 PA+30 a line to that radius and angle (degrees, from +X, counter-clockwise); IPR, IPA: from where the tool stands.
-CP PA+90 DR+   an arc about the pole.     CP IPA+1080 IZ-9 DR+   a helix of three turns.
+LP PR+10 PA+30 a line to that radius and angle (degrees, from +X, counter-clockwise); IPR, IPA: from where the
+tool stands. CP PA+90 DR+   an arc about the pole.     CP IPA+1080 IZ-9 DR+   a helix of three turns.
 
-For this the tool's place is followed from line to line. Where it, or the pole, is not known the line stays as it is, and is
-a finding of the reader's. The pole lies in XY, the plane of tool axis Z.
+For this the tool's place is followed from line to line. Where it, or the pole, is not known the line stays as
+it is, and is a finding of the reader's. The pole lies in XY, the plane of tool axis Z.
 """
 
 from __future__ import annotations
@@ -26,8 +27,27 @@ ANY_WORD = re.compile(r"(?<![A-Z])I?(?:P[AR]|[XY])(?=[-+ .0-9Q])")
 SENSE = re.compile(r"(?<![A-Z])DR *([-+])(?![0-9.Q])")
 ELSEWHERE = re.compile(r"(?<![A-Z0-9])M9[12](?![0-9])")
 MOVES = ("L", "LN", "C", "CR", "CT")
-KEEP = ("BEGIN", "BLK", "TOOL", "LBL", "STOP", "M", "F", "R", "END", "FN", "X", "Y", "Z", "A", "B", "RND", "CHF")
-"""How lines begin that neither lead the tool sideways nor move the coordinates, or whose words say where they lead."""
+KEEP = (
+    "BEGIN",
+    "BLK",
+    "TOOL",
+    "LBL",
+    "STOP",
+    "M",
+    "F",
+    "R",
+    "END",
+    "FN",
+    "X",
+    "Y",
+    "Z",
+    "A",
+    "B",
+    "RND",
+    "CHF",
+)
+"""How lines begin that neither lead the tool sideways nor move the coordinates, or whose words say where they
+lead."""
 STAYS = re.compile(r" *(?:CALL *(?:M|F|$)|DEF *(?:9\.[0-9]|13|32|20[0-9]|24[01])(?![0-9]))")
 """Cycles that leave the coordinates, and the tool above its hole."""
 SMALL = 1e-9
@@ -54,7 +74,8 @@ class Place:
 
 
 def without_polar(text: bytes) -> bytes:
-    """The text, in capitals and without comments, with its polar lines written as L and C where that can be; line by line."""
+    """The text, in capitals and without comments, with its polar lines written as L and C where that can be;
+    line by line."""
     if not POLAR.search(text):
         return text
     place = Place()

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Klartext programs with Q parameters, labels and drilling cycles, run in bounds: plain blocks in the order in which the control
-comes to them.
+"""Klartext programs with Q parameters, labels and drilling cycles, run in bounds: plain blocks in the order
+in which the control comes to them.
 
-Q1 = Q2 + 3 * SIN Q4     formulas, and FN 0 to FN 8, FN 13 with DIV, LEN, ANG; QL and QR parameters. L X+Q1 FQ2: words by value.
+Q1 = Q2 + 3 * SIN Q4     formulas, and FN 0 to FN 8, FN 13 with DIV, LEN, ANG; QL and QR parameters. L X+Q1
+                         FQ2: words by value.
 FN 9 to FN 12            IF +Q1 EQU +Q2 GOTO LBL 5: EQU, NE, GT, LT.
-CALL LBL 1               to LBL 0 and back; with REP 3 the section from LBL 1 to the call runs three times more.
+CALL LBL 1               to LBL 0 and back; with REP 3 the section from LBL 1 to the call runs three times
+                         more.
 CYCL DEF 200 ...         with CYCL CALL or M99: the drilling cycles of :mod:`.heidenhain_cycles`.
 Q120, Q121, Q122         the axes' words for the last PLANE (:mod:`.plane_parameters`).
 
-One that was never set only the control knows. Sources: Heidenhain TNC 620 and TNC 640, Klartext Programming, Q parameters,
-subprograms and program section repeats.
+One that was never set only the control knows. Sources: Heidenhain TNC 620 and TNC 640, Klartext Programming,
+Q parameters, subprograms and program section repeats.
 """
 
 from __future__ import annotations
@@ -66,9 +68,11 @@ def marked(text: bytes) -> bool:
     return bool(any(sign in text for sign in SIGNS) and MARK.search(text))
 
 
-def written_out(text: bytes, progress: Progress = silent, of_machine: OfMachine = NO_MACHINE) -> Written | Refused:
-    """The text, in capitals and without comments, as the control of that machine runs it. Raises ProgramError for what does not
-    end."""
+def written_out(
+    text: bytes, progress: Progress = silent, of_machine: OfMachine = NO_MACHINE
+) -> Written | Refused:
+    """The text, in capitals and without comments, as the control of that machine runs it. Raises ProgramError
+    for what does not end."""
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     rows = text.decode("latin-1").split("\n")
@@ -90,7 +94,8 @@ def _one_line(found: re.Match[bytes]) -> bytes:
 
 @dataclass(eq=False)
 class Section:
-    """A call from line ``back`` - 1; ``left``: how often its section still runs; -1: a subprogram, which ends in LBL 0."""
+    """A call from line ``back`` - 1; ``left``: how often its section still runs; -1: a subprogram, which ends
+    in LBL 0."""
 
     back: int
     left: int = -1
@@ -100,11 +105,17 @@ class Run:
     """One run over ``rows``: ``output`` (line, its text) so far, ``at`` the line that runs."""
 
     def __init__(
-        self, rows: list[str], progress: Progress, planes: PlaneParameters | None, diameters: Mapping[int, float]
+        self,
+        rows: list[str],
+        progress: Progress,
+        planes: PlaneParameters | None,
+        diameters: Mapping[int, float],
     ) -> None:
         self.rows, self.progress = [NUMBERED.sub("", row, count=1) for row in rows], progress
         self.lines = [row.replace(" ", "") for row in self.rows]
-        self.labels = {found[1]: at for at, line in reversed([*enumerate(self.lines)]) if (found := LABEL.match(line))}
+        self.labels = {
+            found[1]: at for at, line in reversed([*enumerate(self.lines)]) if (found := LABEL.match(line))
+        }
         words = ("Q", "LBL", "CYCL", "M", *(("PLANE",) if planes else ()))
         self.plain = [not any(word in line for word in words) for line in self.lines]
         self.planes = planes
@@ -200,7 +211,9 @@ class Run:
         value = self._known(name)
         if not abs(value) < LARGEST:
             raise Unread(say("a value beyond all words"))
-        return f"{letter}{value:.10f}" if letter == "F" else f"{letter}{-value if sign == '-' else value:+.10f}"
+        return (
+            f"{letter}{value:.10f}" if letter == "F" else f"{letter}{-value if sign == '-' else value:+.10f}"
+        )
 
     def _known(self, name: str) -> float:
         if name not in self.known:
@@ -225,7 +238,11 @@ class Run:
             self.output.append((self.at, ""))
         elif found := OLD_CYCLE.match(line):
             self._old_cycle(found[1], found[2])
-        elif line.startswith("CYCLCALL") and not line.startswith(("CYCLCALLPO", "CYCLCALLPA")) and self.cycle is not None:
+        elif (
+            line.startswith("CYCLCALL")
+            and not line.startswith(("CYCLCALLPO", "CYCLCALLPA"))
+            and self.cycle is not None
+        ):
             self._drill()
         else:
             number = OTHER_CYCLE.match(line)
@@ -233,7 +250,9 @@ class Run:
                 self.cycle = None
             self.known.update(words)
             row = self.rows[self.at]
-            self.output.append((self.at, WORD.sub(self._word, row) if number and number[1] == DATUM_SHIFT else row))
+            self.output.append(
+                (self.at, WORD.sub(self._word, row) if number and number[1] == DATUM_SHIFT else row)
+            )
 
     def _old_cycle(self, part: str, rest: str) -> None:
         """A line of CYCL DEF 1: 1.0 begins it, the number at the end of the others is a word."""
@@ -262,7 +281,8 @@ class Run:
         return re.sub(r"=([-+]?)Q([LR]?[0-9]+)", value, self.lines[self.at])
 
     def _drill(self) -> None:
-        """The hole of the cycle that was defined; where it is not understood, that is found once, and its moves are missing."""
+        """The hole of the cycle that was defined; where it is not understood, that is found once, and its
+        moves are missing."""
         assert self.cycle is not None
         around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
         try:
@@ -274,7 +294,8 @@ class Run:
 
     def _not_drilled(self, number: str, reason: str) -> None:
         sentence = say(
-            "{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.",
+            "{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight "
+            "moves.",
             name=f"CYCL DEF {number}",
             reason=reason,
         )

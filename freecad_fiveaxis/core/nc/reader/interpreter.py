@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Programs with variables, jumps and subprograms, run in bounds: the blocks in the order in which the control comes to them.
+"""Programs with variables, jumps and subprograms, run in bounds: the blocks in the order in which the control
+comes to them.
 
 row       a line of the text that is made; each knows the line of the file that it comes from.
-bounds    :data:`MOST` lines beyond the program's own, :data:`DEEPEST` calls: what does not end is refused with its line.
-refusal   one thing that is not understood makes the whole program one that is not interpreted: guessing on is no help.
+bounds    :data:`MOST` lines beyond the program's own, :data:`DEEPEST` calls: what does not end is refused
+          with its line.
+refusal   one thing that is not understood makes the whole program one that is not interpreted: guessing on is
+          no help.
 """
 
 from __future__ import annotations
@@ -33,8 +36,8 @@ REPEATS = 1e6
 
 @dataclass(frozen=True, eq=False)
 class Written:
-    """``text`` with one line a row; ``source`` (rows + 1,) the line of the file of each row, counted from 1, 0 for row 0;
-    ``findings`` of the run, with lines of the file."""
+    """``text`` with one line a row; ``source`` (rows + 1,) the line of the file of each row, counted from 1,
+    0 for row 0; ``findings`` of the run, with lines of the file."""
 
     text: bytes
     source: Ints
@@ -51,8 +54,8 @@ class Refused:
 
 @dataclass(eq=False)
 class Frame:
-    """A call: the line ``back`` to, the line ``head`` where it begins, how often ``left``, the caller's variables, and how often
-    each REPEAT in it still runs. ``macro``: it has variables of its own."""
+    """A call: the line ``back`` to, the line ``head`` where it begins, how often ``left``, the caller's
+    variables, and how often each REPEAT in it still runs. ``macro``: it has variables of its own."""
 
     back: int = -1
     head: int = -1
@@ -67,8 +70,9 @@ class Frame:
 def written_out(
     text: bytes, fanuc: bool, progress: Progress = silent, siemens: bytes = b"", search: tuple[str, ...] = ()
 ) -> Written | Refused:
-    """The text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas mean it, else LinuxCNC.
-    ``siemens``: with Siemens' variables and jumps; the same with its strings. ``search``: folders with the programs called.
+    """The text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas mean
+    it, else LinuxCNC. ``siemens``: with Siemens' variables and jumps; the same with its strings. ``search``:
+    folders with the programs called.
 
     Raises ProgramError for what does not end."""
     rows = text.split(b"\n")
@@ -101,7 +105,8 @@ class Running(Protocol):
 
 
 def refusal_of(run: Running) -> Refused | None:
-    """Run to the end; what was not understood, if anything was not. Raises ProgramError for what does not end."""
+    """Run to the end; what was not understood, if anything was not. Raises ProgramError for what does not
+    end."""
     try:
         run.run()
     except Unread as refused:
@@ -117,7 +122,8 @@ def endless(at: int, most: int) -> NoReturn:
     """Raise for a program that has run ``most`` lines, and is in that of index ``at``."""
     raise ProgramError(
         say(
-            "line {line}: the loop does not end: {most} lines were run; correct its condition, or post the moves themselves",
+            "line {line}: the loop does not end: {most} lines were run; correct its condition, or post the "
+            "moves themselves",
             line=at + 1,
             most=most,
         ),
@@ -126,11 +132,13 @@ def endless(at: int, most: int) -> NoReturn:
 
 
 def deeper(calls: int, at: int) -> None:
-    """Raises ProgramError where ``calls`` that have not ended are as many as may be, and one more stands in line ``at``."""
+    """Raises ProgramError where ``calls`` that have not ended are as many as may be, and one more stands in
+    line ``at``."""
     if calls >= DEEPEST:
         raise ProgramError(
             say(
-                "line {line}: calls are nested deeper than {most}; does a subprogram call itself? Post the moves themselves",
+                "line {line}: calls are nested deeper than {most}; does a subprogram call itself? Post the "
+                "moves themselves",
                 line=at + 1,
                 most=DEEPEST,
             ),
@@ -141,7 +149,9 @@ def deeper(calls: int, at: int) -> None:
 class Run:
     """One run: ``output`` (line, its text where that is another) so far, ``at`` the line that runs."""
 
-    def __init__(self, lines: list[str], plain: list[bool], flow: Flow, fanuc: bool, progress: Progress) -> None:
+    def __init__(
+        self, lines: list[str], plain: list[bool], flow: Flow, fanuc: bool, progress: Progress
+    ) -> None:
         self.lines, self.plain, self.flow, self.fanuc, self.progress = lines, plain, flow, fanuc, progress
         self.known, self.frames = Variables(fanuc), [Frame()]
         self.output: list[tuple[int, str | None]] = []
@@ -253,7 +263,8 @@ class Run:
         return frame.head
 
     def _back(self, values: dict[str, Value]) -> int:
-        """M99: once more, or back behind the call, or to the caller's N of its P; in the main program the end."""
+        """M99: once more, or back behind the call, or to the caller's N of its P; in the main program the
+        end."""
         if len(self.frames) == 1:
             self.output.append((self.at, "M99"))
             self.ended = True
@@ -340,7 +351,9 @@ class Run:
 
 
 O_WORDS = {
-    "SUB": Run._sub, "ENDSUB": Run._return, "RETURN": Run._return, "CALL": Run._call, "IF": Run._if, "ELSEIF": Run._else,
+    "SUB": Run._sub, "ENDSUB": Run._return, "RETURN": Run._return, "CALL": Run._call, "IF": Run._if,
+    "ELSEIF": Run._else,
     "ELSE": Run._else, "ENDIF": Run._go_on, "WHILE": Run._while, "ENDWHILE": Run._endwhile, "DO": Run._go_on,
-    "UNTIL": Run._until, "REPEAT": Run._repeat, "ENDREPEAT": Run._endrepeat, "BREAK": Run._break, "CONTINUE": Run._continue,
+    "UNTIL": Run._until, "REPEAT": Run._repeat, "ENDREPEAT": Run._endrepeat, "BREAK": Run._break,
+    "CONTINUE": Run._continue,
 }  # fmt: skip

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The switch of kinematics that is coming in LinuxCNC: G12.1 P selects one by its number, G13.1 goes back to the axes.
+"""The switch of kinematics that is coming in LinuxCNC: G12.1 P selects one by its number, G13.1 goes back to
+the axes.
 
-Source: LinuxCNC's pull requests 4414 (G12.1 and G13.1, merged), 4534 (M428 of the bridge mill as G12.1 P0) and 4374 (the whole
-of the work on several axes, open; G43.4 and G43.5 there select the same kinematics, and G49 and G13.1 end it). What a number
-means is the kinematics module's: 0 is the tip on the trt modules and on 5axiskins, where the remap M428 says G12.1 P0 too, 1 the
-axes (M429). With ``identityfirst``, and in the trsrn modules, it is the other way round; so which way was taken is said.
+Source: LinuxCNC's pull requests 4414 (G12.1 and G13.1, merged), 4534 (M428 of the bridge mill as G12.1 P0)
+and 4374 (the whole of the work on several axes, open; G43.4 and G43.5 there select the same kinematics, and
+G49 and G13.1 end it). What a number means is the kinematics module's: 0 is the tip on the trt modules and on
+5axiskins, where the remap M428 says G12.1 P0 too, 1 the axes (M429). With ``identityfirst``, and in the trsrn
+modules, it is the other way round; so which way was taken is said.
 
 Without P it is Fanuc's polar coordinate interpolation, which is not interpreted.
 """
@@ -29,7 +31,9 @@ TIP, AXES = 0, 1
 
 def _selected(lines: Lines, grammar: Grammar) -> tuple[Ints, Ints, Ints]:
     """The lines of the switch that go to the tip's kinematics, to the axes, and to one that is not known."""
-    chosen = np.flatnonzero(lines.any_of(codes.KINEMATICS[:1])) if grammar.name == "iso" else np.empty(0, np.int64)
+    chosen = (
+        np.flatnonzero(lines.any_of(codes.KINEMATICS[:1])) if grammar.name == "iso" else np.empty(0, np.int64)
+    )
     number = lines.column("P")[chosen] if len(chosen) else np.empty(0)
     other = ~np.isnan(number) & (number != TIP) & (number != AXES)
     return chosen[number == TIP], chosen[number == AXES], chosen[other]
@@ -59,15 +63,18 @@ def switch_findings(lines: Lines, grammar: Grammar) -> list[Finding]:
 
 def _taken(row: int) -> Finding:
     text = say(
-        "G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as LinuxCNC's trt modules "
-        "and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into its HAL file."
+        "G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as "
+        "LinuxCNC's trt modules "
+        "and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into "
+        "its HAL file."
     )
     return report_finding(Code.KINEMATICS_NUMBER, text, line=row)
 
 
 def _unknown(row: int, number: float, count: int) -> Finding:
     text = say(
-        "{count} lines select a kinematics that is not known here (the first: G12.1 P{number}); the words after them are taken "
+        "{count} lines select a kinematics that is not known here (the first: G12.1 P{number}); the words "
+        "after them are taken "
         "as those of the axes. Post with G12.1 P0 and G13.1.",
         count=count,
         number=f"{number:g}",

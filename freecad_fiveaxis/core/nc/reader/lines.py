@@ -22,11 +22,12 @@ from .words import Words
 
 @dataclass(frozen=True)
 class Assumed:
-    """What is taken where the text does not say it. ``units``: ``mm``, ``inch``, or ``file`` where nobody has said it either (mm,
-    with a finding); ``decimal``: a word without a point is in millimetres or inches and degrees (``calculator``), or counts the
-    controller's least increment; ``no_motion``: functions of the machine that move nothing, as its file names them; ``search``:
-    folders with the programs that it calls; ``centres``: the machine's centres of rotation are known, by which a control leads
-    the axes in a tilted plane and under G254."""
+    """What is taken where the text does not say it. ``units``: ``mm``, ``inch``, or ``file`` where nobody has
+    said it either (mm, with a finding); ``decimal``: a word without a point is in millimetres or inches and
+    degrees (``calculator``), or counts the controller's least increment; ``no_motion``: functions of the
+    machine that move nothing, as its file names them; ``search``: folders with the programs that it calls;
+    ``centres``: the machine's centres of rotation are known, by which a control leads the axes in a tilted
+    plane and under G254."""
 
     units: str = "file"
     decimal: str = "calculator"
@@ -50,7 +51,8 @@ class Lines:
         self.code_line = words.line[at]
 
     def column(self, letter: str) -> Floats:
-        """The word of that letter in each line, NaN where there is none. Raises ProgramError where it stands twice."""
+        """The word of that letter in each line, NaN where there is none. Raises ProgramError where it stands
+        twice."""
         column = np.full(self.count, np.nan)
         if letter not in self.letters:
             return column
@@ -60,7 +62,12 @@ class Lines:
         if len(twice):
             place = self.words.place(int(at[twice[0] + 1]))
             raise ProgramError(
-                say("{place}: word {letter} stands twice; a line takes one of each", place=place, letter=letter.upper()), letter
+                say(
+                    "{place}: word {letter} stands twice; a line takes one of each",
+                    place=place,
+                    letter=letter.upper(),
+                ),
+                letter,
             )
         column[line] = self.words.value[at]
         return column
@@ -95,8 +102,9 @@ class Lines:
 
 
 def without_dwells(words: Words, grammar: Grammar) -> Words:
-    """The words without the times of dwells (G4): of each such line the first letter of ``grammar.dwell`` that stands in it. All
-    else in the line is meant as in any other (NIST RS274NGC 3, 3.5.4: the axes may move in the line of a dwell)."""
+    """The words without the times of dwells (G4): of each such line the first letter of ``grammar.dwell``
+    that stands in it. All else in the line is meant as in any other (NIST RS274NGC 3, 3.5.4: the axes may
+    move in the line of a dwell)."""
     dwell = words.line[(words.letter == ord("G")) & (tenfold(words.value) == codes.DWELL)]
     keep = np.ones(len(words.line), np.bool_)
     for letter in grammar.dwell if len(dwell) else ():
@@ -106,12 +114,14 @@ def without_dwells(words: Words, grammar: Grammar) -> Words:
     if keep.all():
         return words
     start = None if words.start is None else words.start[keep]
-    return replace(words, letter=words.letter[keep], value=words.value[keep], line=words.line[keep], start=start)
+    return replace(
+        words, letter=words.letter[keep], value=words.value[keep], line=words.line[keep], start=start
+    )
 
 
 def by_least_increment(words: Words, lines: Lines, grammar: Grammar) -> Words:
-    """The words in which those of axes, centres and radii without a decimal point counted the least increment, IS-B (Fanuc
-    B-63324EN, 3.4.3): 0.001 mm, 0.0001 inch, 0.001 deg."""
+    """The words in which those of axes, centres and radii without a decimal point counted the least
+    increment, IS-B (Fanuc B-63324EN, 3.4.3): 0.001 mm, 0.0001 inch, 0.001 deg."""
     bare = words.bare() & np.isin(words.letter, [ord(letter) for letter in codes.INCREMENTED + codes.PECK])
     linear = ~np.isin(words.letter, [ord(letter) for letter in "ABC"])
     step = np.where(linear & lines.inch(grammar)[words.line], 1e-4, 1e-3)

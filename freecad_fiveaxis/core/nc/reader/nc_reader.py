@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """NC text of any origin into a Program.
 
-motion line  a line with a word of one of the machine's axes under G0, G1, G2 or G3: one block of the Program, an arc several.
-guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI, FUNCTION TCPM) the words of the axes are
-             worked out from the tip and the tool axis; what the file says stays in ``Program.guided``.
+motion line  a line with a word of one of the machine's axes under G0, G1, G2 or G3: one block of the Program,
+             an arc several.
+guided       where the controller guides the tip (G43.4, G43.5, G234, M128, M428, TRAORI, FUNCTION TCPM) the
+             words of the axes are worked out from the tip and the tool axis; what the file says stays in
+             ``Program.guided``.
 
-start        rapids of single axes from an unknown place, until all places are known: no blocks. Moves to machine positions before
-             the first block and after the last lead nowhere that the program knows, and are passed over.
+start        rapids of single axes from an unknown place, until all places are known: no blocks. Moves to
+             machine positions before the first block and after the last lead nowhere that the program knows,
+             and are passed over.
 
-Drilling cycles are written out (:mod:`.canned_cycles`), variables, jumps and calls within the file are run (:mod:`.interpreter`).
-What is not interpreted (other cycles and calls, splines, offsets, compensation) is never passed over in silence: each
-kind is a finding with its name, its first line and its count.
+Drilling cycles are written out (:mod:`.canned_cycles`), variables, jumps and calls within the file are run
+(:mod:`.interpreter`). What is not interpreted (other cycles and calls, splines, offsets, compensation) is
+never passed over in silence: each kind is a finding with its name, its first line and its count.
 """
 
 from __future__ import annotations
@@ -75,21 +78,31 @@ from .words import Words, language_of, read_words
 
 
 def read_nc(
-    text: bytes, kinematics: Chain, dialect: Dialect | None = None, progress: Progress = silent, assumed: Assumed = UNTOLD
+    text: bytes,
+    kinematics: Chain,
+    dialect: Dialect | None = None,
+    progress: Progress = silent,
+    assumed: Assumed = UNTOLD,
 ) -> Program:
-    """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that itself), how F is meant
-    under G94; None: ISO, over X Y Z. ``assumed``: what is taken where the text does not say it.
+    """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that
+    itself), how F is meant under G94; None: ISO, over X Y Z. ``assumed``: what is taken where the text does
+    not say it.
 
-    Rotary words are taken as the machine file's ``wrap_strategy`` says; inches become mm; arcs become chords. Axes that the
-    first motion line does not name are taken as 0 there, with a finding. Raises ProgramError, naming line and column, for text
-    that cannot be read, and where there is no motion line at all.
+    Rotary words are taken as the machine file's ``wrap_strategy`` says; inches become mm; arcs become chords.
+    Axes that the first motion line does not name are taken as 0 there, with a finding. Raises ProgramError,
+    naming line and column, for text that cannot be read, and where there is no motion line at all.
     """
     progress("reading NC", 0.0)
     expected = "iso" if dialect is None else dialect.language
     language = language_of(text, expected)
     grammar = GRAMMARS[language]
     words, lines, before, cause = _words_and_lines(
-        text, grammar, dialect, assumed, progress, OfMachine(kinematics, assumed.no_motion, diameters(text), assumed.search)
+        text,
+        grammar,
+        dialect,
+        assumed,
+        progress,
+        OfMachine(kinematics, assumed.no_motion, diameters(text), assumed.search),
     )
     findings = language_finding(language, expected)
     axes = [axis_words(lines, letter) for letter in kinematics.letters]
@@ -124,8 +137,20 @@ def read_nc(
         *bad,
     )
     findings += tuple(start_findings(kinematics.letters, motions, mode[at], lines, grammar))
-    findings += tuple(wrap_findings(kinematics.letters, wrap, meant, motions, mode[at] != codes.RAPID, dialect))
-    program = _program(kinematics, motions, chords, mode[at], feed, inverse, lines.mode(codes.FEED_MODE, 0)[at], dialect, planes)
+    findings += tuple(
+        wrap_findings(kinematics.letters, wrap, meant, motions, mode[at] != codes.RAPID, dialect)
+    )
+    program = _program(
+        kinematics,
+        motions,
+        chords,
+        mode[at],
+        feed,
+        inverse,
+        lines.mode(codes.FEED_MODE, 0)[at],
+        dialect,
+        planes,
+    )
     if planes is not None:
         findings += (
             *vector_findings(planes, motions),
@@ -136,13 +161,17 @@ def read_nc(
 
 
 def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
-    """The error of a text without a motion line: where all stands in what is not interpreted, that is the cause."""
+    """The error of a text without a motion line: where all stands in what is not interpreted, that is the
+    cause."""
     lost = next((found for found in before if found.code == codes.MACRO[0]), None)
     if lost is None:
-        return ProgramError(say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), letters)
+        return ProgramError(
+            say("the file holds no motion blocks: no axis word of this machine under G0 or G1"), letters
+        )
     return ProgramError(
         say(
-            "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: {text}",
+            "all moves stand in variables, expressions or jumps, which are not interpreted; line {line}: "
+            "{text}",
             line=lost.line or 0,
             text=lost.text,
         ),
@@ -151,10 +180,15 @@ def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
 
 
 def _words_and_lines(
-    text: bytes, grammar: Grammar, dialect: Dialect | None, assumed: Assumed, progress: Progress, of_machine: OfMachine
+    text: bytes,
+    grammar: Grammar,
+    dialect: Dialect | None,
+    assumed: Assumed,
+    progress: Progress,
+    of_machine: OfMachine,
 ) -> tuple[Words, Lines, tuple[Finding, ...], Finding | None]:
-    """The words up to the program's end, loops and cycles written out; the same by lines; the findings, and the one of them that
-    says why the program was not run."""
+    """The words up to the program's end, loops and cycles written out; the same by lines; the findings, and
+    the one of them that says why the program was not run."""
     controller = "" if dialect is None else dialect.name
     words = read_words(text, grammar.name, controller, progress, of_machine)
     progress("reading NC", 0.5)
@@ -182,8 +216,8 @@ def _words_and_lines(
 
 
 def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding, ...]]:
-    """Whose program a text is, where nobody has said the controller: ``usual``'s, or by the text's own signs that of the first
-    dialect in that language, with a note."""
+    """Whose program a text is, where nobody has said the controller: ``usual``'s, or by the text's own signs
+    that of the first dialect in that language, with a note."""
     language = language_of(text, usual.language)
     if language == usual.language:
         return usual, ()
@@ -192,7 +226,8 @@ def dialect_of_text(text: bytes, usual: Dialect) -> tuple[Dialect, tuple[Finding
 
 
 def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
-    """Whether the controller guides the tip, in each line. G43 and G49 end what G43.4 began, but not what M428 or M128 did."""
+    """Whether the controller guides the tip, in each line. G43 and G49 end what G43.4 began, but not what
+    M428 or M128 did."""
     events = [(lines.m_line((code,)), bool(number)) for code, number in (grammar.guide_m or {}).items()]
     if codes.SWITCH in lines.letters:
         switch = lines.column(codes.SWITCH)
@@ -200,12 +235,15 @@ def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
     on = _switched([*events, *switched(lines, grammar)], lines.count)
     if grammar.name == "iso":
         both = ((codes.GUIDE_ON, True), ((*codes.GUIDE_OFF, *codes.KINEMATICS[1:]), False))
-        on |= _switched([(lines.code_line[np.isin(lines.code, chosen)], state) for chosen, state in both], lines.count)
+        on |= _switched(
+            [(lines.code_line[np.isin(lines.code, chosen)], state) for chosen, state in both], lines.count
+        )
     return on
 
 
 def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
-    """The state in each line, off at first, from the lines where it is switched; on wins over off in the same line."""
+    """The state in each line, off at first, from the lines where it is switched; on wins over off in the same
+    line."""
     on, marked = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
     for where, state in sorted(events, key=lambda event: event[1]):
         on[where], marked[where] = state, True
@@ -213,7 +251,12 @@ def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
 
 
 def _motion_lines(
-    lines: Lines, grammar: Grammar, axes: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, planes: Planes | None
+    lines: Lines,
+    grammar: Grammar,
+    axes: list[tuple[Floats, Bytes]],
+    mode: Ints,
+    on: Bools,
+    planes: Planes | None,
 ) -> Ints:
     """The lines that are blocks."""
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
@@ -222,7 +265,9 @@ def _motion_lines(
     if codes.ANGLE in lines.letters:
         moving |= ~np.isnan(lines.column(codes.ANGLE)) & ((mode == codes.RAPID) | (mode == codes.STRAIGHT))
     if (mode == codes.ARC).any():  # a full circle needs no word of an axis
-        moving |= (mode == codes.ARC) & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
+        moving |= (mode == codes.ARC) & np.logical_or.reduce(
+            [~np.isnan(lines.column(letter)) for letter in "IJK"]
+        )
     moving &= ~lines.any_of(grammar.no_move) & (mode != codes.CYCLE)
     moving[lines.m_line(grammar.machine_m)] = False
     if codes.MACHINE in lines.letters:
@@ -233,7 +278,8 @@ def _motion_lines(
 
 
 def _moves(
-    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, kinematics: Chain, wrap: tuple[str, str],
+    lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, on: Bools, kinematics: Chain,
+    wrap: tuple[str, str],
     meaning: Ints, planes: Planes | None,
 ) -> tuple[Ints, Moves]:  # fmt: skip
     """The lines of the blocks, those of a safe start left out, and where they lead."""
@@ -279,7 +325,9 @@ def _meant(
     return meant
 
 
-def _chords(lines: Lines, motions: Moves, mode: Ints, grammar: Grammar) -> tuple[Chords | None, list[Finding]]:
+def _chords(
+    lines: Lines, motions: Moves, mode: Ints, grammar: Grammar
+) -> tuple[Chords | None, list[Finding]]:
     """The arcs as chords; None where there are none."""
     row = np.flatnonzero(mode == codes.ARC)
     if not len(row):
@@ -297,7 +345,8 @@ def _chords(lines: Lines, motions: Moves, mode: Ints, grammar: Grammar) -> tuple
     sense = lines.mode({codes.CLOCKWISE: 0, codes.COUNTER: 1}, 0)[line]
     arcs = Arcs(
         row, lines.mode(codes.PLANES, 0)[line], sense == 1, offset, lines.mode(codes.CENTRES, 0)[line] == 1,
-        columns["R"][line] * inch, centre, lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
+        columns["R"][line] * inch, centre,
+        lines.column(codes.TURNS)[line] if codes.TURNS in lines.letters else None,
     )  # fmt: skip
     return chorded(arcs, motions.before, motions.programmed, motions.at)
 
@@ -321,7 +370,8 @@ def _last_programmed(column: Floats) -> Floats:
 
 
 def _program(
-    kinematics: Chain, motions: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools, feed_mode: Ints,
+    kinematics: Chain, motions: Moves, chords: Chords | None, mode: Ints, feed: Floats, inverse: Bools,
+    feed_mode: Ints,
     dialect: Dialect | None, planes: Planes | None,
 ) -> Program:  # fmt: skip
     before, programmed, on, line = motions.before, motions.programmed, motions.on, motions.at
@@ -336,8 +386,12 @@ def _program(
     programmed = in_work(programmed, meaning, planes)
     words = where_axes_stand(kinematics, programmed, on if planes is None else on | planes.by_tip(meaning))
     guided = _guided(kinematics, words, programmed, on, vector) if on.any() else None
-    seconds = _seconds(words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, kinematics, dialect)
-    return Program(kinematics.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided)
+    seconds = _seconds(
+        words, change, motion, feed, inverse, feed_mode == codes.PER_TURN, on, kinematics, dialect
+    )
+    return Program(
+        kinematics.letters, words, feed, inverse, motion, seconds, np.full(len(line), -1), line, (), guided
+    )
 
 
 def _guided(kinematics: Chain, words: Floats, programmed: Floats, on: Bools, vector: Floats) -> Guided:
@@ -347,14 +401,20 @@ def _guided(kinematics: Chain, words: Floats, programmed: Floats, on: Bools, vec
         return Guided(on, programmed[:, :3])
     last = last_of(np.flatnonzero(given), len(given))
     stays = given[last] & (programmed[:, 3:] == programmed[last, 3:]).all(axis=1)
-    return Guided(on, programmed[:, :3], np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(kinematics, words)))
+    return Guided(
+        on,
+        programmed[:, :3],
+        np.where(stays[:, None], np.nan_to_num(vector[last]), tool_axes(kinematics, words)),
+    )
 
 
 def _seconds(
-    words: Floats, travel: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools, kinematics: Chain,
+    words: Floats, travel: Floats, motion: Bytes, feed: Floats, inverse: Bools, unknown: Bools, on: Bools,
+    kinematics: Chain,
     dialect: Dialect | None,
 ) -> Floats:  # fmt: skip
-    """The time (m,) s that the controller takes by what the words say (``travel`` (m, 5): their change); 0 where nothing."""
+    """The time (m,) s that the controller takes by what the words say (``travel`` (m, 5): their change); 0
+    where nothing."""
     distance = feed_distance(dialect, travel)
     if on.any():
         guide = next(iter(dialect.guides.values()), None) if dialect is not None else None

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Functions that move nothing, passed over: a table of those that are met in programs, and a machine file's own.
+"""Functions that move nothing, passed over: a table of those that are met in programs, and a machine file's
+own.
 
-CYCL DEF 392     DMG's ATC: mode and weight for tuning the drives, as programs for its machines say beside Q240 and Q241.
+CYCL DEF 392     DMG's ATC: mode and weight for tuning the drives, as programs for its machines say beside
+                 Q240 and Q241.
 M202(0.0024)     a tolerance, the machine builder's. Neither was looked up in a manual of the builder.
-G05 P10000, P0   Fanuc's high precision contour control on and off (B-63324EN), in a line of its own: with other words G05 is
-                 another function.
+G05 P10000, P0   Fanuc's high precision contour control on and off (B-63324EN), in a line of its own: with
+                 other words G05 is another function.
 
 What a function's line says beside it stays: of ``M202(0.0024) X5`` the X is read.
 """
@@ -32,15 +34,20 @@ BRACKETED = re.compile(rb"(?<![A-Z0-9])(M *[0-9]+) *\([^()\n]*\)")
 
 
 def pass_over(text: bytes, language: str, own: Sequence[str] = ()) -> tuple[bytes, list[Finding]]:
-    """Blank the functions without motion in a text in capitals, at equal length; and say what there is to say. ``own``: the names
-    of a machine file (:mod:`freecad_fiveaxis.core.machine.no_motion`)."""
+    """Blank the functions without motion in a text in capitals, at equal length; and say what there is to
+    say. ``own``: the names of a machine file (:mod:`freecad_fiveaxis.core.machine.no_motion`)."""
     findings: list[Finding] = []
     for name in dict.fromkeys((*SHIPPED[language], *own)):
         pattern = _pattern(name)
         if _needle(name) in text and (found := pattern.search(text)):
             if name not in SHIPPED[language]:
-                sentence = say("{name} is passed over: the machine file says that it moves nothing (no_motion).", name=name)
-                findings.append(report_finding(Code.NO_MOTION, sentence, line=text.count(b"\n", 0, found.start()) + 1))
+                sentence = say(
+                    "{name} is passed over: the machine file says that it moves nothing (no_motion).",
+                    name=name,
+                )
+                findings.append(
+                    report_finding(Code.NO_MOTION, sentence, line=text.count(b"\n", 0, found.start()) + 1)
+                )
             text = pattern.sub(_blank, text)
     return _without_brackets(text, findings), findings
 
@@ -53,7 +60,8 @@ def _without_brackets(text: bytes, findings: list[Finding]) -> bytes:
     for name, places in at.items():
         shown = name.replace(b" ", b"").decode()
         sentence = say(
-            "{name}(...) stands in {count} lines and is not known; what it does is missing here. If it moves nothing, name it "
+            "{name}(...) stands in {count} lines and is not known; what it does is missing here. If it moves "
+            "nothing, name it "
             "under no_motion in the machine file.",
             name=shown,
             count=len(places),

@@ -19,8 +19,8 @@ from .siemens_cycles import Drill
 
 @dataclass
 class Notes:
-    """``met``: by kind and name, the offsets in the text where it stands; ``tilts``: the lines that begin or end a tilted plane,
-    in their order; ``drills``: the calls of drilling cycles."""
+    """``met``: by kind and name, the offsets in the text where it stands; ``tilts``: the lines that begin or
+    end a tilted plane, in their order; ``drills``: the calls of drilling cycles."""
 
     met: dict[tuple[Kind, str], list[int]] = field(default_factory=dict)
     tilts: list[Tilt] = field(default_factory=list)
@@ -70,7 +70,9 @@ def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Find
         )
         return [report_finding(code, text, float(count), line=first)]
     for name, (line, count) in [*named.items()][:MOST]:
-        text = say("{name} stands in {count} lines: {explanation}.", name=name, count=count, explanation=explanation)
+        text = say(
+            "{name} stands in {count} lines: {explanation}.", name=name, count=count, explanation=explanation
+        )
         found.append(report_finding(code, text, float(count), line=line))
     return found
 

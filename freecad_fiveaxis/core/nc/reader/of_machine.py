@@ -11,9 +11,9 @@ from freecad_fiveaxis.core.machine.kinematics import Chain
 
 @dataclass(frozen=True, eq=False)
 class OfMachine:
-    """``kinematics``: how its rotary axes take up a plane; None where no machine is known. ``no_motion``: names of its functions
-    that move nothing. ``diameters`` mm of the tools that a text names beside their calls, by the index of the line of the
-    call. ``search``: folders with the programs that a text calls."""
+    """``kinematics``: how its rotary axes take up a plane; None where no machine is known. ``no_motion``:
+    names of its functions that move nothing. ``diameters`` mm of the tools that a text names beside their
+    calls, by the index of the line of the call. ``search``: folders with the programs that a text calls."""
 
     kinematics: Chain | None = None
     no_motion: tuple[str, ...] = ()

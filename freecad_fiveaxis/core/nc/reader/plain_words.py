@@ -24,7 +24,8 @@ from .plane_calls import Tilt
 from .siemens_cycles import Drill
 
 NOT_RUN = Template(
-    "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. Their words are missing "
+    "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. "
+    "Their words are missing "
     "here; post without them."
 )
 BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(codes.DRILL)))
@@ -32,9 +33,9 @@ BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(code
 
 @dataclass(frozen=True)
 class Plain:
-    """``text`` as plain words; ``source``: the lines of the file that its lines are, where it was run; ``findings``; ``tilts``:
-    the lines that begin or end a tilted plane; ``drills``: the calls of drilling cycles; ``cause``: of the findings why it was
-    not run."""
+    """``text`` as plain words; ``source``: the lines of the file that its lines are, where it was run;
+    ``findings``; ``tilts``: the lines that begin or end a tilted plane; ``drills``: the calls of drilling
+    cycles; ``cause``: of the findings why it was not run."""
 
     text: bytes
     source: Ints | None
@@ -46,7 +47,11 @@ class Plain:
 
 def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
     """A text in capitals, without comments. Raises ProgramError for what does not end."""
-    return _siemens(text, progress, of_machine) if language == "siemens" else _heidenhain(text, progress, of_machine)
+    return (
+        _siemens(text, progress, of_machine)
+        if language == "siemens"
+        else _heidenhain(text, progress, of_machine)
+    )
 
 
 def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
@@ -54,7 +59,11 @@ def _siemens(text: bytes, progress: Progress, of_machine: OfMachine) -> Plain:
     read = siemens.plain(text, notes)
     met = notes.met.keys()
     calls = bool(of_machine.search) and any(kind is codes.CALL for kind, _ in met)
-    if not (calls or siemens_run.SIGN.search(text) or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)):
+    if not (
+        calls
+        or siemens_run.SIGN.search(text)
+        or any(kind is codes.MACRO or name == siemens.SWIVEL for kind, name in met)
+    ):
         return _with_findings(text, read, notes, None, [])
     notes, called = Notes(), text
     text = siemens.shifts(siemens.without_strings(siemens.swivels(text, notes)))
@@ -94,15 +103,22 @@ def _with_findings(
     if (notes.tilts or notes.drills) and (found := BEHIND_A_CALL.search(read)):
         _refuse_digits(text, read.count(b"\n", 0, found.start()), source)
     met = notes.findings(text, source)
-    return Plain(read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills))
+    return Plain(
+        read, source, (*refused, *met) if first else (*met, *refused), tuple(notes.tilts), tuple(notes.drills)
+    )
 
 
 def _refuse_digits(text: bytes, row: int, source: Ints | None) -> NoReturn:
-    """Raise for a line of the text, counted from 0, in which digits behind a call would be read as a part of its private word."""
+    """Raise for a line of the text, counted from 0, in which digits behind a call would be read as a part of
+    its private word."""
     line = row + 1 if source is None else int(source[row + 1])
     shown = text.split(b"\n")[row].decode("latin-1").strip()[:60]
     raise ProgramError(
-        say("line {line}: digits stand right behind a call, and no letter before them: {found}", line=line, found=repr(shown)),
+        say(
+            "line {line}: digits stand right behind a call, and no letter before them: {found}",
+            line=line,
+            found=repr(shown),
+        ),
         shown,
     )
 

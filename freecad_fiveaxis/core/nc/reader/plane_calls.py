@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What one line says of a tilted working plane: where its zero is, how it is turned, and who turns the rotary axes.
+"""What one line says of a tilted working plane: where its zero is, how it is turned, and who turns the rotary
+axes.
 
-G68.2 X Y Z I J K    zero, and Euler angles: I about Z, J about the X so turned, K about the Z so turned (Fanuc B-63942EN/02,
-                     5.44, tilted working plane command; the same order as PLANE EULER). G53.1 then turns the tool to its normal.
-PLANE SPATIAL        SPA, SPB, SPC about X, then Y, then Z of the untilted system; EULER as above; VECTOR: base vector B along
-                     X, normal N; RELATIV: one angle, on from the plane that is on. The zero stays (Heidenhain TNC 620, Klartext,
-                     10/2017, 13.2; iTNC 530, 9.2, 9.4, 9.5).
-CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, ...): zero X0 Y0 Z0, turns one after the other
-                     about axes already turned, zero X1 Y1 Z1 in the plane so turned. MODE: two bits for the axis of each
-                     turn, the first lowest (27 = Z Y X, 39, 45, 30, 54, 57 = X Y Z). All angles 0: back to the basic position
-                     (Siemens 840D sl, 6FC5398-7CP41, 10.6).
+G68.2 X Y Z I J K    zero, and Euler angles: I about Z, J about the X so turned, K about the Z so turned
+                     (Fanuc B-63942EN/02, 5.44, tilted working plane command; the same order as PLANE EULER).
+                     G53.1 then turns the tool to its normal.
+PLANE SPATIAL        SPA, SPB, SPC about X, then Y, then Z of the untilted system; EULER as above; VECTOR:
+                     base vector B along X, normal N; RELATIV: one angle, on from the plane that is on. The
+                     zero stays (Heidenhain TNC 620, Klartext, 10/2017, 13.2; iTNC 530, 9.2, 9.4, 9.5).
+CYCLE800             (FR, "TC", ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, DIR, ...): zero X0 Y0 Z0, turns one
+                     after the other about axes already turned, zero X1 Y1 Z1 in the plane so turned. MODE:
+                     two bits for the axis of each turn, the first lowest (27 = Z Y X, 39, 45, 30, 54, 57 = X
+                     Y Z). All angles 0: back to the basic position (Siemens 840D sl, 6FC5398-7CP41, 10.6).
 
-Not looked up in a manual: DIR 0 leaves the axes, all angles 0 drive them back, the meaning of ST, DIST of MOVE; and that Fanuc's
-angles are about Z, X, Z, as posts write them (FreeCAD CAM's too). Check them on the control.
+Not looked up in a manual: DIR 0 leaves the axes, all angles 0 drive them back, the meaning of ST, DIST of
+MOVE; and that Fanuc's angles are about Z, X, Z, as posts write them (FreeCAD CAM's too). Check them on the
+control.
 
 Other forms (three points, projection and axis angles, SYM; ST that adds) are not known here, and named.
 """
@@ -34,7 +37,10 @@ FANUC, HEIDENHAIN, SIEMENS, HAAS = "fanuc", "heidenhain", "siemens", "haas"
 """Whose rule picks one of the two ways to stand; Haas' picks none (:mod:`.dynamic_offset`)."""
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
 ENTRY = re.compile(rf"(SP[ABC]|EUL(?:PR|NU|ROT)|[BN][XYZ]) *({NUMBER})")
-REST = re.compile(rf"TURN|MOVE|STAY|SEQ *[-+]|(?:TABLE|COORD) *ROT|(ABST|DIST|MB) *({NUMBER}|MAX)|F *MAX|F *AUTO|F *{NUMBER}")
+REST = re.compile(
+    rf"TURN|MOVE|STAY|SEQ *[-+]|(?:TABLE|COORD) *ROT|(ABST|DIST|MB) *({NUMBER}|MAX)|F *MAX|F *AUTO|F "
+    rf"*{NUMBER}"
+)
 RELATIVE = "RELATIV"
 FORMS = {
     "SPATIAL": ("SPA", "SPB", "SPC"),
@@ -46,17 +52,19 @@ MOST_ARGUMENTS = 16
 FARTHEST = 1e7
 """mm, deg; a value beyond this is no place of any machine."""
 POLE_STATES = (0, 100_000, 200_000)
-"""ST: a new plane; the hundred thousands say which way the axes take at the pole, where the plane is the same."""
+"""ST: a new plane; the hundred thousands say which way the axes take at the pole, where the plane is the
+same."""
 
 
 @dataclass(frozen=True, eq=False)
 class Tilt:
-    """``turn`` (3, 3): the plane's axes as columns, None where the plane ends; ``origin`` (3,) in the program's unit, ``shift``
-    (3,) in the plane; ``move``: of :data:`STAY`, :data:`TURN`, :data:`MOVE`; ``side``: -1 or 1 for the sign of the first axis,
-    0 where the line does not say; ``back``: to where both rotary words are 0; ``relative``: on
-    from the plane that is on; ``away``: it draws the tool back before;
-    ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``: how it is
-    called; ``frame``: coordinates alone, of the tip where the control guides it, else of the axes."""
+    """``turn`` (3, 3): the plane's axes as columns, None where the plane ends; ``origin`` (3,) in the
+    program's unit, ``shift`` (3,) in the plane; ``move``: of :data:`STAY`, :data:`TURN`, :data:`MOVE`;
+    ``side``: -1 or 1 for the sign of the first axis, 0 where the line does not say; ``back``: to where both
+    rotary words are 0; ``relative``: on from the plane that is on; ``away``: it draws the tool back before;
+    ``table``: a free axis of the table turns with the plane; ``refused``: why it is not understood; ``name``:
+    how it is called; ``frame``: coordinates alone, of the tip where the control guides it, else of the
+    axes."""
 
     rule: str
     turn: Floats | None = None
@@ -104,7 +112,8 @@ def euler(degrees: Sequence[float]) -> Floats:
 
 
 def by_vectors(base: Floats, normal: Floats) -> Floats | None:
-    """Z along ``normal`` (3,), X along ``base`` (3,) as far as it lies in the plane; None where the two are no plane."""
+    """Z along ``normal`` (3,), X along ``base`` (3,) as far as it lies in the plane; None where the two are
+    no plane."""
     across = np.cross(normal, base)
     if not np.linalg.norm(across) > 1e-9:
         return None
@@ -138,14 +147,27 @@ def _heidenhain(form: str, rest: str) -> Tilt:
         return Tilt(HEIDENHAIN, refused=say("{rest} is not known here", rest=repr(f"PLANE {form}")))
     if not any(found[0] in ("TURN", "MOVE", "STAY") for found in options):
         return Tilt(HEIDENHAIN, refused=say("it says none of TURN, MOVE and STAY"))
-    if set(entries) != set(FORMS[form]) if form != RELATIVE else len(entries) != 1 or not set(entries) <= set(FORMS[form]):
+    if (
+        set(entries) != set(FORMS[form])
+        if form != RELATIVE
+        else len(entries) != 1 or not set(entries) <= set(FORMS[form])
+    ):
         return Tilt(HEIDENHAIN, refused=say("not all its values are given, or others"))
     if why := beyond([*entries.values(), float(dist)]):
         return Tilt(HEIDENHAIN, refused=why)
     turn = _turned(form, [entries.get(name, 0.0) for name in FORMS[form]])
     if turn is None:
         return Tilt(HEIDENHAIN, refused=say("its vectors span no plane"))
-    return Tilt(HEIDENHAIN, turn, move=move, side=side, dist=float(dist), relative=form == RELATIVE, away=away, table=table)
+    return Tilt(
+        HEIDENHAIN,
+        turn,
+        move=move,
+        side=side,
+        dist=float(dist),
+        relative=form == RELATIVE,
+        away=away,
+        table=table,
+    )
 
 
 def _turned(form: str, values: list[float]) -> Floats | None:
@@ -174,4 +196,13 @@ def cycle800(inside: str) -> Tilt:
     first, second = (value[4], value[5], value[6]), (value[10], value[11], value[12])
     home = not any(value[7:10])
     turn = one_by_one(order, value[7:10])
-    return Tilt(SIEMENS, turn, first, second, TURN if way else STAY, (way > 0) - (way < 0), back=home, away=value[0] > 0)
+    return Tilt(
+        SIEMENS,
+        turn,
+        first,
+        second,
+        TURN if way else STAY,
+        (way > 0) - (way < 0),
+        back=home,
+        away=value[0] > 0,
+    )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Q120, Q121 and Q122: the words of A, B and C that the control works out for each PLANE function.
 
-A program that turns its axes itself (STAY) reads them: PLANE SPATIAL ... STAY, then L A+Q120 C+Q122 FMAX. They hold "rotary axis
-coordinates calculated by the TNC" (Heidenhain TNC 640, 34059x-05, ISO programming, 1/2015, 9.11; iTNC 530, 9.10), 0 for an axis
-that the machine has not. Not looked up in a manual: that PLANE RESET sets the basic position. Check it on the control.
+A program that turns its axes itself (STAY) reads them: PLANE SPATIAL ... STAY, then L A+Q120 C+Q122 FMAX.
+They hold "rotary axis coordinates calculated by the TNC" (Heidenhain TNC 640, 34059x-05, ISO programming,
+1/2015, 9.11; iTNC 530, 9.10), 0 for an axis that the machine has not. Not looked up in a manual: that PLANE
+RESET sets the basic position. Check it on the control.
 """
 
 from __future__ import annotations
@@ -27,8 +28,8 @@ ROTARY = re.compile(rf"(?<![A-Z])(I?)([ABC]) *([-+]?(?:{NUMBER.pattern}))")
 
 
 class PlaneParameters:
-    """What one run on a machine (``kinematics``) knows of its planes: ``frame`` (3, 3) of the plane that is on, ``stand`` (2,)
-    degrees of the rotary axes; ``findings``, with lines of the file."""
+    """What one run on a machine (``kinematics``) knows of its planes: ``frame`` (3, 3) of the plane that is
+    on, ``stand`` (2,) degrees of the rotary axes; ``findings``, with lines of the file."""
 
     def __init__(self, kinematics: Chain) -> None:
         self.kinematics, self.letters = kinematics, kinematics.letters[3:]
@@ -38,8 +39,8 @@ class PlaneParameters:
         self.read = False
 
     def tilt(self, row: str, at: int, output: list[tuple[int, str]]) -> dict[str, float]:
-        """Work out the parameters that the PLANE function ``row`` of the line of index ``at`` sets, after the rows ``output``;
-        none where it is not understood (:mod:`.planes` says so)."""
+        """Work out the parameters that the PLANE function ``row`` of the line of index ``at`` sets, after the
+        rows ``output``; none where it is not understood (:mod:`.planes` says so)."""
         self._follow(output)
         tilt = heidenhain(" ".join(row.split()))
         if tilt.refused:

@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the rotary axes stand that take the tool to a plane's normal: by the machine's own inverse kinematics.
+"""Where the rotary axes stand that take the tool to a plane's normal: by the machine's own inverse
+kinematics.
 
 Two ways to stand take up the normal, each in several turns. Of those within the limits the control picks:
 
-Fanuc       the least way of the master axis, then of the other, then the master nearest to 0; of a table and a head the
-            table first (16i/18i/160i/180i-MB operator's manual, tool axis direction control: output judgement conditions).
-Heidenhain  SEQ+ or SEQ-: the axis nearest to the tool is positive, or negative; without SEQ the shortest way (TNC7 basic
-            81762x-19, tilting solution; the examples of iTNC 530, DIN/ISO programming, 6/2010, 12.2).
-Siemens     DIR: the higher or lower value of the reference axis, the other where that cannot be reached (6FC5398-7CP41,
-            10.6). Which axis it is, is set in the machine: the one nearest to the tool is taken, of two in the head the first.
+Fanuc       the least way of the master axis, then of the other, then the master nearest to 0; of a table and
+            a head the table first (16i/18i/160i/180i-MB operator's manual, tool axis direction control:
+            output judgement conditions).
+Heidenhain  SEQ+ or SEQ-: the axis nearest to the tool is positive, or negative; without SEQ the shortest way
+            (TNC7 basic 81762x-19, tilting solution; the examples of iTNC 530, DIN/ISO programming, 6/2010,
+            12.2).
+Siemens     DIR: the higher or lower value of the reference axis, the other where that cannot be reached
+            (6FC5398-7CP41, 10.6). Which axis it is, is set in the machine: the one nearest to the tool is
+            taken, of two in the head the first.
 
-At the pole, where the normal lies along the first axis, that axis is free: in the work all its angles are the same. It stays,
-but with Heidenhain's TABLE ROT a table turns until the plane's X lies along the machine's (TNC7 81762x-17, transformation types).
+At the pole, where the normal lies along the first axis, that axis is free: in the work all its angles are the
+same. It stays, but with Heidenhain's TABLE ROT a table turns until the plane's X lies along the machine's
+(TNC7 81762x-17, transformation types).
 """
 
 from __future__ import annotations
@@ -37,12 +42,14 @@ ALIKE = 1e-7
 
 
 def solution(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats) -> tuple[Floats | None, str]:
-    """Pick rotary words (2,) degrees for the plane ``frame`` (3, 3), its axes as columns, from where the axes ``stand`` (2,) rad;
-    None, with the reason, where there are none."""
+    """Pick rotary words (2,) degrees for the plane ``frame`` (3, 3), its axes as columns, from where the axes
+    ``stand`` (2,) rad; None, with the reason, where there are none."""
     if tilt.back:
         return np.degrees(_nearest_zero(kinematics, stand)), ""
     branches, _ = inverse_axis(kinematics, frame[None, :, 2])
-    if np.linalg.norm(np.cross(kinematics.direction[3], frame[:, 2])) < AT_POLE:  # the measure is 0 at a nutating axis' rim too
+    if (
+        np.linalg.norm(np.cross(kinematics.direction[3], frame[:, 2])) < AT_POLE
+    ):  # the measure is 0 at a nutating axis' rim too
         branches[:, 0, 0] = _free(kinematics, tilt, frame, stand, branches[:, 0, 1])
     ways = _windings(branches[:, 0], stand)
     ways = ways[~np.isnan(ways).any(axis=1)]
@@ -52,11 +59,16 @@ def solution(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats) -> tup
     if not within.any():
         return None, say("no way to stand lies within the limits of the rotary axes")
     chosen = _chosen(kinematics, tilt, ways[within], stand)
-    return (None, say("SEQ asks for a way that lies beyond the limits")) if chosen is None else (np.degrees(chosen), "")
+    return (
+        (None, say("SEQ asks for a way that lies beyond the limits"))
+        if chosen is None
+        else (np.degrees(chosen), "")
+    )
 
 
 def _free(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats, second: Floats) -> Floats:
-    """The free first axis (n,) rad beside the ``second`` (n,) rad: where it stands, or where TABLE ROT asks a table to turn."""
+    """The free first axis (n,) rad beside the ``second`` (n,) rad: where it stands, or where TABLE ROT asks a
+    table to turn."""
     if not tilt.table or kinematics.axes[3].side != "table":
         return np.full(len(second), stand[0])
     first, other = kinematics.direction[3:]
@@ -113,7 +125,8 @@ def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
     letters = kinematics.letters[3:]
     first, second = letters[0] + f"{angles[0]:.4f}", letters[1] + f"{angles[1]:.4f}"
     text = say(
-        "Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first {first} {second}; a "
+        "Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first "
+        "{first} {second}; a "
         "setting of the machine may choose another. Compare with the control.",
         control=tilt.rule.capitalize(),
         first=first,
@@ -124,5 +137,8 @@ def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
 
 def lost(line: int, reason: str) -> Finding:
     """Say that the axes cannot turn to the plane of that line, and why."""
-    text = say("The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.", reason=reason)
+    text = say(
+        "The rotary axes cannot turn to the tilted plane: {reason}. Choose the program's own machine.",
+        reason=reason,
+    )
     return report_finding(Code.AXIS_NOT_REACHABLE, text, line=line)

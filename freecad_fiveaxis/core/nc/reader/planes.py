@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tilted working planes: which lines stand in one, and where their words lead.
 
-in the plane   X Y Z are coordinates p of the plane: the tip, in the work, is ``origin + turn p``, wherever the rotary axes stand;
-               they must stand so that the tool lies along the plane's normal, ``turn``'s third column.
-turning line   G53.1, PLANE ... TURN or MOVE, CYCLE800: a block of its own in which the rotary axes turn there.
+in the plane   X Y Z are coordinates p of the plane: the tip, in the work, is ``origin + turn p``, wherever
+               the rotary axes stand; they must stand so that the tool lies along the plane's normal,
+               ``turn``'s third column.
+turning line   G53.1, PLANE ... TURN or MOVE, CYCLE800: a block of its own in which the rotary axes turn
+               there.
 """
 
 from __future__ import annotations
@@ -30,9 +32,11 @@ JOINTS, GUIDED, IN_PLANE = 0, 1, 2
 
 @dataclass(eq=False)
 class Planes:
-    """``meaning`` (lines,): 0, or IN_PLANE + the index of the plane in which each line stands; ``origin`` (k, 3) mm, ``turn``
-    (k, 3, 3) of the planes; ``turning``: what the turning lines say, with the plane (3, 3), its axes as columns, whose normal the
-    tool shall take; ``frame`` (k,): programmed frames, which come twice: for the tip, and (``axes``) for the axes."""
+    """``meaning`` (lines,): 0, or IN_PLANE + the index of the plane in which each line stands; ``origin`` (k,
+    3) mm, ``turn`` (k, 3, 3) of the planes; ``turning``: what the turning lines say, with the plane (3, 3),
+       its axes as columns, whose normal the
+    tool shall take; ``frame`` (k,): programmed frames, which come twice: for the tip, and (``axes``) for the
+    axes."""
 
     meaning: Ints
     origin: Floats
@@ -54,15 +58,16 @@ class Planes:
         return np.asarray((meaning >= IN_PLANE) & np.append(which, False)[np.maximum(meaning - IN_PLANE, -1)])
 
     def modes(self, mode: Ints, on: Bools) -> tuple[Ints, Bools]:
-        """The motion modes (lines,) and whether the control guides the tip, with those of the turning lines."""
+        """The motion modes (lines,) and whether the control guides the tip, with those of the turning
+        lines."""
         mode, on, lines = mode.copy(), on.copy(), list(self.turning)
         mode[lines] = codes.RAPID
         on[lines] = [tilt.move == MOVE for tilt, _ in self.turning.values()]
         return mode, on
 
     def of_blocks(self, at: Ints, on: Bools, words: list[tuple[Floats, Bytes]]) -> Ints:
-        """What X Y Z mean in the blocks of the lines ``at`` (m,) with these words: rotary words alone turn the axes, and X Y Z
-        stand, unless the control guides the tip (``on`` (m,))."""
+        """What X Y Z mean in the blocks of the lines ``at`` (m,) with these words: rotary words alone turn
+        the axes, and X Y Z stand, unless the control guides the tip (``on`` (m,))."""
         linear = np.logical_or.reduce([kind != 0 for _, kind in words[:3]])
         rotary = np.logical_or.reduce([kind != 0 for _, kind in words[3:]])
         now = self.meaning[at]
@@ -73,7 +78,8 @@ class Planes:
         return np.asarray(meaning, np.int64)
 
     def in_work(self, place: Floats, meaning: Ints) -> Floats:
-        """Places (m, 3) mm of the tip in the work, for what the words say; those that stand in no plane as they are."""
+        """Places (m, 3) mm of the tip in the work, for what the words say; those that stand in no plane as
+        they are."""
         rows = np.flatnonzero(meaning >= IN_PLANE)
         which = meaning[rows] - IN_PLANE
         place = place.copy(order="K")
@@ -93,8 +99,11 @@ class Planes:
         return np.asarray(self.turn[k].T @ (place - self.origin[k]))
 
 
-def planes_of(lines: Lines, grammar: Grammar, dynamic: Mapping[int, Tilt] = MappingProxyType({})) -> Planes | None:
-    """The tilted planes of a program; None where it has none. ``dynamic``: those that :mod:`.dynamic_offset` knows better."""
+def planes_of(
+    lines: Lines, grammar: Grammar, dynamic: Mapping[int, Tilt] = MappingProxyType({})
+) -> Planes | None:
+    """The tilted planes of a program; None where it has none. ``dynamic``: those that :mod:`.dynamic_offset`
+    knows better."""
     tilts = dict(sorted({**tilts_of(lines, grammar), **dynamic}.items()))
     return _planes(tilts, lines, grammar) if tilts else None
 
@@ -125,7 +134,9 @@ def _by_codes(lines: Lines) -> dict[int, Tilt]:
     chosen = np.isin(lines.code, (*codes.TILT, codes.LEVEL))
     for row, code in zip(lines.code_line[chosen].tolist(), lines.code[chosen].tolist(), strict=True):
         if code == codes.TILT[0]:
-            given = {letter: float(column[row]) for letter, column in columns.items() if not np.isnan(column[row])}
+            given = {
+                letter: float(column[row]) for letter, column in columns.items() if not np.isnan(column[row])
+            }
             tilts[row] = _euler(given)
         elif code == codes.TILT[1]:
             tilts[row] = Tilt(FANUC, move=TURN, name="G53.1")
@@ -146,7 +157,12 @@ def _euler(given: dict[str, float]) -> Tilt:
 
 def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
     scale = np.where(lines.inch(grammar), INCH, 1.0)
-    origins, turns, turning, findings = list[Floats](), list[Floats](), dict[int, tuple[Tilt, Floats]](), list[Finding]()
+    origins, turns, turning, findings = (
+        list[Floats](),
+        list[Floats](),
+        dict[int, tuple[Tilt, Floats]](),
+        list[Finding](),
+    )
     state, now, frames = np.zeros(lines.count, np.int64), 0, list[bool]()
     before = np.nan_to_num(np.stack([lines.column(letter) for letter in codes.ORIGIN], axis=1))
     for row, tilt in tilts.items():
@@ -171,7 +187,14 @@ def _planes(tilts: dict[int, Tilt], lines: Lines, grammar: Grammar) -> Planes:
             findings.append(_away(row))
         state[row] = now
     meaning = state[last_of(np.array(sorted(tilts)), lines.count)]
-    return Planes(meaning, np.reshape(origins, (-1, 3)), np.reshape(turns, (-1, 3, 3)), turning, tuple(findings), *_kinds(frames))
+    return Planes(
+        meaning,
+        np.reshape(origins, (-1, 3)),
+        np.reshape(turns, (-1, 3, 3)),
+        turning,
+        tuple(findings),
+        *_kinds(frames),
+    )
 
 
 def _kinds(frames: list[bool]) -> tuple[Bools, Bools]:
@@ -191,14 +214,21 @@ def _wrong(tilt: Tilt, now: int) -> str:
 
 def _without_centres(tilt: Tilt, lines: Lines) -> str:
     """Why nobody knows where the axes stand in a plane, for a machine that is still looked for."""
-    known = lines.assumed.centres or tilt.turn is None or tilt.frame  # frames turn the words of the axes themselves
-    return "" if known else say("the machine's centres of rotation, about which it leads the axes, are not known")
+    known = (
+        lines.assumed.centres or tilt.turn is None or tilt.frame
+    )  # frames turn the words of the axes themselves
+    return (
+        ""
+        if known
+        else say("the machine's centres of rotation, about which it leads the axes, are not known")
+    )
 
 
 def refused(name: str, reason: str, row: int) -> Finding:
     """What is not interpreted, in the line of index ``row``."""
     text = say(
-        "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were before: {reason}. "
+        "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were "
+        "before: {reason}. "
         "Post it another way, or post without planes.",
         name=name,
         reason=reason,
@@ -208,6 +238,7 @@ def refused(name: str, reason: str, row: int) -> Finding:
 
 def _away(row: int) -> Finding:
     text = say(
-        "Before it tilts the plane the control draws the tool back by a setting of the machine; that move is missing here."
+        "Before it tilts the plane the control draws the tool back by a setting of the machine; that move is "
+        "missing here."
     )
     return report_finding(codes.HOME[0], text, line=row)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the words of each motion line lead, from the words and the modes.
 
-programmed   the words at the end of a motion line as the NC file means them: X Y Z (mm), first and second rotary word (deg,
-             turns unfolded). Where the controller guides the tip, X Y Z are its place in the work; in a tilted plane its place
-             there; else where the axes stand.
+programmed   the words at the end of a motion line as the NC file means them: X Y Z (mm), first and second
+             rotary word (deg, turns unfolded). Where the controller guides the tip, X Y Z are its place in
+             the work; in a tilted plane its place there; else where the axes stand.
 stretch      motion lines in a row whose X Y Z mean the same. Where one ends, the same pose begins the next.
 """
 
@@ -33,8 +33,8 @@ NOTHING, ABSOLUTE, STEP, SHORTER = 0, 1, 2, 3
 
 @dataclass(eq=False)
 class Start:
-    """Where a program begins: the first ``row`` of its motion lines after which the places of all axes are known, and the words
-    ``programmed`` (5,) until there, NaN where none."""
+    """Where a program begins: the first ``row`` of its motion lines after which the places of all axes are
+    known, and the words ``programmed`` (5,) until there, NaN where none."""
 
     row: int
     programmed: Floats
@@ -43,11 +43,16 @@ class Start:
 def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector: Floats) -> Start:
     """How the motion lines (m,) begin, given as in :func:`moves`; ``rapid`` (m,).
 
-    A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these rapids are no blocks.
-    Where other lines than absolute rapids stand before the places of all axes are known, row 0 begins.
+    A safe start drives Z, the rotary axes, then X and Y, one after the other from an unknown place: these
+    rapids are no blocks. Where other lines than absolute rapids stand before the places of all axes are
+    known, row 0 begins.
     """
     rapids = slice(0, len(rapid) if rapid.all() else int(np.argmin(rapid)) + 1)
-    kind, meaning, vector = np.column_stack([kind[rapids] for _, kind in words]), meaning[rapids], vector[rapids]
+    kind, meaning, vector = (
+        np.column_stack([kind[rapids] for _, kind in words]),
+        meaning[rapids],
+        vector[rapids],
+    )
     row = np.arange(len(kind))[:, None]
     last = np.maximum.accumulate(np.where((kind == ABSOLUTE) | (kind == SHORTER), row, -1), axis=0)
     stretch = last_of(np.flatnonzero(np.diff(meaning, prepend=meaning[:1])), len(meaning))
@@ -57,16 +62,20 @@ def begun(words: list[tuple[Floats, Bytes]], meaning: Ints, rapid: Bools, vector
     first = int(whole[0]) if len(whole) and not (kind[: whole[0] + 1] == STEP).any() else 0
     at = np.where(known[first], last[first], -1)
     programmed = np.array(
-        [value[source] if source >= 0 else np.nan for (value, _), source in zip(words, at.tolist(), strict=True)]
+        [
+            value[source] if source >= 0 else np.nan
+            for (value, _), source in zip(words, at.tolist(), strict=True)
+        ]
     )
     return Start(first, programmed)
 
 
 @dataclass(eq=False)
 class Moves:
-    """One row a motion line, (m,): ``at`` its line; ``before``, ``programmed`` (m, 5) the words at its start and end; ``on``
-    whether the controller guides the tip; ``vector`` (m, 3) the tool axis where a vector gives it, else NaN; ``lost``: rows whose
-    vector no rotary words take up; ``named`` (m, 5) whether the line has that word as an absolute one; ``meaning`` of X Y Z."""
+    """One row a motion line, (m,): ``at`` its line; ``before``, ``programmed`` (m, 5) the words at its start
+    and end; ``on`` whether the controller guides the tip; ``vector`` (m, 3) the tool axis where a vector
+    gives it, else NaN; ``lost``: rows whose vector no rotary words take up; ``named`` (m, 5) whether the line
+    has that word as an absolute one; ``meaning`` of X Y Z."""
 
     at: Ints
     before: Floats
@@ -79,7 +88,8 @@ class Moves:
 
 
 def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
-    """The word of an axis in each line, whichever form it has, and how it is meant; absolute ones are so under G90."""
+    """The word of an axis in each line, whichever form it has, and how it is meant; absolute ones are so
+    under G90."""
     value = lines.column(letter)
     kind = np.where(np.isnan(value), NOTHING, ABSOLUTE).astype(np.int8)
     for forms, meant in ((codes.STEP_OF, STEP), (codes.SHORTER_OF, SHORTER)):
@@ -92,7 +102,8 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
 
 
 def absolute_anyway(lines: Lines, letter: str) -> Bools:
-    """The lines (lines,) whose word of that letter is absolute whatever is in force (:data:`.codes.ABSOLUTE`)."""
+    """The lines (lines,) whose word of that letter is absolute whatever is in force
+    (:data:`.codes.ABSOLUTE`)."""
     found = np.zeros(lines.count, np.bool_)
     if codes.ABSOLUTE in lines.letters and letter in codes.AXIS_LETTERS:
         words = lines.words
@@ -102,7 +113,8 @@ def absolute_anyway(lines: Lines, letter: str) -> Bools:
 
 
 def check_near(lines: Lines, letter: str, value: Floats) -> None:
-    """Raises ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond :data:`FARTHEST`."""
+    """Raises ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond
+    :data:`FARTHEST`."""
     far = np.flatnonzero(np.abs(np.nan_to_num(value)) > FARTHEST)
     if len(far):
         at = np.flatnonzero((lines.words.line == far[0]) & (lines.words.letter == ord(letter)))
@@ -130,9 +142,10 @@ def moves(
     meaning: Ints,
     planes: Planes | None = None,
 ) -> Moves:
-    """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are guided ``on`` (m,),
-    and the vectors ``vector`` (m, 3) that they give, NaN where none; ``programmed_before`` (5,): as ``Start.programmed``;
-    ``meaning`` (m,) of X Y Z, as of :meth:`.planes.Planes.of_blocks`."""
+    """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are
+    guided ``on`` (m,), and the vectors ``vector`` (m, 3) that they give, NaN where none;
+    ``programmed_before`` (5,): as ``Start.programmed``; ``meaning`` (m,) of X Y Z, as of
+    :meth:`.planes.Planes.of_blocks`."""
     count = len(at)
     motions = Moves(
         at, np.empty((5, count)).T, np.empty((5, count)).T, on, vector, np.empty(0, np.int64),
@@ -144,12 +157,20 @@ def moves(
     for first, last in zip([0, *cuts.tolist()], [*cuts.tolist(), count], strict=True):
         rows = slice(first, last)
         if first:
-            start = _pose(kinematics, motions.programmed[first - 1], int(meaning[first - 1]), int(meaning[first]), planes)
+            start = _pose(
+                kinematics,
+                motions.programmed[first - 1],
+                int(meaning[first - 1]),
+                int(meaning[first]),
+                planes,
+            )
         for k, (value, kind) in enumerate(words):
             modulo = k >= 3 and wrap[k - 3] == "modulo"
             motions.programmed[rows, k] = track(value[rows], kind[rows], start[k], first > 0, modulo)
         if on[first] and not np.isnan(vector[rows]).all():
-            lost.append(first + _turn(kinematics, motions, rows, [kind[rows] for _, kind in words[3:]], start[3:]))
+            lost.append(
+                first + _turn(kinematics, motions, rows, [kind[rows] for _, kind in words[3:]], start[3:])
+            )
         motions.before[rows] = np.concatenate([start[None], motions.programmed[first : last - 1]])
     motions.before[0] = motions.programmed[0]
     motions.lost = np.concatenate([motions.lost, *lost])
@@ -208,8 +229,8 @@ def track(value: Floats, kind: Bytes, start: float, known: bool, modulo: bool) -
 
 
 def _turn(kinematics: Chain, motions: Moves, rows: slice, kinds: list[Bytes], start: Floats) -> Ints:
-    """Put the rotary words that the vectors ask for into ``motions.programmed``; returns the rows (of these) that nothing
-    takes up."""
+    """Put the rotary words that the vectors ask for into ``motions.programmed``; returns the rows (of these)
+    that nothing takes up."""
     none = np.asarray(np.isnan(motions.vector[rows]).all(axis=1))
     vector = np.where(none[:, None], np.nan, np.nan_to_num(motions.vector[rows]))
     length = np.linalg.norm(vector, axis=1)
@@ -222,12 +243,15 @@ def _turn(kinematics: Chain, motions: Moves, rows: slice, kinds: list[Bytes], st
     by_vector = last_of(keep + 1, count + 1)[1:]
     by_words = last_of(np.flatnonzero((kinds[0] != NOTHING) | (kinds[1] != NOTHING)) + 1, count + 1)[1:]
     turned = np.flatnonzero((by_vector > 0) & (by_vector >= by_words))
-    motions.programmed[rows.start + turned, 3:] = angles[reached][np.searchsorted(keep, by_vector[turned] - 1)]
+    motions.programmed[rows.start + turned, 3:] = angles[reached][
+        np.searchsorted(keep, by_vector[turned] - 1)
+    ]
     return given[~reached]
 
 
 def _angles(kinematics: Chain, axis: Floats, start: Floats) -> tuple[Floats, Bools]:
-    """Rotary words (n, 2) degrees for unit axes (n, 3), and which of them the machine takes up: the way of least travel."""
+    """Rotary words (n, 2) degrees for unit axes (n, 3), and which of them the machine takes up: the way of
+    least travel."""
     branches, sine = inverse_axis(kinematics, axis)
     reached: Bools = np.asarray(~np.isnan(branches).all(axis=(0, 2)))
     angles = branches[:, reached]
@@ -241,7 +265,9 @@ def _angles(kinematics: Chain, axis: Floats, start: Floats) -> tuple[Floats, Boo
     none = ~fits.any(axis=0)
     fits[:, none] = ~np.isnan(angles[:, none, 0] + angles[:, none, 1])
     low, high = kinematics.low[3:], kinematics.high[3:]
-    if none.any():  # no way keeps to the limits: the least travel without them, which the check of limits then reports
+    if (
+        none.any()
+    ):  # no way keeps to the limits: the least travel without them, which the check of limits then reports
         low, high = np.full(2, -np.inf), np.full(2, np.inf)
     steps = len(pole) - 1
     words, _ = choose(angles, fits, low, high, np.ones(steps, np.bool_), pole[1:] | pole[:-1])
@@ -263,7 +289,8 @@ def where_axes_stand(kinematics: Chain, programmed: Floats, by_tip: Bools) -> Fl
         first, second = programmed[rows[lost[0]], 3:]
         raise ProgramError(
             say(
-                "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this machine's program?",
+                "with {letter}{first} {other}{second} the linear axes cannot place the tip; is it this "
+                "machine's program?",
                 letter=kinematics.letters[3],
                 first=Number(first),
                 other=kinematics.letters[4],

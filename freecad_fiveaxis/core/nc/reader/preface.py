@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What stands around a program and is none of it: tape marks, names where a number belongs, listings, signs of an end.
+"""What stands around a program and is none of it: tape marks, names where a number belongs, listings, signs
+of an end.
 
 %                      the first ends the leader of the tape, the next one ends the program (ISO 6983-1).
-O NONAME, OFinal Path  a name after O, which takes a number on Fanuc's and Haas' controls: passed over, with a warning.
-Information listing    what NX writes at the head of its listing window, up to a line of equals signs: the same.
+O NONAME, OFinal Path  a name after O, which takes a number on Fanuc's and Haas' controls: passed over, with a
+                       warning.
+Information listing    what NX writes at the head of its listing window, up to a line of equals signs: the
+                       same.
 : G17                  a colon without a number (a main block of old posts): the rest of its line is read.
 ETX, EOT               at the end of a file: passed over.
 
@@ -23,7 +26,8 @@ END_SIGN = re.compile(rb"[\x03\x04][\x03\x04\x1a\s]*\Z")
 HEAD = 30
 """Lines at the start of a file in which a preface is looked for."""
 LISTING = re.compile(
-    rb"^(?: *=+ *| *(?:INFORMATION LISTING CREATED BY|DATE|CURRENT WORK PART|NODE NAME) *:[^\n]*)$", re.MULTILINE
+    rb"^(?: *=+ *| *(?:INFORMATION LISTING CREATED BY|DATE|CURRENT WORK PART|NODE NAME) *:[^\n]*)$",
+    re.MULTILINE,
 )
 LISTING_SIGN = b"INFORMATION LISTING CREATED BY"
 WORD = rb"(?<![A-Z])[A-Z] *[-+]?[0-9.]"
@@ -38,7 +42,11 @@ def without_end_sign(text: bytes, findings: list[Finding]) -> bytes:
     if found is None:
         return text
     at = len(text) - len(found[0])
-    findings.append(finding_at(Code.NOT_NC_TEXT, say("The file ends in control characters; they are passed over."), text, at))
+    findings.append(
+        finding_at(
+            Code.NOT_NC_TEXT, say("The file ends in control characters; they are passed over."), text, at
+        )
+    )
     return text[:at] + b" " * len(found[0])
 
 
@@ -53,7 +61,10 @@ def without_preface(text: bytes, language: str, findings: list[Finding]) -> byte
     if LISTING_SIGN in head:
         head = _passed(head, LISTING, findings, say("the head of NX's listing"))
     head = _passed(
-        head, SIEMENS_NAME if language == "siemens" else NAME, findings, say("a program's name where O takes a number")
+        head,
+        SIEMENS_NAME if language == "siemens" else NAME,
+        findings,
+        say("a program's name where O takes a number"),
     )
     return _without_colons(head + rest, findings)
 
@@ -76,7 +87,9 @@ def _without_colons(text: bytes, findings: list[Finding]) -> bytes:
     places = [found.start(1) for found in COLON.finditer(text)] if b":" in text else []
     if not places:
         return text
-    sentence = say("{count} lines begin with a colon without a number; the rest of them is read.", count=len(places))
+    sentence = say(
+        "{count} lines begin with a colon without a number; the rest of them is read.", count=len(places)
+    )
     findings.append(finding_at(Code.NOT_NC_TEXT, sentence, text, places[0]))
     return COLON.sub(lambda found: found[0].replace(b":", b" "), text)
 
@@ -91,7 +104,9 @@ def between_marks(text: bytes, findings: list[Finding]) -> bytes:
     if mark < 0:
         return text
     if SOLID.search(text, line_end(text, mark)):
-        findings.append(finding_at(Code.TEXT_AFTER_END, say("The text after the closing % is not read."), text, mark))
+        findings.append(
+            finding_at(Code.TEXT_AFTER_END, say("The text after the closing % is not read."), text, mark)
+        )
     return text[:mark]
 
 

@@ -2,14 +2,16 @@
 """Shifts of the zero along X, Y and Z, put into the words: G52, CYCL DEF 7, TRANS DATUM AXIS, TRANS, ATRANS.
 
 Fanuc       G52: of the axes that it names; under a tilted plane it stands before the plane's own zero.
-Heidenhain  of the axes that the line names, I (in DIN/ISO, G54: G91) for on from where the zero is. One before a
-            tilted plane moves the system in which the plane lies; one within a plane counts in the plane.
-Siemens     TRANS: of all axes, those that it does not name by 0; ATRANS: on from where the zero is. CYCLE800 ends both.
+Heidenhain  of the axes that the line names, I (in DIN/ISO, G54: G91) for on from where the zero is. One
+            before a tilted plane moves the system in which the plane lies; one within a plane counts in the
+            plane.
+Siemens     TRANS: of all axes, those that it does not name by 0; ATRANS: on from where the zero is. CYCLE800
+            ends both.
 
-Sources: Fanuc B-63324EN, 7.2.5 (local coordinate system); LinuxCNC 2.9, G52, moved as its ``rs274`` moves; Heidenhain TNC 620,
-datum shift (cycle 7) and tilting; Siemens 840D sl, Programming Manual Fundamentals (frame instructions), 6FC5398-7CP41, 10.6.
-Not looked up in a manual: which shift a TNC resets within a plane; it is named where a plane ends with a shift in it
-and moves follow.
+Sources: Fanuc B-63324EN, 7.2.5 (local coordinate system); LinuxCNC 2.9, G52, moved as its ``rs274`` moves;
+Heidenhain TNC 620, datum shift (cycle 7) and tilting; Siemens 840D sl, Programming Manual Fundamentals (frame
+instructions), 6FC5398-7CP41, 10.6. Not looked up in a manual: which shift a TNC resets within a plane; it is
+named where a plane ends with a shift in it and moves follow.
 """
 
 from __future__ import annotations
@@ -42,8 +44,9 @@ LEFT = say("a tilted plane ends with a shift in it, and moves follow; reset the 
 
 @dataclass(eq=False)
 class _Zero:
-    """Where the zero is, mm: ``base`` of the untilted system, ``own`` in the plane that is on (``tilted``); ``left`` (3,): the
-    axes whose shift in a plane ended with the plane in line ``end``, and was not told again."""
+    """Where the zero is, mm: ``base`` of the untilted system, ``own`` in the plane that is on (``tilted``);
+    ``left`` (3,): the axes whose shift in a plane ended with the plane in line ``end``, and was not told
+    again."""
 
     base: Floats = field(default_factory=lambda: np.zeros(3))
     own: Floats = field(default_factory=lambda: np.zeros(3))
@@ -54,8 +57,8 @@ class _Zero:
 
 @dataclass(eq=False)
 class _Table:
-    """The shifts of a program by line: ``kind`` NaN where the line is none; ``value``, ``meant`` (lines, 3): its words, mm, and
-    how they are meant; ``rotary``: it names a rotary axis by other than 0."""
+    """The shifts of a program by line: ``kind`` NaN where the line is none; ``value``, ``meant`` (lines, 3):
+    its words, mm, and how they are meant; ``rotary``: it names a rotary axis by other than 0."""
 
     kind: Floats
     value: Floats
@@ -64,7 +67,8 @@ class _Table:
 
 
 def shifted(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
-    """The words with all shifts put into them, those of the shifts themselves left out. Without any, the same object."""
+    """The words with all shifts put into them, those of the shifts themselves left out. Without any, the same
+    object."""
     kind = _kinds(lines, grammar)
     if np.isnan(kind).all():
         return words, []
@@ -145,8 +149,11 @@ def _moved(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
     return ""
 
 
-def _put(words: Words, lines: Lines, grammar: Grammar, shift: Floats, own: Bools, origins: dict[int, Floats]) -> Words:
-    """The words with ``shift`` (lines, 3) mm on those that it moves, and ``origins`` in the lines of planes."""
+def _put(
+    words: Words, lines: Lines, grammar: Grammar, shift: Floats, own: Bools, origins: dict[int, Floats]
+) -> Words:
+    """The words with ``shift`` (lines, 3) mm on those that it moves, and ``origins`` in the lines of
+    planes."""
     shift = shift / np.where(lines.inch(grammar), INCH, 1.0)[:, None]
     value, line, letter = words.value.copy(), words.line, words.letter
     shift[lines.any_of(grammar.no_move) | own] = 0.0
@@ -157,7 +164,11 @@ def _put(words: Words, lines: Lines, grammar: Grammar, shift: Floats, own: Bools
     motion = lines.mode(grammar.motion, codes.NONE)
     cycles, absolute = motion == codes.CYCLE, (motion == codes.ARC) & (lines.mode(codes.CENTRES, 0) == 1)
     along = np.take_along_axis(moved, AXES[lines.mode(codes.PLANES, 0), 2:], axis=1)[:, 0]
-    for letters, how in (("XYZ", moved), (codes.CENTRE, shift), ("IJK", np.where(absolute[:, None], shift, 0.0))):
+    for letters, how in (
+        ("XYZ", moved),
+        (codes.CENTRE, shift),
+        ("IJK", np.where(absolute[:, None], shift, 0.0)),
+    ):
         for k, one in enumerate(letters):
             chosen = letter == ord(one)
             value[chosen] += how[line[chosen], k]

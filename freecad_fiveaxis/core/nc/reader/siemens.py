@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Siemens 840D text to plain words (Programming manual, Fundamentals and Job planning).
 
-X=1.5     an address with an equals sign.          X=AC() X=IC() C=DC()   absolute, incremental, by the shorter way.
-A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an absolute centre;
-                                                    TURN= full turns that an arc makes besides (Fundamentals, helix).
-KEYWORD   a word of two letters and more, maybe with brackets: known and harmless, known and not interpreted, or unknown.
+X=1.5     an address with an equals sign.          X=AC() X=IC() C=DC()   absolute, incremental, by the
+          shorter way.
+A3= B3= C3=   the tool's direction.                 CR=                    radius of an arc; I=AC() an
+              absolute centre;
+                                                    TURN= full turns that an arc makes besides (Fundamentals,
+                                                    helix).
+KEYWORD   a word of two letters and more, maybe with brackets: known and harmless, known and not interpreted,
+          or unknown.
 """
 
 from __future__ import annotations
@@ -23,13 +27,15 @@ VECTOR = re.compile(rb"(?<![A-Z_$])([ABC])3 *=")
 RADIUS = re.compile(rb"(?<![A-Z_$])CR *=")
 TURNS = re.compile(rb"(?<![A-Z0-9_$])TURN *=(?= *\+?[0-9])")
 ALONE = re.compile(
-    rb"^( *(?:N *[0-9]+ *)?)(?:(L[0-9]+)|([A-Z_][A-Z_][A-Z0-9_]*)(?: *\((?:[^()\n]|\([^()\n]*\))*\))?)(?: +P *=? *[0-9]+)? *$",
+    rb"^( *(?:N *[0-9]+ *)?)(?:(L[0-9]+)|([A-Z_][A-Z_][A-Z0-9_]*)(?: *\((?:[^()\n]|\([^()\n]*\))*\))?)(?: +P "
+    rb"*=? *[0-9]+)? *$",
     re.MULTILINE,
 )
 """A line of nothing but a name: a subprogram, where it is no known word."""
 ADDRESS = re.compile(rb"(?<![A-Z_$])([XYZABCUVWFIJKSDT]) *=(?= *[-+.0-9])")
 SIDE = re.compile(
-    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) *=" + NUMBER
+    rb"(?<![A-Z0-9_$])(?:CTOL|ATOL|OTOL|ADIS|ADISPOS|[SMH][0-9]+|[XYZABC]1|FP|SF|TOFFL|TOFFR|FGREF\[[A-Z]\]) "
+    rb"*=" + NUMBER
 )
 SHIFT = re.compile(rb"(?<![A-Z0-9_$])(A)?TRANS(?![A-Z0-9_])")
 ROTATE = re.compile(rb"(?<![A-Z0-9_$])(A)?ROT(?![A-Z0-9_])")
@@ -39,7 +45,8 @@ CYCLE800 = re.compile(rb"\bCYCLE800 *\(([^()\n]*)\)")
 TOOL = re.compile(rb"(?<![A-Z0-9_$])T *=(?= *(?:$|[A-Z]))", re.MULTILINE)
 ORIENTATION = re.compile(rb"(?<![A-Z0-9_$])(?:[ABC][2-9]|LEAD|TILT|THETA|PHI|PSI) *=" + NUMBER)
 VALUE = rb" *= *[-+]?[0-9.]+(?![0-9. ]*[-+*/(\[])"
-"""A plain number ends a keyword's value; of anything else nobody knows where it ends, and the rest of the line goes with it."""
+"""A plain number ends a keyword's value; of anything else nobody knows where it ends, and the rest of the
+line goes with it."""
 KEYWORD = re.compile(rb"[A-Z_$][A-Z_$][A-Z0-9_$]*( *\([^()\n]*\)|" + VALUE + rb"| *=[^\n]*)?")
 LABEL = re.compile(rb"^( *(?:N[0-9]+ *)?)([A-Z_][A-Z_][A-Z0-9_]*:)", re.MULTILINE)
 
@@ -49,9 +56,11 @@ HARMLESS = frozenset(
     CUT3DF CUT3DFF NORM KONT KONTC KONTT DIAMOF UPATH SPATH FIFOCTRL STARTFIFO STOPFIFO G64 FNORM FLIN FCUB CFTCP CFC CFIN
     RTLION RTLIOF OST OSC OSOF OSS OSSE SPOF SPON PTP CP ORICURVE DYNNORM DYNPOS DYNROUGH DYNSEMIFIN DYNFINISH DYNPREC ORISOLH
     EXTCLOSE PAROT PAROTOF SETMS FXS CYCLE_HSC GROUP_BEGIN GROUP_END WAITM DISPLOF DISPLON SAVE SBLON SBLOF ACCLIMA VELOLIM
-    ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()
+    ORIRESET CTRANS TOWSTD TOWTCP TCOFR TCOABS MIRRORW""".split()  # noqa: E501
 )
-SHIFTS = frozenset(b"DIAMON ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split())
+SHIFTS = frozenset(
+    b"DIAMON ROTS AROTS SCALE ASCALE MIRROR AMIRROR CYCLE800 TOROT TOFRAME TCARR G58 RPL".split()
+)
 CALLS = frozenset(b"CALL PCALL EXTCALL MCALL ISOCALL".split())
 ARCS = frozenset(b"CIP CT TURN AR".split())
 SPLINES = frozenset(b"ASPLINE BSPLINE CSPLINE POLY POLYPATH INVCW INVCCW".split())
@@ -59,39 +68,57 @@ POLAR = frozenset(b"AP RP".split())
 CORNERS = frozenset(b"RND RNDM CHR CHF ANG ANG1 ANG2".split())
 MACROS = frozenset(
     b"""IF ELSE ENDIF FOR ENDFOR WHILE ENDWHILE LOOP ENDLOOP REPEAT REPEATB UNTIL GOTO GOTOF GOTOB GOTOC GOTOS CASE DEF DEFINE
-    PROC SET RET ID IDS EVERY WHENEVER WHEN DO FROM""".split()
+    PROC SET RET ID IDS EVERY WHENEVER WHEN DO FROM""".split()  # noqa: E501
 )
 KNOWN = HARMLESS | {b"TRAORI", b"TRAFOOF", b"SUPA"}
 CYCLE = re.compile(rb"CYCLE[0-9]+|HOLES[0-9]|SLOT[0-9]|POCKET[0-9]|LONGHOLE|OSCTRL|OSE")
 KINDS = (
-    (SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE), (POLAR, codes.POLAR),
+    (SHIFTS, codes.SHIFT), (CALLS, codes.CALL), (ARCS, codes.ARC_KIND), (SPLINES, codes.SPLINE),
+    (POLAR, codes.POLAR),
     (CORNERS, codes.CORNER),
 )  # fmt: skip
-WAYS = {b"AC": str, b"IC": codes.STEP_OF, b"DC": codes.SHORTER_OF, b"ACP": codes.SHORTER_OF, b"ACN": codes.SHORTER_OF}
+WAYS = {
+    b"AC": str,
+    b"IC": codes.STEP_OF,
+    b"DC": codes.SHORTER_OF,
+    b"ACP": codes.SHORTER_OF,
+    b"ACN": codes.SHORTER_OF,
+}
 
 
 def plain(text: bytes, notes: Notes) -> bytes:
-    """The text, in capitals and without comments, as ISO words with the private letters; every line stays where it is."""
+    """The text, in capitals and without comments, as ISO words with the private letters; every line stays
+    where it is."""
     text = corners.marked(shifts(without_strings(text)), siemens=True)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
         text = _addresses(text, notes)
     if b"CYCLE8" in text or b"MCALL" in text:
         text = siemens_cycles.CALL.sub(lambda found: _drill(found, notes), text)
-    return KEYWORD.sub(lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text)
+    return KEYWORD.sub(
+        lambda found: _keyword(found, notes), LABEL.sub(_label, text) if b":" in text else text
+    )
 
 
 def swivels(text: bytes, notes: Notes) -> bytes:
-    """The text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in quotation marks."""
-    return CYCLE800.sub(lambda found: notes.tilt(cycle800(found[1].decode("latin-1"))).ljust(len(found[0])), text)
+    """The text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in
+    quotation marks."""
+    return CYCLE800.sub(
+        lambda found: notes.tilt(cycle800(found[1].decode("latin-1"))).ljust(len(found[0])), text
+    )
 
 
 def shifts(text: bytes) -> bytes:
-    """The text with the private word of a shift for TRANS, ATRANS, ROT and AROT, whose words stay as they are."""
+    """The text with the private word of a shift for TRANS, ATRANS, ROT and AROT, whose words stay as they
+    are."""
     if b"ROT" in text:
         text = ROTATE.sub(lambda found: (b"s5" if found[1] else b"s4").ljust(len(found[0])), text)
         text = IN_THE_PLANE.sub(lambda found: codes.IN_THE_PLANE.encode().ljust(len(found[0])), text)
-    return SHIFT.sub(lambda found: (b"s3" if found[1] else b"s2").ljust(len(found[0])), text) if b"TRANS" in text else text
+    return (
+        SHIFT.sub(lambda found: (b"s3" if found[1] else b"s2").ljust(len(found[0])), text)
+        if b"TRANS" in text
+        else text
+    )
 
 
 def _drill(found: re.Match[bytes], notes: Notes) -> bytes:
@@ -121,13 +148,17 @@ def _addresses(text: bytes, notes: Notes) -> bytes:
     if b"=" not in text:
         return text
     text = BRACKETED.sub(lambda found: _bracketed(found, notes), text)
-    text = VECTOR.sub(lambda found: codes.VECTOR["ABC".index(found[1].decode())].encode().ljust(len(found[0])), text)
+    text = VECTOR.sub(
+        lambda found: codes.VECTOR["ABC".index(found[1].decode())].encode().ljust(len(found[0])), text
+    )
     text = RADIUS.sub(lambda found: b"R".ljust(len(found[0])), text)
     if b"TURN" in text:
         text = TURNS.sub(lambda found: codes.TURNS.encode().ljust(len(found[0])), text)
     text = ADDRESS.sub(lambda found: found[1].ljust(len(found[0])), text)
     text = SIDE.sub(_blank, text)
-    return ORIENTATION.sub(lambda found: _noted(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text)
+    return ORIENTATION.sub(
+        lambda found: _noted(found, codes.SPATIAL, found[0].split(b"=")[0].strip(), notes), text
+    )
 
 
 def _bracketed(found: re.Match[bytes], notes: Notes) -> bytes:
@@ -151,7 +182,8 @@ def _noted(found: re.Match[bytes], kind: codes.Kind, name: bytes, notes: Notes) 
 
 
 def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
-    """Blanks, or the private word, for a keyword with what belongs to it; a note where it is not interpreted."""
+    """Blanks, or the private word, for a keyword with what belongs to it; a note where it is not
+    interpreted."""
     name = re.split(rb"[ (=]", found[0], maxsplit=1)[0]
     if name == b"TRAORI":
         return b"t1".ljust(len(found[0]))

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Subprograms that a Siemens 840D program calls, found in folders and written behind it.
 
-L100, MYSUB, MYSUB(1,R2)   a line of its own; P3 behind it: three times. CALL "NAME", EXTCALL "DIR/NAME.SPF", PCALL NAME(..).
-PROC MYSUB(REAL A, INT B=2)   the head of one with parameters, which take the values of the call in their order; one that is left
-                              out has its own, or 0. Strings, axes and VAR parameters are not known.
+L100, MYSUB, MYSUB(1,R2)   a line of its own; P3 behind it: three times. CALL "NAME", EXTCALL "DIR/NAME.SPF",
+                           PCALL NAME(..).
+PROC MYSUB(REAL A, INT B=2)   the head of one with parameters, which take the values of the call in their
+                              order; one that is left out has its own, or 0. Strings, axes and VAR parameters
+                              are not known.
 RET, M17, M2, M30             back.
 
-Source: 840D sl, Programming Manual Job Planning (subprogram technique). The folders that are named are searched in their order
-for NAME.SPF, then NAME.MPF; the control's own order was not looked up.
+Source: 840D sl, Programming Manual Job Planning (subprogram technique). The folders that are named are
+searched in their order for NAME.SPF, then NAME.MPF; the control's own order was not looked up.
 """
 
 from __future__ import annotations
@@ -41,8 +43,8 @@ DEEPEST = 100
 
 @dataclass(eq=False)
 class Unit:
-    """A program: its ``rows``, the line of the main file that each ``source`` stands for, ``parameters`` with their values
-    where a call leaves them out."""
+    """A program: its ``rows``, the line of the main file that each ``source`` stands for, ``parameters`` with
+    their values where a call leaves them out."""
 
     rows: list[str]
     source: list[int]
@@ -51,17 +53,19 @@ class Unit:
 
 @dataclass(eq=False)
 class Whole:
-    """The rows of a program and of those that it calls, calls as ``@2(1,R2)``; ``unit``: which of them each is of (0: the main
-    one); ``source``: its line in the main file, from 0."""
+    """The rows of a program and of those that it calls, calls as ``@2(1,R2)``; ``unit``: which of them each
+    is of (0: the main one); ``source``: its line in the main file, from 0."""
 
     rows: list[str]
     unit: list[int]
     source: list[int]
 
 
-def put_unit(whole: Whole, number: int, rows: list[str], texts: list[str], source: list[int], units: dict[str, Unit]) -> None:
-    """Put the rows of a program behind the others; ``texts``: the same with their strings. Raises Unread for a call that does not
-    fit."""
+def put_unit(
+    whole: Whole, number: int, rows: list[str], texts: list[str], source: list[int], units: dict[str, Unit]
+) -> None:
+    """Put the rows of a program behind the others; ``texts``: the same with their strings. Raises Unread for
+    a call that does not fit."""
     names = list(units)
     for row, text, at in zip(rows, texts, source, strict=True):
         found = CALL.match(text) if units else None
@@ -86,7 +90,8 @@ def _arguments(inside: str, unit: Unit, at: int) -> str:
 
 
 def found_units(rows: list[str], folders: Sequence[str], known: frozenset[bytes]) -> dict[str, Unit]:
-    """The programs that the rows call, and those that these call, by name. ``known``: words that are no programs."""
+    """The programs that the rows call, and those that these call, by name. ``known``: words that are no
+    programs."""
     units, waiting = dict[str, Unit](), [(row, at) for at, row in enumerate(rows)]
     while waiting and folders:
         row, at = waiting.pop(0)

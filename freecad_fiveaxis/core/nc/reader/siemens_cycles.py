@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Siemens' drilling cycles CYCLE81 to CYCLE89 and CYCLE840: what a call says, and its steps in the hole.
 
-RTP RFP SDIS     retraction plane, reference plane, safety clearance: the feed begins at RFP + SDIS, the tool ends at RTP.
+RTP RFP SDIS     retraction plane, reference plane, safety clearance: the feed begins at RFP + SDIS, the tool
+                 ends at RTP.
 DP DPR           final depth, absolute or from RFP on; one of them is told, or both agree.
-FDEP FDPR _DAM   CYCLE83: first depth; each peck is less than the one before by _DAM (below 0: that part of it), but at least
-                 _MDEP; the last two of _DAM share what is left. VARI 1: up to RFP + SDIS after each, and down to _DIS1 over the
-                 depth reached; 0: up by _VRT.
+FDEP FDPR _DAM   CYCLE83: first depth; each peck is less than the one before by _DAM (below 0: that part of
+                 it), but at least _MDEP; the last two of _DAM share what is left. VARI 1: up to RFP + SDIS
+                 after each, and down to _DIS1 over the depth reached; 0: up by _VRT.
 FFR RFF          CYCLE85: feeds down and up.  PIT MPIT SST SST1: threads; the feed is pitch times speed.
 MCALL            the cycle runs after each block that moves, until MCALL alone.
 
-Source: Siemens 840D sl, Programming Manual Cycles (drilling cycles); the order of the values also as posts write it. The pecks
-were written without the manual at hand: no other place hangs on them.
+Source: Siemens 840D sl, Programming Manual Cycles (drilling cycles); the order of the values also as posts
+write it. The pecks were written without the manual at hand: no other place hangs on them.
 """
 
 from __future__ import annotations
@@ -33,13 +34,16 @@ PARAMETERS = {
     "CYCLE81": (*BASIC, "DTB", *SHOWN),
     "CYCLE82": (*BASIC, "DTB", *SHOWN, "_VARI", "S_ZA", "S_FA", "S_ZD", "S_FD"),
     "CYCLE83": (
-        *BASIC, "FDEP", "FDPR", "_DAM", "DTB", "DTS", "FRF", "VARI", "_AXN", "_MDEP", "_VRT", "_DTD", "_DIS1", *SHOWN,
+        *BASIC, "FDEP", "FDPR", "_DAM", "DTB", "DTS", "FRF", "VARI", "_AXN", "_MDEP", "_VRT", "_DTD", "_DIS1",
+        *SHOWN,
     ),
     "CYCLE84": (
-        *BASIC, "DTB", "SDAC", "MPIT", "PIT", "POSS", "SST", "SST1", "_AXN", "_PITA", "_TECHNO", "_VARI", "_DAM", "_VRT",
+        *BASIC, "DTB", "SDAC", "MPIT", "PIT", "POSS", "SST", "SST1", "_AXN", "_PITA", "_TECHNO", "_VARI",
+        "_DAM", "_VRT",
         *THREAD, *SHOWN,
     ),
-    "CYCLE840": (*BASIC, "DTB", "SDR", "SDAC", "ENC", "MPIT", "PIT", "_AXN", "_PITA", "_TECHNO", *THREAD, *SHOWN),
+    "CYCLE840": (*BASIC, "DTB", "SDR", "SDAC", "ENC", "MPIT", "PIT", "_AXN", "_PITA", "_TECHNO", *THREAD,
+        *SHOWN),
     "CYCLE85": (*BASIC, "DTB", "FFR", "RFF", *SHOWN),
     "CYCLE86": (*BASIC, "DTB", "SDIR", "RPA", "RPO", "RPAP", "POSS", *SHOWN),
     "CYCLE87": (*BASIC, "SDIR", *SHOWN),
@@ -52,9 +56,11 @@ WITHOUT_DWELL = (*BASIC, *SHOWN)
 CODE = {"CYCLE84": 840, "CYCLE840": 840, "CYCLE85": 850, "CYCLE89": 890}
 """The ISO cycles that move alike; the others as G81."""
 CHANGING = ("_GMODE", "_VARI", "S_ZA", "S_FA", "S_ZD", "S_FD", "RPA", "RPO", "RPAP")
-"""Values other than 0 of these make other moves: a depth to the shank or by a diameter, pecks, a lateral lift."""
+"""Values other than 0 of these make other moves: a depth to the shank or by a diameter, pecks, a lateral
+lift."""
 COARSE = {
-    3: 0.5, 4: 0.7, 5: 0.8, 6: 1.0, 8: 1.25, 10: 1.5, 12: 1.75, 14: 2.0, 16: 2.0, 18: 2.5, 20: 2.5, 22: 2.5, 24: 3.0, 27: 3.0,
+    3: 0.5, 4: 0.7, 5: 0.8, 6: 1.0, 8: 1.25, 10: 1.5, 12: 1.75, 14: 2.0, 16: 2.0, 18: 2.5, 20: 2.5, 22: 2.5,
+    24: 3.0, 27: 3.0,
     30: 3.5, 33: 3.5, 36: 4.0, 39: 4.0, 42: 4.5, 45: 4.5, 48: 5.0,
 }  # fmt: skip
 """Pitch, mm, of metric coarse threads (ISO 261), for MPIT."""
@@ -70,8 +76,8 @@ CALL = re.compile(
 
 @dataclass(frozen=True)
 class Drill:
-    """A call: the cycle's ``name``, '' for the end of a modal one; ``values``: its values by their names, in the program's units;
-    ``modal``: it is called after each block; ``refused``: why it is not understood."""
+    """A call: the cycle's ``name``, '' for the end of a modal one; ``values``: its values by their names, in
+    the program's units; ``modal``: it is called after each block; ``refused``: why it is not understood."""
 
     name: str = ""
     values: dict[str, float] = field(default_factory=dict)
@@ -115,13 +121,20 @@ def _wrong(name: str, values: dict[str, float], beyond: list[str]) -> str:
     changing = [one for one in CHANGING if values.get(one) and not (name == "CYCLE86" and one == "_GMODE")]
     if changing:
         return say("{rest} is not known here", rest=f"{changing[0]}={values[changing[0]]:g}")
-    for one, known in (("VARI", (0, 1)), ("_PITA", (0, 1, 2, 3, 4)), ("_AXN", (0, 3)), ("MPIT", (0, *COARSE))):
+    for one, known in (
+        ("VARI", (0, 1)),
+        ("_PITA", (0, 1, 2, 3, 4)),
+        ("_AXN", (0, 3)),
+        ("MPIT", (0, *COARSE)),
+    ):
         if abs(values.get(one, 0.0)) not in known:
             return say("{rest} is not known here", rest=f"{one}={values[one]:g}")
     missing = [one for one in ("RTP", "RFP") if one not in values]
     if missing:
         return say("it has no {name}", name=missing[0])
-    if any(abs(values.get(one, 0.0)) > FARTHEST for one in ("RTP", "RFP", "SDIS", "DP", "DPR", "FDEP", "FDPR")):
+    if any(
+        abs(values.get(one, 0.0)) > FARTHEST for one in ("RTP", "RFP", "SDIS", "DP", "DPR", "FDEP", "FDPR")
+    ):
         return say("a value beyond all words")
     return _wrong_depth(name, values)
 
@@ -130,7 +143,11 @@ def _wrong_depth(name: str, values: dict[str, float]) -> str:
     for one, other in (("DP", "DPR"), ("FDEP", "FDPR"))[: 2 if name == "CYCLE83" else 1]:
         if one not in values and other not in values:
             return say("it has no {name}", name=f"{one}, {other}")
-        if one in values and values.get(other) and abs(values["RFP"] - abs(values[other]) - values[one]) > EQUAL_HEIGHT:
+        if (
+            one in values
+            and values.get(other)
+            and abs(values["RFP"] - abs(values[other]) - values[one]) > EQUAL_HEIGHT
+        ):
             return say("{one} and {other} tell two depths; leave one out", one=one, other=other)
     if _depth(values, "DP", "DPR") > values["RFP"] or values["RTP"] < values["RFP"]:
         return say("RTP, RFP and its depth do not lie one below the other")
@@ -140,7 +157,9 @@ def _wrong_depth(name: str, values: dict[str, float]) -> str:
 
 
 def _depth(values: dict[str, float], absolute: str, relative: str) -> float:
-    return values["RFP"] - abs(values[relative]) if values.get(relative) else values.get(absolute, values["RFP"])
+    return (
+        values["RFP"] - abs(values[relative]) if values.get(relative) else values.get(absolute, values["RFP"])
+    )
 
 
 def _depths(values: dict[str, float]) -> list[float]:
@@ -180,7 +199,8 @@ def wrong_here(drill: Drill, around: Around) -> str:
 
 
 def steps(drill: Drill, around: Around) -> list[tuple[bool, float, float]]:
-    """Rapids and feeds of a hole, from wherever the tool stands above it: (fast, height, F), in the program's units."""
+    """Rapids and feeds of a hole, from wherever the tool stands above it: (fast, height, F), in the program's
+    units."""
     values, clear = drill.values, drill.values["RTP"]
     r, z = values["RFP"] + abs(values.get("SDIS", 0.0)), _depth(values, "DP", "DPR")
     if drill.name == "CYCLE83":
@@ -189,7 +209,10 @@ def steps(drill: Drill, around: Around) -> list[tuple[bool, float, float]]:
         moves = steps_of(Hole(CODE.get(drill.name, 810), r=r, z=z), clear, WAYS)
     feeds = [*_feeds(drill.name, values, around)]
     feeding = iter(feeds + [feeds[-1]] * len(moves))
-    return [(True, r, math.nan), *((fast, height, math.nan if fast else next(feeding)) for fast, height in moves)]
+    return [
+        (True, r, math.nan),
+        *((fast, height, math.nan if fast else next(feeding)) for fast, height in moves),
+    ]
 
 
 def _deep(values: dict[str, float], r: float, z: float, scale: float) -> Steps:
@@ -211,7 +234,11 @@ def _feeds(name: str, values: dict[str, float], around: Around) -> tuple[float, 
         return (around.feed,)
     down = abs(values.get("SST", 0.0)) or around.speed
     speeds = down, abs(values.get("SST1", 0.0)) or down
-    return (pitch,) if around.per_turn else tuple(around.feed if math.isnan(one) else pitch * one for one in speeds)
+    return (
+        (pitch,)
+        if around.per_turn
+        else tuple(around.feed if math.isnan(one) else pitch * one for one in speeds)
+    )
 
 
 def _pitch(values: dict[str, float]) -> float:

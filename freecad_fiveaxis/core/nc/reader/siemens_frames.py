@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Siemens' programmable frame where a program turns it: TRANS, ATRANS, ROT, AROT and CYCLE800 as one chain of coordinates.
+"""Siemens' programmable frame where a program turns it: TRANS, ATRANS, ROT, AROT and CYCLE800 as one chain of
+coordinates.
 
 TRANS, ROT     anew: all that was programmed before ends.  ATRANS, AROT: on from the frame that is on.
-ROT X Y Z      about Z, then the Y so turned, then the X so turned (RPY, the usual setting); RPL=: about the normal of the plane.
+ROT X Y Z      about Z, then the Y so turned, then the X so turned (RPY, the usual setting); RPL=: about the
+               normal of the plane.
 CYCLE800       ends the programmed frame; one that is programmed after it stands in its plane.
 
-A frame turns coordinates, no axes: X Y Z are the tip's where the control guides it (TRAORI), else those of the axes.
+A frame turns coordinates, no axes: X Y Z are the tip's where the control guides it (TRAORI), else those of
+the axes.
 
-Source: SINUMERIK ONE, NC programming, 12/2019, 6FC5398-2EP40-0BA0, 2.12 (order of the turns, p. 309; ROT, p. 316). Euler's order
-(a machine's setting) is not known to a program; that CYCLE800 ends a frame was not looked up.
+Source: SINUMERIK ONE, NC programming, 12/2019, 6FC5398-2EP40-0BA0, 2.12 (order of the turns, p. 309; ROT, p.
+316). Euler's order (a machine's setting) is not known to a program; that CYCLE800 ends a frame was not looked
+up.
 """
 
 from __future__ import annotations
@@ -54,8 +58,8 @@ class _Place:
 
 
 def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[Words, list[Finding]]:
-    """The words with the frames as planes (:mod:`.planes`), those of the lines that program them left out; ``kind`` (lines,)
-    says what a line does, NaN where it programs no frame."""
+    """The words with the frames as planes (:mod:`.planes`), those of the lines that program them left out;
+    ``kind`` (lines,) says what a line does, NaN where it programs no frame."""
     scale = np.where(lines.inch(grammar), INCH, 1.0)
     programmed = np.stack([axis_words(lines, letter)[0] for letter in "XYZ"], axis=1)
     rotary = np.logical_or.reduce([np.nan_to_num(axis_words(lines, letter)[0]) != 0.0 for letter in "ABC"])
@@ -109,11 +113,15 @@ def _with_tilts(words: Words, own: Bools, tilts: dict[int, Tilt]) -> Words:
     rows = np.array(list(tilts), np.int64)
     line = np.concatenate([words.line[keep], rows])
     order = np.argsort(line, kind="stable")
-    start = None if words.start is None else np.concatenate([words.start[keep], np.full(len(rows), -1)])[order]
+    start = (
+        None if words.start is None else np.concatenate([words.start[keep], np.full(len(rows), -1)])[order]
+    )
     return replace(
         words,
         letter=np.concatenate([words.letter[keep], np.full(len(rows), ord(codes.PLANE), np.int8)])[order],
-        value=np.concatenate([words.value[keep], len(words.tilts) + np.arange(len(rows), dtype=float)])[order],
+        value=np.concatenate([words.value[keep], len(words.tilts) + np.arange(len(rows), dtype=float)])[
+            order
+        ],
         line=line[order],
         start=start,
         tilts=(*words.tilts, *tilts.values()),

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The words of a Siemens program with its drilling cycles as moves: rows of their own after the line that calls them.
+"""The words of a Siemens program with its drilling cycles as moves: rows of their own after the line that
+calls them.
 
-The moves go along the drilling axis alone, where the block before has led; after them G0 to G3, G90 or G91 and F are as before
-(Siemens 840D sl, Programming Manual Cycles: the G functions before the call stay in force behind it).
+The moves go along the drilling axis alone, where the block before has led; after them G0 to G3, G90 or G91
+and F are as before (Siemens 840D sl, Programming Manual Cycles: the G functions before the call stay in force
+behind it).
 """
 
 from __future__ import annotations
@@ -46,8 +48,8 @@ class _State:
 
 @dataclass(eq=False)
 class _HoleMoves:
-    """``rows`` of the calls that are written out, by what is in force; ``which`` of them each line takes; ``refused``: first line
-    by cycle and reason."""
+    """``rows`` of the calls that are written out, by what is in force; ``which`` of them each line takes;
+    ``refused``: first line by cycle and reason."""
 
     rows: dict[tuple[object, ...], Rows] = field(default_factory=dict)
     which: dict[int, Rows] = field(default_factory=dict)
@@ -56,8 +58,9 @@ class _HoleMoves:
 
 
 def holes_written_out(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
-    """The words with the moves of the cycles; each line that becomes several keeps its number in ``Words.source``. Without any
-    call, the same object. Raises ProgramError for more moves than :data:`.canned_cycles.MOST`."""
+    """The words with the moves of the cycles; each line that becomes several keeps its number in
+    ``Words.source``. Without any call, the same object. Raises ProgramError for more moves than
+    :data:`.canned_cycles.MOST`."""
     if codes.DRILL not in lines.letters:
         return words, []
     holes, state = _HoleMoves(), _state(lines, grammar)
@@ -100,9 +103,12 @@ def _moving(lines: Lines) -> Bools:
 
 
 def _state(lines: Lines, grammar: Grammar) -> _State:
-    motion = {code: code for code in codes.MOTION if codes.MOTION[code] in (codes.RAPID, codes.STRAIGHT, codes.ARC)}
+    motion = {
+        code: code for code in codes.MOTION if codes.MOTION[code] in (codes.RAPID, codes.STRAIGHT, codes.ARC)
+    }
     return _State(
-        lines.mode(codes.PLANES, 0), _last(lines, "F"), _last(lines, "S"), lines.mode(codes.FEED_MODE, codes.PER_MINUTE),
+        lines.mode(codes.PLANES, 0), _last(lines, "F"), _last(lines, "S"),
+        lines.mode(codes.FEED_MODE, codes.PER_MINUTE),
         lines.inch(grammar), lines.mode(codes.DISTANCE, 0) == 1, lines.mode(motion, 10),
         ~np.isnan(lines.column(codes.MACHINE)) | lines.any_of(grammar.no_move),
     )  # fmt: skip
@@ -122,7 +128,8 @@ def _wrong(state: _State, row: int) -> str:
 def _put(holes: _HoleMoves, drill: Drill, row: int, state: _State, lines: Lines) -> None:
     """The rows of a call into ``holes``: made once for calls of the same cycle in the same state."""
     around = Around(
-        int(state.plane[row]), float(state.feed[row]), float(state.speed[row]), bool(state.feed_mode[row] == codes.PER_TURN),
+        int(state.plane[row]), float(state.feed[row]), float(state.speed[row]),
+        bool(state.feed_mode[row] == codes.PER_TURN),
         INCH if state.inch[row] else 1.0,
     )  # fmt: skip
     if reason := wrong_here(drill, around):
@@ -137,7 +144,12 @@ def _put(holes: _HoleMoves, drill: Drill, row: int, state: _State, lines: Lines)
     if holes.count > 4 * MOST:
         line = int(lines.words.in_file(np.array([row]))[0])
         raise ProgramError(
-            say("line {line}: the cycles make more than {most} moves; divide the program", line=line, most=MOST), MOST
+            say(
+                "line {line}: the cycles make more than {most} moves; divide the program",
+                line=line,
+                most=MOST,
+            ),
+            MOST,
         )
 
 
@@ -168,7 +180,9 @@ def _with_rows(words: Words, lines: Lines, holes: _HoleMoves) -> Words:
     more[at] = [int(row.max()) for row, *_ in rows]
     first = (at + (np.cumsum(more) - more)[at]).tolist()
     if not rows:
-        return spread(words, more, keep, words.letter[keep], (np.empty(0, np.int64), np.empty(0, np.int8), np.empty(0)))
+        return spread(
+            words, more, keep, words.letter[keep], (np.empty(0, np.int64), np.empty(0, np.int8), np.empty(0))
+        )
     put = (
         np.concatenate([row + begin for (row, *_), begin in zip(rows, first, strict=True)]),
         np.concatenate([letter for _, letter, _ in rows]),
@@ -179,7 +193,8 @@ def _with_rows(words: Words, lines: Lines, holes: _HoleMoves) -> Words:
 
 def _findings(holes: _HoleMoves) -> list[Finding]:
     text = [
-        (say("{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight moves.",
+        (say("{name} is not written out, and its moves are missing: {reason}. Correct it, or post straight "
+             "moves.",
              name=name, reason=reason), row)
         for (name, reason), row in holes.refused.items()
     ]  # fmt: skip

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Variables with names in a Siemens 840D program: marked in its rows, so that none is taken for words of a block.
+"""Variables with names in a Siemens 840D program: marked in its rows, so that none is taken for words of a
+block.
 
-DEF REAL _A, B=5    of the program that defines them, 0 where no value is told; INT, BOOL and CHAR too. Strings, axes, frames and
-                    fields have no value here: a line that uses one is not known.
+DEF REAL _A, B=5    of the program that defines them, 0 where no value is told; INT, BOOL and CHAR too.
+                    Strings, axes, frames and fields have no value here: a line that uses one is not known.
 _A=5                without a DEF: of the control (GUD), the same in all programs.
 
 Source: 840D sl, Programming Manual Job Planning (user-defined variables; redefinition; initial values).
@@ -16,17 +17,22 @@ from freecad_fiveaxis.core.base.sentences import say
 
 from .expressions import Unread
 
-DEFINES = re.compile(r"(?<![A-Z0-9_$])DEF +(?:[A-Z]+ +)*?(REAL|INT|BOOL|CHAR|STRING *\[[^]]*\]|AXIS|FRAME) +([^\n]*)")
+DEFINES = re.compile(
+    r"(?<![A-Z0-9_$])DEF +(?:[A-Z]+ +)*?(REAL|INT|BOOL|CHAR|STRING *\[[^]]*\]|AXIS|FRAME) +([^\n]*)"
+)
 WITH_VALUE = ("REAL", "INT", "BOOL", "CHAR")
 ASSIGNS = re.compile(r"(?<![A-Z0-9_$])(_[A-Z0-9_]+) *=(?!=)")
 IDENTIFIER = re.compile(r"(?<![A-Z0-9_$.])[A-Z_][A-Z0-9_]*(?! *[(\[:])")
 MARKED = re.compile(r"\xab([^\xab\xbb]*)\xbb")
-"""A variable: its name in small letters, for none is a word; v. before one of the program, _g. of the control."""
+"""A variable: its name in small letters, for none is a word; v. before one of the program, _g. of the
+control."""
 SETS = re.compile(r"(?:R[0-9]+|\xab[^\xbb]*\xbb)=(?!=)")
 """A line that sets variables, without blanks."""
 DEFINITION = re.compile(r"DEF(?:NCK|CHAN)?(?:REAL|INT|BOOL|CHAR)(.*)$")
 WITHOUT_VALUE = re.compile(r"DEF(?:NCK|CHAN)?(?:STRING|AXIS|FRAME)")
-OPERAND = re.compile(r" *[-+]* *(?:[0-9.]+|R *[0-9]+|\xab[^\xbb]*\xbb|(?:[A-Z_]{2,}[0-9]?(?= *\())?(?=[(\[]))")
+OPERAND = re.compile(
+    r" *[-+]* *(?:[0-9.]+|R *[0-9]+|\xab[^\xbb]*\xbb|(?:[A-Z_]{2,}[0-9]?(?= *\())?(?=[(\[]))"
+)
 OPERATOR = re.compile(r" *(?:\*|/|[-+]|(?:DIV|MOD|AND|OR|XOR)\b|==|<>|<=|>=|<|>)")
 
 
@@ -57,7 +63,8 @@ def by_names(text: str) -> str:
 
 
 def definition(line: str) -> str:
-    """A line of DEF, without blanks, as settings; nothing for variables that have no value here. Raises Unread for fields."""
+    """A line of DEF, without blanks, as settings; nothing for variables that have no value here. Raises
+    Unread for fields."""
     found = DEFINITION.match(line)
     if not found:
         if WITHOUT_VALUE.match(line):

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Siemens 840D programs with R parameters and jumps: their lines said again as the O-words that :mod:`.interpreter` runs.
+"""Siemens 840D programs with R parameters and jumps: their lines said again as the O-words that
+:mod:`.interpreter` runs.
 
-R1=R2*2+SIN(30)   an R parameter. DEF REAL _A, B=5: variables of the program, 0 where no value is told; _A=2 without a DEF: of the
-                  control. One that was never set only the control knows.
-X=R1 CR=_A Y=IC(B)    a value after an address; CYCLE81(R1,0,2,-R2): values in brackets. Numbers take their place in the text.
-IF .. ELSE .. ENDIF, WHILE, LOOP, REPEAT .. UNTIL;   IF .. GOTOF LABEL, GOTOB, GOTO, to LABEL: or a block number.
+R1=R2*2+SIN(30)   an R parameter. DEF REAL _A, B=5: variables of the program, 0 where no value is told; _A=2
+                  without a DEF: of the control. One that was never set only the control knows.
+X=R1 CR=_A Y=IC(B)    a value after an address; CYCLE81(R1,0,2,-R2): values in brackets. Numbers take their
+                      place in the text.
+IF .. ELSE .. ENDIF, WHILE, LOOP, REPEAT .. UNTIL;   IF .. GOTOF LABEL, GOTOB, GOTO, to LABEL: or a block
+number.
 
 Source: 840D sl, Programming Manual Job Planning (arithmetic parameters; program jumps; control structures).
 """
@@ -23,7 +26,8 @@ from .siemens_names import SETS, by_names, definition, marked, unmarked, value_e
 from .statements import TEXT
 
 MARK = re.compile(
-    rb"(?<![A-Z_$])R *[0-9\[]|(?<![A-Z0-9_$])(?:DEF|IF|WHILE|FOR|LOOP|UNTIL|GOTO[FB]?)\b|(?<![A-Z0-9_$])_[A-Z0-9_]+ *="
+    rb"(?<![A-Z_$])R "
+    rb"*[0-9\[]|(?<![A-Z0-9_$])(?:DEF|IF|WHILE|FOR|LOOP|UNTIL|GOTO[FB]?)\b|(?<![A-Z0-9_$])_[A-Z0-9_]+ *="
 )
 """What shows that a text has variables or jumps."""
 SIGN = re.compile(rb"R *[0-9\[]|_[A-Z0-9_]+ *=")
@@ -31,7 +35,9 @@ SIGN = re.compile(rb"R *[0-9\[]|_[A-Z0-9_]+ *=")
 HEAD = re.compile(r"(?:N([0-9]+))?(?:([A-Z_]{2}[A-Z0-9_]*):)?")
 PARAMETER = re.compile(r"(?<![A-Z_$])R([0-9]+)")
 USED = re.compile(r"(?<![A-Z_$])R[0-9\[]|\xab")
-KEYWORD = re.compile(r"(ENDIF|ENDWHILE|ENDLOOP|ELSE|IF|WHILE|FOR(?=R[0-9])|ENDFOR|LOOP|REPEAT|UNTIL|GOTO[FB]?)")
+KEYWORD = re.compile(
+    r"(ENDIF|ENDWHILE|ENDLOOP|ELSE|IF|WHILE|FOR(?=R[0-9])|ENDFOR|LOOP|REPEAT|UNTIL|GOTO[FB]?)"
+)
 JUMP = re.compile(r"(.*)GOTO([FB]?)([A-Z0-9_]+)$")
 VALUE = re.compile(r"= *(?:(?:AC|IC|DC|ACP|ACN) *\()?")
 """Before a value in a line with variables."""
@@ -57,7 +63,8 @@ UNKNOWN = re.compile(r"DIV|NOT|B_|TRUNC|ATAN2|POT|[AID]C\[|R\[|\$|,|[A-Z_]{2}[A-
 
 
 def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) -> Whole:
-    """The rows with the programs that they call behind them; ``called``: the rows with their strings. Raises Unread."""
+    """The rows with the programs that they call behind them; ``called``: the rows with their strings. Raises
+    Unread."""
     main = [row.decode("latin-1") for row in rows]
     texts = [row.decode("latin-1") for row in called] if len(called) == len(rows) else main
     units = found_units(texts, search, HARMLESS | MACROS)
@@ -96,10 +103,13 @@ def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
 
 
 def _called(row: str, unit: int) -> str | None:
-    """A call, the head or the end of a subprogram, or the way back from it, as O-words; None for any other row."""
+    """A call, the head or the end of a subprogram, or the way back from it, as O-words; None for any other
+    row."""
     if found := BY_NUMBER.match(row):
         inside = found[3] or ""
-        values = [_expression(part.replace(" ", "")) for part in split_arguments(inside)] if inside.strip() else []
+        values = (
+            [_expression(part.replace(" ", "")) for part in split_arguments(inside)] if inside.strip() else []
+        )
         return f"O{SUB + int(found[1])}{found[2] or 'CALL'}" + "".join(f"[{value}]" for value in values)
     if BACK.fullmatch(row):
         return f"O{SUB + unit}RETURN" if unit else "M30"
@@ -156,7 +166,9 @@ def _addressed(row: str) -> str:
     while found := VALUE.search(row, begin):
         end = value_end(row, found.end())
         value = row[found.end() : end].replace(" ", "")
-        parts.append(row[begin : found.end()] + (value if PLAIN.fullmatch(value) else "{" + _expression(value) + "}"))
+        parts.append(
+            row[begin : found.end()] + (value if PLAIN.fullmatch(value) else "{" + _expression(value) + "}")
+        )
         begin = end
     rest = row[begin:]
     if USED.search(rest.replace(" ", "")):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What one line of a program with variables and jumps means: parsed when it is run for the first time.
 
-block     words with numbers or values (X[#1+2]), and settings of variables (#1=5), which take effect after the words were read.
+block     words with numbers or values (X[#1+2]), and settings of variables (#1=5), which take effect after
+          the words were read.
 """
 
 from __future__ import annotations
@@ -15,20 +16,25 @@ from freecad_fiveaxis.core.base.sentences import say
 from .expressions import NUMBER, Expression, Parser, Unread, Value, Variables, number
 from .flow import O_WORD, without_number
 
-SPECIAL = re.compile(r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|7[0-3]|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN")
+SPECIAL = re.compile(
+    r"[#\[\]=<>@^]|O[0-9]|M0*(?:2|30|7[0-3]|9[789])(?![0-9])|G0*6[567](?![0-9])|GOTO|IF|WHILE|END|DO|THEN"
+)
 """A line without any of these is a block of words with numbers."""
 VALUES = re.compile(r"\{([^{}]*)\}")
 TEXT = '"'
 """Before a line of Siemens' that stays text, with values in braces."""
 LARGEST = 1e12
-ARGUMENTS = dict(zip("ABCIJKDEFHMQRSTUVWXYZ", (1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, *range(17, 27)), strict=True))
+ARGUMENTS = dict(
+    zip("ABCIJKDEFHMQRSTUVWXYZ", (1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, *range(17, 27)), strict=True)
+)
 """Where G65 puts its words (Fanuc B-63324EN, 15.6: argument specification I)."""
 Setting = Callable[[Variables, Value], None]
 
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """``words``: letter, text as it stands, or value; ``settings``: of variables. ``calls``: M97, M98, M99, G65 or ''."""
+    """``words``: letter, text as it stands, or value; ``settings``: of variables. ``calls``: M97, M98, M99,
+    G65 or ''."""
 
     words: tuple[tuple[str, str, Expression | None], ...]
     settings: tuple[tuple[Setting, Expression], ...] = ()
@@ -36,7 +42,8 @@ class Block:
     ends: bool = False
 
     def row(self, known: Variables, without: str = "") -> tuple[str, dict[str, Value]]:
-        """The line with numbers for values, without the words of the letters ``without``, whose values come beside it."""
+        """The line with numbers for values, without the words of the letters ``without``, whose values come
+        beside it."""
         text, values = [], dict[str, Value]()
         for letter, literal, value in self.words:
             what = float(literal) if value is None else value(known)
@@ -89,14 +96,16 @@ Statement = Block | OWord | Macro | Text
 
 
 def written(value: float) -> str:
-    """A number as words have it: with a decimal point, for it means what it says whatever the least increment."""
+    """A number as words have it: with a decimal point, for it means what it says whatever the least
+    increment."""
     if not abs(value) < LARGEST:
         raise Unread(say("a value beyond all words"))
     return f"{value:.10f}"
 
 
 def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statement:
-    """What a line means, without blanks and in capitals; ``words``: name and keyword where it is an O-word line.
+    """What a line means, without blanks and in capitals; ``words``: name and keyword where it is an O-word
+    line.
 
     Raises Unread for what is not known."""
     line = without_number(line)
@@ -187,4 +196,15 @@ def _kind(words: list[tuple[str, str, Expression | None]], fanuc: bool) -> tuple
 
 STATES = {("M", 70.0), ("M", 71.0), ("M", 72.0), ("M", 73.0)}
 CALLS = {("M", 97.0), ("M", 98.0), ("M", 99.0), ("G", 65.0)}
-__all__ = ["ARGUMENTS", "SPECIAL", "TEXT", "Block", "Macro", "OWord", "Statement", "Text", "number", "statement"]
+__all__ = [
+    "ARGUMENTS",
+    "SPECIAL",
+    "TEXT",
+    "Block",
+    "Macro",
+    "OWord",
+    "Statement",
+    "Text",
+    "number",
+    "statement",
+]

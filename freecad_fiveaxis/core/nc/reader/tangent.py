@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The arc that is tangent to two pieces of a contour that meet in a corner, each a line or an arc in the working plane.
+"""The arc that is tangent to two pieces of a contour that meet in a corner, each a line or an arc in the
+working plane.
 
-side     1 where the contour turns to the left in the corner, -1 to the right: there the arc's centre lies, its radius off both.
-offset   of a line: the line so far to that side; of an arc: the circle with its centre, smaller by that where it bends to that
-         side, else larger. The centre is where both offsets meet.
+side     1 where the contour turns to the left in the corner, -1 to the right: there the arc's centre lies,
+         its radius off both.
+offset   of a line: the line so far to that side; of an arc: the circle with its centre, smaller by that where
+         it bends to that side, else larger. The centre is where both offsets meet.
 """
 
 from __future__ import annotations
@@ -19,13 +21,14 @@ from .arcs import ARC_TOLERANCE
 
 EQUAL = 1e-9
 STRAIGHT, BACK = 1e-6, 1e-3
-"""rad: pieces that go on in one direction have no corner; one that comes straight back has none that can be rounded."""
+"""rad: pieces that go on in one direction have no corner; one that comes straight back has none that can be
+rounded."""
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """From ``start`` to ``end`` (2,) mm; ``centre`` (2,) of an arc, None of a line; ``turn``: 1 counter-clockwise, -1 clockwise,
-    0 of a line; ``length`` mm."""
+    """From ``start`` to ``end`` (2,) mm; ``centre`` (2,) of an arc, None of a line; ``turn``: 1
+    counter-clockwise, -1 clockwise, 0 of a line; ``length`` mm."""
 
     start: Floats
     end: Floats
@@ -46,7 +49,8 @@ class Piece:
         return self.turn * np.array([-out[1], out[0]])
 
     def along(self, place: Floats) -> float:
-        """How far a place on it is from its start, mm; what lies before the start of a line is below 0, of an arc far on."""
+        """How far a place on it is from its start, mm; what lies before the start of a line is below 0, of an
+        arc far on."""
         if self.centre is None:
             return float((place - self.start) @ self.tangent(self.start))
         one, two = (np.arctan2(*(at - self.centre)[::-1]) for at in (self.start, place))
@@ -91,13 +95,15 @@ def corner(one: Piece, two: Piece) -> tuple[float, float]:
 
 
 def rounding(one: Piece, two: Piece, radius: float, taken: float) -> Rounding | None:
-    """The arc of that radius between two pieces, the nearest to their corner; None where they are too short for it. ``taken`` mm
-    of the first by the corner before."""
+    """The arc of that radius between two pieces, the nearest to their corner; None where they are too short
+    for it. ``taken`` mm of the first by the corner before."""
     side, best, least = corner(one, two)[1], None, np.inf
     for centre in _centres(one, two, side * radius):
         first, last = one.foot(centre), two.foot(centre)
         from_end, from_start = one.length - one.along(first), two.along(last)
-        fits = -ARC_TOLERANCE <= from_end <= one.length - taken + ARC_TOLERANCE and from_start >= -ARC_TOLERANCE
+        fits = (
+            -ARC_TOLERANCE <= from_end <= one.length - taken + ARC_TOLERANCE and from_start >= -ARC_TOLERANCE
+        )
         if fits and from_start <= two.length + ARC_TOLERANCE and from_end < least:
             best, least = Rounding(centre, first, last, side), from_end
     return best

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines that turn the tool to a plane's normal: the words of the rotary axes there, and what the blocks in a plane leave open.
+"""Lines that turn the tool to a plane's normal: the words of the rotary axes there, and what the blocks in a
+plane leave open.
 
 Which of the ways to stand the control takes is :mod:`.plane_solution`'s.
 """
@@ -36,7 +37,8 @@ class Turned:
 
 
 def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]) -> Turned:
-    """The words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of ``planes.turning``."""
+    """The words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of
+    ``planes.turning``."""
     output: Words = [(value.copy(), kind.copy()) for value, kind in words]
     rotary, stand, since, findings = output[3:], np.zeros(2), 0, list[Finding]()
     first = True
@@ -44,7 +46,9 @@ def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tupl
         row = int(np.searchsorted(at, line))
         if row > since:
             for k, (value, kind) in enumerate(rotary):
-                stand[k] = track(value[since:row], kind[since:row], stand[k], since > 0, wrap[k] == "modulo")[-1]
+                stand[k] = track(value[since:row], kind[since:row], stand[k], since > 0, wrap[k] == "modulo")[
+                    -1
+                ]
         angles, why = solution(kinematics, tilt, frame, np.radians(stand))
         if angles is None:
             findings.append(lost(line, why))
@@ -53,7 +57,9 @@ def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tupl
             findings.append(taken(kinematics, tilt, angles, line))
             first = False
         if tilt.move == MOVE and tilt.dist:
-            axes = forward(kinematics, np.concatenate([np.zeros((2, 3)), np.radians([stand, angles])], axis=1))[1]
+            axes = forward(
+                kinematics, np.concatenate([np.zeros((2, 3)), np.radians([stand, angles])], axis=1)
+            )[1]
             for k, way in enumerate(tilt.dist * (axes[1] - axes[0])):
                 output[k][0][row], output[k][1][row] = way, STEP
         for k, (value, kind) in enumerate(rotary):
@@ -64,16 +70,27 @@ def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tupl
 
 def vector_findings(planes: Planes, motions: Moves) -> tuple[Finding, ...]:
     """Where tool axes are told by vectors in a tilted plane."""
-    both = (motions.meaning >= IN_PLANE) & ~planes.frames(motions.meaning) & ~np.isnan(motions.vector).all(axis=1)
+    both = (
+        (motions.meaning >= IN_PLANE)
+        & ~planes.frames(motions.meaning)
+        & ~np.isnan(motions.vector).all(axis=1)
+    )
     return (
-        (refused(say("Tool vectors"), say("tool axes are told by vectors in it"), int(motions.at[both.argmax()])),)
+        (
+            refused(
+                say("Tool vectors"),
+                say("tool axes are told by vectors in it"),
+                int(motions.at[both.argmax()]),
+            ),
+        )
         if both.any()
         else ()
     )
 
 
 def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floats) -> tuple[Finding, ...]:
-    """The blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and nobody guides the tip."""
+    """The blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and nobody
+    guides the tip."""
     row = np.arange(len(axis)) if chords is None else chords.row
     meaning, on, line = motions.meaning[row], motions.on[row], motions.at[row]
     rows = np.flatnonzero((meaning >= IN_PLANE) & ~on & ~planes.frames(meaning))
@@ -84,7 +101,8 @@ def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floa
         return ()
     block = int(rows[off.argmax()])
     text = say(
-        "In {count} blocks of a tilted plane the tool stands up to {lean} off its normal: nothing has turned it there, and where "
+        "In {count} blocks of a tilted plane the tool stands up to {lean} off its normal: nothing has turned "
+        "it there, and where "
         "the control leads it then is not known. Turn the axes first (G53.1, TURN, MOVE, or their words).",
         count=int(off.sum()),
         lean=Angle(float(lean.max()), ".3g"),

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """NC text into words: a letter, a number and the line it stands in, as whole columns.
 
-word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not matter.
-comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain: that, up to
-          the ~ that goes on with the next line, or a star at the start or the end of a line).
+word      a letter with its number (ISO 6983-1): X-12.5. Blanks may stand anywhere in it, capitals do not
+          matter.
+comment   text in brackets, or from a semicolon to the end of the line (Siemens: only the latter; Heidenhain:
+          that, up to the ~ that goes on with the next line, or a star at the start or the end of a line).
 block skip  a slash at the start of a line: the operator may switch such lines off.
 %         the first ends the leader of the tape, the next one ends the program.
-language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`, :mod:`.heidenhain`).
+language  ISO; Siemens' and Heidenhain's text is brought to plain words first (:mod:`.siemens`,
+          :mod:`.heidenhain`).
 
-Nothing but whole-text operations: comments and everything else that is not a word is first overwritten with blanks of the
-same length, so that lines and columns of the file stay known for the messages.
+Nothing but whole-text operations: comments and everything else that is not a word is first overwritten with
+blanks of the same length, so that lines and columns of the file stay known for the messages.
 """
 
 from __future__ import annotations
@@ -71,12 +73,19 @@ CLEAN = bytes.maketrans(bytes(range(97, 123)) + TAPE, bytes(range(65, 91)) + b" 
 LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123)) + b"\n\x7f", b" " * 54)
 SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
 MACROS = Template(
-    "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing here. Post without "
+    "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing "
+    "here. Post without "
     "them. The first: {shown}."
 )
-NOT_CALLED = Template("Subprograms are not interpreted, because of this line: {reason}. Post one program without them.")
-HEIDENHAIN_SIGN = re.compile(rb"^ *(?:(?:[0-9]+ +)?BEGIN +PGM\b|%[^\n%]*? +G7[01] *\* *$)", re.MULTILINE | re.IGNORECASE)
-SIEMENS_SIGN = re.compile(rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE)
+NOT_CALLED = Template(
+    "Subprograms are not interpreted, because of this line: {reason}. Post one program without them."
+)
+HEIDENHAIN_SIGN = re.compile(
+    rb"^ *(?:(?:[0-9]+ +)?BEGIN +PGM\b|%[^\n%]*? +G7[01] *\* *$)", re.MULTILINE | re.IGNORECASE
+)
+SIEMENS_SIGN = re.compile(
+    rb"\b(?:TRAORI|TRAFOOF|CYCLE832|FGROUP|ORIWKS|ORIMKS)\b|[ABC]3=|%_N_", re.IGNORECASE
+)
 PREFACE = 3
 """Lines at the start of a file in which somebody may have written what the program is."""
 LOOKED_AT = 20_000
@@ -85,11 +94,12 @@ LOOKED_AT = 20_000
 
 @dataclass(frozen=True, eq=False)
 class Words:
-    """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file; ``text``: what was left
-    of the file when they were read, ``start`` (w,) where they stand in it without its blanks. ``source``: where lines of the file
-    were written out as several, ``line`` counts those; ``source`` (lines + 1,) are the lines of the file that they come from.
-    ``tilts``, ``drills``: what the lines with the private words of a tilted plane and of a drilling cycle say. ``cause``: of the
-    ``findings``, why it was not run."""
+    """``letter`` (w,) ASCII code, ``value`` (w,), ``line`` (w,) counted from 1, in the order of the file;
+    ``text``: what was left of the file when they were read, ``start`` (w,) where they stand in it without its
+    blanks. ``source``: where lines of the file were written out as several, ``line`` counts those; ``source``
+    (lines + 1,) are the lines of the file that they come from. ``tilts``, ``drills``: what the lines with the
+    private words of a tilted plane and of a drilling cycle say. ``cause``: of the ``findings``, why it was
+    not run."""
 
     letter: Bytes
     value: Floats
@@ -121,7 +131,9 @@ class Words:
             return np.zeros(len(self.letter), np.bool_)
         code = np.frombuffer(self.text.translate(None, b" ") + b"\n", np.uint8)
         every = np.flatnonzero(code >= ord("A"))
-        return np.asarray(np.add.reduceat(code == ord("."), every, dtype=np.int32)[np.searchsorted(every, self.start)] == 0)
+        return np.asarray(
+            np.add.reduceat(code == ord("."), every, dtype=np.int32)[np.searchsorted(every, self.start)] == 0
+        )
 
     def __post_init__(self) -> None:
         freeze(self, None, letter="m", value="f", line="i")
@@ -136,10 +148,15 @@ def language_of(text: bytes, expected: str) -> str:
 
 
 def read_words(
-    text: bytes, language: str = "iso", controller: str = "", progress: Progress = silent, of_machine: OfMachine = NO_MACHINE
+    text: bytes,
+    language: str = "iso",
+    controller: str = "",
+    progress: Progress = silent,
+    of_machine: OfMachine = NO_MACHINE,
 ) -> Words:
-    """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC where there is none)
-    of that machine comes to them. Raises ProgramError, naming line and column, for what is no word, and for what does not end."""
+    """All words of an NC text up to the closing ``%``, as the control of the name ``controller`` (LinuxCNC
+    where there is none) of that machine comes to them. Raises ProgramError, naming line and column, for what
+    is no word, and for what does not end."""
     text, findings, plain = _blanked(text, language, progress, of_machine)
     source, tilts, drills = plain.source, plain.tilts, plain.drills
     marks, fanuc = _marks(text, language), controller in FANUC
@@ -147,7 +164,9 @@ def read_words(
     words = _words_of(*expanded)
     if not marks and language == "iso" and _calls(words, fanuc):
         words = _words_of(*_run(text, marks, language, fanuc, findings, progress))
-    cause = plain.cause or next((found for found in findings if found.code == codes.MACRO[0] and language == "iso"), None)
+    cause = plain.cause or next(
+        (found for found in findings if found.code == codes.MACRO[0] and language == "iso"), None
+    )
     return replace(words, findings=tuple(findings), tilts=tilts, drills=drills, cause=cause)
 
 
@@ -168,9 +187,11 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
     return Words(code[start].astype(np.int8), value, line, (), text, start, source)
 
 
-def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachine) -> tuple[bytes, list[Finding], Plain]:
-    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over; what the text's own
-    language brought."""
+def _blanked(
+    text: bytes, language: str, progress: Progress, of_machine: OfMachine
+) -> tuple[bytes, list[Finding], Plain]:
+    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over;
+    what the text's own language brought."""
     findings: list[Finding] = []
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     text = without_end_sign(text, findings)
@@ -186,7 +207,9 @@ def _blanked(text: bytes, language: str, progress: Progress, of_machine: OfMachi
             ),
             control[0],
         )
-    forms = [form for begin, form in COMMENTS[language] if begin in text]  # a pattern of one form alone is searched faster
+    forms = [
+        form for begin, form in COMMENTS[language] if begin in text
+    ]  # a pattern of one form alone is searched faster
     if forms:
         text = re.sub(b"|".join(forms), lambda found: b" " * len(found[0]), text)
     whole = without_preface(text.translate(CLEAN), language, findings)
@@ -239,14 +262,16 @@ def _calls(words: Words, fanuc: bool) -> bool:
 def _run(
     text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress
 ) -> tuple[bytes, Ints | None]:
-    """The text as the control comes to its lines, and the lines of the file that these are; where they are not understood, blanks
-    for the lines that hold one of the ``marks``, with a finding."""
+    """The text as the control comes to its lines, and the lines of the file that these are; where they are
+    not understood, blanks for the lines that hold one of the ``marks``, with a finding."""
     if language == "iso":
         expanded = interpreter.written_out(text, fanuc, progress)
         if isinstance(expanded, interpreter.Written):
             return expanded.text, expanded.source
         if not marks:
-            findings.append(report_finding(codes.CALL[0], NOT_CALLED.say(reason=expanded.reason), line=expanded.line))
+            findings.append(
+                report_finding(codes.CALL[0], NOT_CALLED.say(reason=expanded.reason), line=expanded.line)
+            )
             return text, None
         findings.append(not_run(expanded))
         return _blank_lines(text, _lines_with(text, marks)), None
@@ -284,7 +309,9 @@ def _check_characters(text: bytes, source: Ints | None) -> None:
             text,
             text.index(illegal[:1]),
             say(
-                "character {shown} cannot be read ({hint})", shown=repr(shown), hint=hint.get(shown, say("not part of any word"))
+                "character {shown} cannot be read ({hint})",
+                shown=repr(shown),
+                hint=hint.get(shown, say("not part of any word")),
             ),
             source,
         )
@@ -317,7 +344,10 @@ def _numbers(compact: bytes, count: int) -> Floats:
         warnings.simplefilter("error", DeprecationWarning)  # numpy's way to say that it stopped early
         value = np.fromstring(compact.translate(LETTERS_TO_BLANKS), np.float64, sep=" ")
     if len(value) != count:
-        raise ProgramError(say("{count} numbers for {words} words; the text is malformed", count=len(value), words=count), count)
+        raise ProgramError(
+            say("{count} numbers for {words} words; the text is malformed", count=len(value), words=count),
+            count,
+        )
     return value
 
 
@@ -362,5 +392,12 @@ def _fail(text: bytes, at: int, reason: str, source: Ints | None) -> NoReturn:
     line = line if source is None else int(source[line])
     found = text[begin : begin + 200].split(b"\n")[0].decode("latin-1").strip()[:60]
     raise ProgramError(
-        say("line {line}, column {at}: {reason}: {found}", line=line, at=at - begin + 1, reason=reason, found=repr(found)), found
+        say(
+            "line {line}, column {at}: {reason}: {found}",
+            line=line,
+            at=at - begin + 1,
+            reason=reason,
+            found=repr(found),
+        ),
+        found,
     )

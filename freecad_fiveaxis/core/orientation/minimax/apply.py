@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tool axes that make the largest deviation of every pass as small as it can be on this machine and set-up.
 
-The ball's centre stays where it is, and so does the surface: only the axis moves, at every row within ``max_tilt`` of the
-range between its two facet normals. (Where the words drive the tip, that moves with the axis.) No rotary axis turns faster than
-its rate allows at the feed, but where it did so before.
+The ball's centre stays where it is, and so does the surface: only the axis moves, at every row within
+``max_tilt`` of the range between its two facet normals. (Where the words drive the tip, that moves with the
+axis.) No rotary axis turns faster than its rate allows at the feed, but where it did so before.
 
-Why a pass can be bettered so much: a block's deviation grows with the square of its turn. So turns are shared out among long
-blocks and short ones and those that close a gap, over the whole range and the tilt beyond. Near the pole a way leads through it.
+Why a pass can be bettered so much: a block's deviation grows with the square of its turn. So turns are shared
+out among long blocks and short ones and those that close a gap, over the whole range and the tilt beyond.
+Near the pole a way leads through it.
 
-kept      a run's new axes count only where its largest deviation, by the joint path and the words that they really get, is
-          smaller than before. So no run, and no program, is worse than without.
+kept      a run's new axes count only where its largest deviation, by the joint path and the words that they
+          really get, is smaller than before. So no run, and no program, is worse than without.
 """
 
 from __future__ import annotations
@@ -39,12 +40,15 @@ from .rows import Rows, find_rows, run_begins
 from .steps import Task, axes_of, hastes, levels
 
 GAIN = 0.99
-"""A run's new axes are kept where its largest deviation is below this share of the old one: rounded words then agree."""
+"""A run's new axes are kept where its largest deviation is below this share of the old one: rounded words
+then agree."""
 AGAIN, OTHER, HASTE = 3, 1.1, 1.01
-"""The joint path may take up the new axes on the other branch. A run that there deviates more by the second is bettered there;
-one that turns faster than it may by the third is searched again with as much less turn: so many times."""
+"""The joint path may take up the new axes on the other branch. A run that there deviates more by the second
+is bettered there; one that turns faster than it may by the third is searched again with as much less turn: so
+many times."""
 INSTANT = 1e-15
-"""Minutes that a block takes at least: no time for any turn, but an axis without a rate has one that is infinite."""
+"""Minutes that a block takes at least: no time for any turn, but an axis without a rate has one that is
+infinite."""
 CHECKS = 10
 """Runs influence each other's branch: after so many checks with some of them put back, all are."""
 EQUAL_DEVIATION = 1e-9
@@ -63,14 +67,15 @@ def minimax_axes(
     progress: Progress = silent,
     ring: float = 0.0,
 ) -> Floats:
-    """Unit axes (n, 3) for the rows of ``path`` with the smallest largest deviation that was found, run by run; those of ``axis``
-    (n, 3), the start, where nothing better was found.
+    """Unit axes (n, 3) for the rows of ``path`` with the smallest largest deviation that was found, run by
+    run; those of ``axis`` (n, 3), the start, where nothing better was found.
 
-    ``reach`` mm: from the ball's centre down the axis to the point that the words drive (the radius, or 0 for the centre);
-    ``max_tilt`` rad: how far an axis may leave the great arc between the facet normals on either side of its row; ``feed`` mm/min
-    of the ball, by which the machine's rates bound the turns (by default: they do not); ``ring`` mm of a cutter that is no ball:
-    its hub moves with the axis, which leans only such that the contact stays in front of it. Raises SettingsError for a largest
-    tilt beyond LEAST_TILT to MOST_TILT, ReachError for axes that the machine cannot take up.
+    ``reach`` mm: from the ball's centre down the axis to the point that the words drive (the radius, or 0 for
+    the centre); ``max_tilt`` rad: how far an axis may leave the great arc between the facet normals on either
+    side of its row; ``feed`` mm/min of the ball, by which the machine's rates bound the turns (by default:
+    they do not); ``ring`` mm of a cutter that is no ball: its hub moves with the axis, which leans only such
+    that the contact stays in front of it. Raises SettingsError for a largest tilt beyond LEAST_TILT to
+    MOST_TILT, ReachError for axes that the machine cannot take up.
     """
     if not LEAST_TILT <= max_tilt <= MOST_TILT:
         raise SettingsError(
@@ -97,7 +102,8 @@ def minimax_axes(
 
 
 def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
-    """The axes (k, 3) of small levels on the branches that the joint path will take them up on, and within the rates there."""
+    """The axes (k, 3) of small levels on the branches that the joint path will take them up on, and within
+    the rates there."""
     words, room, kinematics = _best(task, at, start, progress), np.ones(len(at.first)), task.kinematics
     for _ in range(AGAIN):
         taken, after = _driven(path, axes_of(kinematics, words), kinematics, task.reach, task.ring_radius)
@@ -110,12 +116,15 @@ def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: P
             some, rows = at.take(np.flatnonzero(runs))
             if len(rows):
                 own = task.take(rows)
-                words[rows] = search(replace(own, minutes=own.minutes * room[at.run[rows]]), some, begin[rows], progress)
+                words[rows] = search(
+                    replace(own, minutes=own.minutes * room[at.run[rows]]), some, begin[rows], progress
+                )
     return axes_of(kinematics, words)
 
 
 def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
-    """Rotary words (k, 2): from the way that is known, or another one by the pole, whichever leads to the lower level."""
+    """Rotary words (k, 2): from the way that is known, or another one by the pole, whichever leads to the
+    lower level."""
     better = improve(task, at, start, progress)
     bad = np.flatnonzero(levels(task, at, better) > GOOD)
     if not len(bad):
@@ -132,13 +141,15 @@ def _best(task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
 
 
 def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, before: Floats) -> Floats:
-    """``found`` in the runs where the largest deviation is really smaller than ``before`` (p,) and no axis too fast, ``axis`` in
-    the others."""
+    """``found`` in the runs where the largest deviation is really smaller than ``before`` (p,) and no axis
+    too fast, ``axis`` in the others."""
     keep = np.ones(len(before), bool)
     for _ in range(CHECKS):
         mixed = np.where(keep[at.run][:, None], found, axis)
         words, after = _driven(path, mixed, task.kinematics, task.reach, task.ring_radius)
-        worse = np.where(keep, after >= GAIN * before, after > before * (1.0 + EQUAL_DEVIATION) + EQUAL_DEVIATION)
+        worse = np.where(
+            keep, after >= GAIN * before, after > before * (1.0 + EQUAL_DEVIATION) + EQUAL_DEVIATION
+        )
         worse |= keep & (hastes(task, at, words) > HASTE)
         if not worse.any():
             return mixed
@@ -148,20 +159,32 @@ def _kept(path: OffsetPath, axis: Floats, found: Floats, task: Task, at: Rows, b
     return axis
 
 
-def _driven(path: OffsetPath, axis: Floats, kinematics: Chain, reach: float, ring: float = 0.0) -> tuple[Floats, Floats]:
-    """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm of each run's
-    blocks. Between runs the path goes in one rapid: the axes, not the way, decide on branches."""
+def _driven(
+    path: OffsetPath, axis: Floats, kinematics: Chain, reach: float, ring: float = 0.0
+) -> tuple[Floats, Floats]:
+    """Rotary words (n, 2) rad of all rows as the joint path chooses them, and the largest deviation (p,) mm
+    of each run's blocks. Between runs the path goes in one rapid: the axes, not the way, decide on
+    branches."""
     begins = run_begins(path)
     motion = np.where(path.fill, Motion.FILL, Motion.CUT).astype(np.int8)
     motion[begins] = Motion.RAPID
     labels = {name: getattr(path, name) for name in ("normal", "face", "coedge", "pass_")}
     tip = hub_positions(path, axis, ring) - reach * axis
     driven = CLPath(
-        tip=tip, axis=axis, motion=motion, feed=np.where(motion == Motion.RAPID, 0.0, 1.0), contact=path.point, **labels
+        tip=tip,
+        axis=axis,
+        motion=motion,
+        feed=np.where(motion == Motion.RAPID, 0.0, 1.0),
+        contact=path.point,
+        **labels,
     )
-    below = np.full(3, float(tip[:, 2].min()) - 2.0 * ROOM)  # every rapid is above the part: branches are free between runs
+    below = np.full(
+        3, float(tip[:, 2].min()) - 2.0 * ROOM
+    )  # every rapid is above the part: branches are free between runs
     joints = solve(driven, kinematics, below, below, ROOM)
-    deviation = np.where(joints.path.motion <= Motion.FILL, measure(kinematics, q_to_words(joints.q)).segment, 0.0)
+    deviation = np.where(
+        joints.path.motion <= Motion.FILL, measure(kinematics, q_to_words(joints.q)).segment, 0.0
+    )
     worst = np.maximum.reduceat(deviation, np.searchsorted(joints.row, np.flatnonzero(begins)))
     last = np.searchsorted(joints.row, np.arange(len(axis)), side="right") - 1
     return joints.q[last, 3:], worst

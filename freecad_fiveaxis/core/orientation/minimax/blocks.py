@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How far the tip leaves its chord in every block between the states of one row and those of the next.
 
-state     one way to stand at a row: the two rotary words. Axis and linear words follow from them. Columns of states are (m, k), m
-          for each of k rows: the long side is the last one, for numpy's sake.
+state     one way to stand at a row: the two rotary words. Axis and linear words follow from them. Columns of
+          states are (m, k), m for each of k rows: the long side is the last one, for numpy's sake.
 block     from a state of one row to a state of the next.
-share     u of the block, at which the real tip is compared with the chord. The largest of a few shares stands for the largest
-          of all: the middle alone is right to second order in the turn; quarters see a path that is bent like an S, too.
+share     u of the block, at which the real tip is compared with the chord. The largest of a few shares stands
+          for the largest of all: the middle alone is right to second order in the turn; quarters see a path
+          that is bent like an S, too.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ TINY = 1e-300
 
 @dataclass(frozen=True, eq=False)
 class Ends:
-    """States at one end of a block: ``arm`` (nine columns (m, k), or numbers), ``tip`` (3 columns (m, k), first frame) and the
-    rotary words ``a``, ``b`` (m, k) rad."""
+    """States at one end of a block: ``arm`` (nine columns (m, k), or numbers), ``tip`` (3 columns (m, k),
+    first frame) and the rotary words ``a``, ``b`` (m, k) rad."""
 
     arm: Columns
     tip: Columns
@@ -58,7 +59,8 @@ class States:
 
 @dataclass(frozen=True, eq=False)
 class Ring:
-    """How a cutter that is no ball sits: its ``radius`` mm, ``normal`` (k, 3) of the surface and ``feed`` (k, 3), unit."""
+    """How a cutter that is no ball sits: its ``radius`` mm, ``normal`` (k, 3) of the surface and ``feed`` (k,
+    3), unit."""
 
     radius: float
     normal: Floats
@@ -69,14 +71,18 @@ class Ring:
         return Ring(self.radius, self.normal[rows], self.feed[rows])
 
     def out(self, axis: Floats) -> Floats:
-        """From the centre of the corner circle to the hub (m k, 3) mm, for axes (m k, 3) of m states of all k rows."""
+        """From the centre of the corner circle to the hub (m k, 3) mm, for axes (m k, 3) of m states of all k
+        rows."""
         normal, feed = (np.tile(column, (len(axis) // len(column), 1)) for column in (self.normal, self.feed))
         return self.radius * ring_direction(normal, axis, feed, self.radius)
 
 
-def states(kinematics: Chain, angles: Floats, centre: Floats, reach: float, ring: Ring | None = None) -> States:
-    """The states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball; ``reach`` mm: from there, or
-    from the hub of a cutter with a ``ring``, down the axis to the point that the words drive."""
+def states(
+    kinematics: Chain, angles: Floats, centre: Floats, reach: float, ring: Ring | None = None
+) -> States:
+    """The states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball; ``reach``
+    mm: from there, or from the hub of a cutter with a ``ring``, down the axis to the point that the words
+    drive."""
     flat, shape, frame = angles.reshape(2, -1).T, angles.shape[1:], frames(kinematics)
     axis = forward(kinematics, np.column_stack([np.zeros((len(flat), 3)), flat]))[1]
     place = np.broadcast_to(centre, (*shape, 3)).reshape(-1, 3) - reach * axis
@@ -89,9 +95,9 @@ def states(kinematics: Chain, angles: Floats, centre: Floats, reach: float, ring
 
 
 def bow(kinematics: Chain, start: Ends, end: Ends, shares: Sequence[float], nearest: bool = False) -> Floats:
-    """The largest distance (m, m', k) mm of the real tip from the chord at the ``shares``, from every state of ``start`` to
-    every one of ``end``; the ends' columns are (m, k) and (m', k). ``nearest``: the first word turns the shorter way, whole turns
-    left out (for the middle alone)."""
+    """The largest distance (m, m', k) mm of the real tip from the chord at the ``shares``, from every state
+    of ``start`` to every one of ``end``; the ends' columns are (m, k) and (m', k). ``nearest``: the first
+    word turns the shorter way, whole turns left out (for the middle alone)."""
     frame, (width, count), height = frames(kinematics), start.a.shape, len(end.a)
     found = np.empty((width, height, count))
     portion = max(FEWEST, EDGES // (width * height))
@@ -113,8 +119,13 @@ def _square(frame: Frames, start: Ends, end: Ends, share: float, nearest: bool) 
         sign = np.cos(np.pi * np.rint(_paired(-start.a, end.a) / TURN))
         cos_a, sin_a = sign * cos_a, sign * sin_a
     cos_b, sin_b = _mixed_turn(rest * start.b, share * end.b)
-    arm = tuple(_paired(rest * p, share * q) if p.ndim else p for p, q in zip(start.arm, end.arm, strict=True))
-    x, y, z = (c - p[:, None] for c, p in zip(tip(frame, Pose(arm, cos_a, sin_a, cos_b, sin_b)), start.tip, strict=True))
+    arm = tuple(
+        _paired(rest * p, share * q) if p.ndim else p for p, q in zip(start.arm, end.arm, strict=True)
+    )
+    x, y, z = (
+        c - p[:, None]
+        for c, p in zip(tip(frame, Pose(arm, cos_a, sin_a, cos_b, sin_b)), start.tip, strict=True)
+    )
     cx, cy, cz = (_paired(-p, q) for p, q in zip(start.tip, end.tip, strict=True))
     foot = dot((x, y, z), (cx, cy, cz))
     foot /= dot((cx, cy, cz), (cx, cy, cz)) + TINY
@@ -128,6 +139,7 @@ def _paired(one: Floats, two: Floats) -> Floats:
 
 
 def _mixed_turn(one: Floats, two: Floats) -> tuple[Floats, Floats]:
-    """Cosine and sine of ``one`` (m, k) + ``two`` (m', k), by the sums of angles: four products instead of trigonometry."""
+    """Cosine and sine of ``one`` (m, k) + ``two`` (m', k), by the sums of angles: four products instead of
+    trigonometry."""
     c1, s1, c2, s2 = np.cos(one)[:, None], np.sin(one)[:, None], np.cos(two)[None], np.sin(two)[None]
     return c1 * c2 - s1 * s2, s1 * c2 + c1 * s2

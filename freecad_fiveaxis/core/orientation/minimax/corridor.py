@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the level of each run small: dynamic programming in a corridor about the way that is known.
 
-corridor  the states about the present one of every row: a grid of rotary words, first wide and coarse, then narrow and fine.
-round     a line of the second word, one of the first, and a coarse grid of both, each searched through whole runs at once.
+corridor  the states about the present one of every row: a grid of rotary words, first wide and coarse, then
+          narrow and fine.
+round     a line of the second word, one of the first, and a coarse grid of both, each searched through whole
+          runs at once.
 
-The rotary words are the coordinates because the deviation is smooth in them, at the pole too: through it the second word just
-changes sign. The axis is only asked whether it is allowed. What a search makes as small as it can be on its grid is the sum over
-the blocks of ``(deviation / level) ** 32``, which for a high power is nearly the largest deviation. The present way is in the
-grid: no search makes that sum larger.
+The rotary words are the coordinates because the deviation is smooth in them, at the pole too: through it the
+second word just changes sign. The axis is only asked whether it is allowed. What a search makes as small as
+it can be on its grid is the sum over the blocks of ``(deviation / level) ** 32``, which for a high power is
+nearly the largest deviation. The present way is in the grid: no search makes that sum larger.
 """
 
 from __future__ import annotations
@@ -34,7 +36,8 @@ NARROW = 0.2
 WIDEST, FINEST = 1.2, 1e-3
 """Half width of the first corridor, and that of the last, in units of the largest tilt."""
 SHRINK, SLOW = 0.6, 0.9
-"""The corridor becomes narrower by the first where a round did not bring the level below the second of what it was."""
+"""The corridor becomes narrower by the first where a round did not bring the level below the second of what
+it was."""
 ROUNDS = 40
 STEEP = 0.05
 """Nearer to the pole than this (as a sine) the corridor of the first word does not grow wider."""
@@ -73,7 +76,13 @@ def portions(at: Rows, runs: Ints, edges: int) -> list[Ints]:
 
 
 def _round(
-    task: Task, at: Rows, angles: Floats, width: Floats, level: Floats, busy: Ints, shown: Callable[[float], None]
+    task: Task,
+    at: Rows,
+    angles: Floats,
+    width: Floats,
+    level: Floats,
+    busy: Ints,
+    shown: Callable[[float], None],
 ) -> Floats:
     """One corridor of each kind for the ``busy`` runs; ``shown`` hears which share of these is done."""
     done = 0
@@ -97,7 +106,9 @@ def _corridors(count: int, side: int) -> list[Floats]:
 
 def _grid(task: Task, at: Rows, angles: Floats, offsets: Floats, width: Floats) -> Floats:
     """States (2, m, k): ``angles`` (k, 2) and ``offsets`` (2, m) of them, ``width`` (p,) rad wide."""
-    return np.asarray(angles.T[:, None] + offsets[:, :, None] * (_scale(task, angles) * width[at.run])[:, None])
+    return np.asarray(
+        angles.T[:, None] + offsets[:, :, None] * (_scale(task, angles) * width[at.run])[:, None]
+    )
 
 
 def _scale(task: Task, angles: Floats) -> Floats:

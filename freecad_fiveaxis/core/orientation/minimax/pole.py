@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Near the pole: another way for a run to begin with, through the pole or wide around it.
 
-pole      the tool axis that leaves the first rotary word free. Passing beside it, that word turns far for little.
+pole      the tool axis that leaves the first rotary word free. Passing beside it, that word turns far for
+          little.
 passage   the rows of a run that are near the pole, with one on either side that stays where it is.
-lattice   rotary words at equal distances: the same first words at every row, so that a straight way through the pole is there.
+lattice   rotary words at equal distances: the same first words at every row, so that a straight way through
+          the pole is there.
 
-A corridor about the known way does not find the one through the pole, for between the two the deviation is larger. So all ways on
-a coarse lattice are searched at once. Behind a passage that was crossed the words go on on the other branch.
+A corridor about the known way does not find the one through the pole, for between the two the deviation is
+larger. So all ways on a coarse lattice are searched at once. Behind a passage that was crossed the words go
+on on the other branch.
 """
 
 from __future__ import annotations
@@ -33,8 +36,9 @@ SECOND = 0.4
 
 
 def other_way(task: Task, at: Rows, angles: Floats, level: Floats) -> tuple[Ints, Floats]:
-    """The runs (p',) that have a passage, and rotary words (k, 2) rad of all rows: in passages the best on the lattice,
-    elsewhere the axes of ``angles`` (k, 2), on the other branch behind a passage that goes through the pole."""
+    """The runs (p',) that have a passage, and rotary words (k, 2) rad of all rows: in passages the best on
+    the lattice, elsewhere the axes of ``angles`` (k, 2), on the other branch behind a passage that goes
+    through the pole."""
     axis, branch = axes_of(task.kinematics, angles), side(task, angles[:, 1])
     passage, rows, inner = _pole_passages(task, at, axis)
     if not len(rows):
@@ -59,7 +63,9 @@ def _count(task: Task) -> int:
 
 def _pole_passages(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
     """The passages as runs of their own, their rows (s,), and which of these are near the pole."""
-    near = np.linalg.norm(np.cross(axis, task.kinematics.direction[3]), axis=1) < math.sin(min(NEAR * task.max_tilt, 1.0))
+    near = np.linalg.norm(np.cross(axis, task.kinematics.direction[3]), axis=1) < math.sin(
+        min(NEAR * task.max_tilt, 1.0)
+    )
     wider = near.copy()
     same = at.run[1:] == at.run[:-1]
     wider[1:] |= near[:-1] & same
@@ -85,12 +91,14 @@ def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, 
 
 
 def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -> tuple[Floats, Bools]:
-    """States (s, m, 2) and which of them count (s, m). The last is the present one, the last but one the same axis on the other
-    branch, which the first row of a passage does not have if it stays where it is."""
+    """States (s, m, 2) and which of them count (s, m). The last is the present one, the last but one the same
+    axis on the other branch, which the first row of a passage does not have if it stays where it is."""
     most = (NEAR + 3.0) * task.max_tilt
     second = SECOND * task.max_tilt * (np.arange(math.ceil(most / (SECOND * task.max_tilt))) + 0.5)
     first = np.arange(-math.pi, math.pi - 0.5 * FIRST, FIRST)
-    points = np.stack(np.meshgrid(first, task.pair.best + np.concatenate([-second, second])), -1).reshape(-1, 2)
+    points = np.stack(np.meshgrid(first, task.pair.best + np.concatenate([-second, second])), -1).reshape(
+        -1, 2
+    )
     there = axes_of(task.kinematics, points)
     near = inner[:, None] & allowed(at.before, at.after, task.max_tilt, there.T[:, :, None]).T
     width = int(near.sum(axis=1).max())
@@ -109,14 +117,16 @@ def _other(task: Task, axis: Floats, angles: Floats) -> Floats:
 
 
 def _behind(swapped: Bools, at: Rows, ends: Ints) -> Bools:
-    """Which rows (k,) lie behind an odd number of crossings of their run; ``ends``: the last rows of passages."""
+    """Which rows (k,) lie behind an odd number of crossings of their run; ``ends``: the last rows of
+    passages."""
     ends = ends[swapped[ends] & (ends < at.first[at.run[ends]] + at.size[at.run[ends]] - 1)]
     count = np.cumsum(np.bincount(ends + 1, minlength=len(swapped)))
     return np.asarray((count - count[at.first][at.run]) % 2 == 1)
 
 
 def _words(task: Task, at: Rows, axis: Floats, branch: Bools, angles: Floats) -> Floats:
-    """Rotary words (k, 2) of the axes on the branches, unwound along each run from where ``angles`` begins it."""
+    """Rotary words (k, 2) of the axes on the branches, unwound along each run from where ``angles`` begins
+    it."""
     both = inverse_axis(task.kinematics, axis)[0]
     words = np.where((side(task, both[0, :, 1]) == branch)[:, None], both[0], both[1])
     step = np.diff(words, axis=0, prepend=words[:1])

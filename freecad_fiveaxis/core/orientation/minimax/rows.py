@@ -2,11 +2,12 @@
 """The rows of an offset path as the search sees them, and where the tool axis may stand at each.
 
 run       rows that follow each other without the tool leaving the part: one polyline, or several that touch.
-range     of a row: the great arc between the facet normals on either side of its contact point. An axis is allowed where it is
-          within ``max_tilt`` of that.
+range     of a row: the great arc between the facet normals on either side of its contact point. An axis is
+          allowed where it is within ``max_tilt`` of that.
 
-Rows of one contact point have the same range but not the same axis: while the ball closes a gap it rolls about that point, and
-turning then, too, halves the largest turn of a block. The deviation goes with its square.
+Rows of one contact point have the same range but not the same axis: while the ball closes a gap it rolls
+about that point, and turning then, too, halves the largest turn of a block. The deviation goes with its
+square.
 """
 
 from __future__ import annotations
@@ -28,8 +29,8 @@ EDGE = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """``first`` (p,): the row that each run begins with; ``size`` (p,) rows of each run; ``run`` (k,); ``centre`` (k, 3) mm
-    of the ball; ``before``, ``after`` (k, 3): the facet normals on either side."""
+    """``first`` (p,): the row that each run begins with; ``size`` (p,) rows of each run; ``run`` (k,);
+    ``centre`` (k, 3) mm of the ball; ``before``, ``after`` (k, 3): the facet normals on either side."""
 
     first: Ints
     size: Ints
@@ -51,7 +52,9 @@ def find_rows(path: OffsetPath) -> Rows:
     """The rows of ``path``, which has at least one."""
     begins = run_begins(path)
     first = np.flatnonzero(begins)
-    return Rows(first, np.diff(first, append=len(begins)), np.cumsum(begins) - 1, path.centre, path.before, path.after)
+    return Rows(
+        first, np.diff(first, append=len(begins)), np.cumsum(begins) - 1, path.centre, path.before, path.after
+    )
 
 
 def run_begins(path: OffsetPath) -> Bools:
@@ -62,7 +65,8 @@ def run_begins(path: OffsetPath) -> Bools:
 
 
 def allowed(before: Floats, after: Floats, max_tilt: float, axis: Floats) -> Bools:
-    """Whether unit ``axis`` (3, m, k) is within ``max_tilt`` rad of the range between ``before`` and ``after`` (k, 3): (m, k).
+    """Whether unit ``axis`` (3, m, k) is within ``max_tilt`` rad of the range between ``before`` and
+    ``after`` (k, 3): (m, k).
 
     An axis that leans below a facet beside its contact is not allowed: the shank would stand in the part.
     """

@@ -3,8 +3,8 @@
 
 step      from a state of one row to a state of the next: a block of the program.
 level     the largest deviation of a run.
-side      of the pole: the branch. A step may change it only where its great arc goes through the pole, for elsewhere that is a
-          break of the joint path.
+side      of the pole: the branch. A step may change it only where its great arc goes through the pole, for
+          elsewhere that is a break of the joint path.
 """
 
 from __future__ import annotations
@@ -22,15 +22,16 @@ from .blocks import QUARTERS, Ends, Ring, States, bow, states
 from .rows import Rows, allowed
 
 DOUBLINGS = 4
-"""The deviation counts with the power 2 ** (this + 1), 32. Of 50 blocks that are all at the level, such a sum misses the
-smallest largest by at most 13 %, mostly far less."""
+"""The deviation counts with the power 2 ** (this + 1), 32. Of 50 blocks that are all at the level, such a sum
+misses the smallest largest by at most 13 %, mostly far less."""
 EVENLY, STILL = 1e-3, 1e-6
-"""Weights of the squared deviation, and of the squared turn in units of the largest tilt: among ways of one level, the one that
-deviates less elsewhere and turns less."""
+"""Weights of the squared deviation, and of the squared turn in units of the largest tilt: among ways of one
+level, the one that deviates less elsewhere and turns less."""
 POLE = 1e-4
 """States nearer to the pole (rad) are left out: the first word is not known there."""
 THROUGH = math.radians(0.08)
-"""A great arc that passes the pole that near (rad) goes through it: less than what the joint path takes for a crossing."""
+"""A great arc that passes the pole that near (rad) goes through it: less than what the joint path takes for a
+crossing."""
 STEADY = 1e-6
 """rad: a turn that rounding may make."""
 TURN = 2.0 * math.pi
@@ -40,9 +41,9 @@ FRONT = math.radians(60.0)
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What bounds the states. ``reach`` mm from the ball's centre to the driven point; ``max_tilt`` rad; ``minutes`` (k,) the
-    time of the block that leads to each row; ``least`` (k, 2) rad: the turn of it that is allowed whatever the time; ``ring``
-    of a cutter that is no ball."""
+    """What bounds the states. ``reach`` mm from the ball's centre to the driven point; ``max_tilt`` rad;
+    ``minutes`` (k,) the time of the block that leads to each row; ``least`` (k, 2) rad: the turn of it that
+    is allowed whatever the time; ``ring`` of a cutter that is no ball."""
 
     kinematics: Chain
     reach: float
@@ -103,20 +104,28 @@ def usable(task: Task, at: Rows, grid: Floats, there: States) -> Bools:
 
 
 def _in_front(ring: Ring, axis: Floats) -> Bools:
-    """For which axes (3, m, k) the contact stays in front of the hub, within FRONT of straight ahead: for others a small change
-    of the axis would throw the hub from one side of the contact to the other."""
+    """For which axes (3, m, k) the contact stays in front of the hub, within FRONT of straight ahead: for
+    others a small change of the axis would throw the hub from one side of the contact to the other."""
     flat = np.moveaxis(axis, 0, -1).reshape(-1, 3)
     out = ring.out(flat).reshape(*axis.shape[1:], 3)
     return np.asarray(-(out * ring.feed).sum(axis=-1) >= math.cos(FRONT) * ring.radius)
 
 
 def step_costs(
-    task: Task, at: Rows, there: States, level: Floats, shares: Sequence[float], nearest: bool = False, known: int | None = None
+    task: Task,
+    at: Rows,
+    there: States,
+    level: Floats,
+    shares: Sequence[float],
+    nearest: bool = False,
+    known: int | None = None,
 ) -> Floats:
-    """Costs (m, m, k - 1) of the steps between the states, inf where there must be none; from run to run they mean nothing.
+    """Costs (m, m, k - 1) of the steps between the states, inf where there must be none; from run to run they
+    mean nothing.
 
-    ``level`` (p,) mm: what the deviations, those at ``shares`` of the blocks, are measured by; ``nearest``: the first word turns
-    the shorter way; ``known``: a state of every row whose steps to each other are allowed whatever they are.
+    ``level`` (p,) mm: what the deviations, those at ``shares`` of the blocks, are measured by; ``nearest``:
+    the first word turns the shorter way; ``known``: a state of every row whose steps to each other are
+    allowed whatever they are.
     """
     start, end = _blocks(there.ends)
     ratio = bow(task.kinematics, start, end, shares, nearest)
@@ -159,14 +168,19 @@ def _sides_differ(task: Task, there: States, start: Ends, end: Ends) -> Bools:
     bad = np.zeros((len(one), len(two), one.shape[1]), bool)
     rows = np.flatnonzero(~((one.all(0) & two.all(0)) | ~(one.any(0) | two.any(0))))
     if len(rows):
-        through = through_pole(task.kinematics.direction[3], there.axis[:, :, rows], there.axis[:, :, rows + 1])
+        through = through_pole(
+            task.kinematics.direction[3], there.axis[:, :, rows], there.axis[:, :, rows + 1]
+        )
         bad[..., rows] = (one[:, None, rows] != two[None, :, rows]) & ~through
     return bad
 
 
 def through_pole(first: Floats, one: Floats, two: Floats) -> Bools:
-    """Which great arcs from axes ``one`` (3, m, k) to axes ``two`` (3, m', k) pass ``first`` (3,) or its opposite."""
+    """Which great arcs from axes ``one`` (3, m, k) to axes ``two`` (3, m', k) pass ``first`` (3,) or its
+    opposite."""
     frame = np.linalg.svd(first[None])[2][1:]
     (x0, y0), (x1, y1) = (np.einsum("ij,j...->i...", frame, axis) for axis in (one[:, :, None], two[:, None]))
     area = np.abs(x0 * y1 - y0 * x1)
-    return np.asarray((x0 * x1 + y0 * y1 < 0.0) & (area <= THROUGH * np.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2)))
+    return np.asarray(
+        (x0 * x1 + y0 * y1 < 0.0) & (area <= THROUGH * np.sqrt((x1 - x0) ** 2 + (y1 - y0) ** 2))
+    )

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Tool axes led through or around the pole, pass by pass, where that makes the machine turn less.
 
-change     the angle between the axis that a strategy gives and the axis that is led; at most what the user allows.
-lead       to change the axis of a pass near the pole such that the first rotary axis turns little and evenly; after the idea of
-           Affouard et al. (Avoiding 5-axis singularities using tool path deformation, 2004), which moves the axis' path off a
-           fixed cone. Here the way is found by :mod:`.rerouting`, and kept only where driving it on the machine proves it
-           better (:mod:`.choice`).
+change     the angle between the axis that a strategy gives and the axis that is led; at most what the user
+           allows.
+lead       to change the axis of a pass near the pole such that the first rotary axis turns little and evenly;
+           after the idea of Affouard et al. (Avoiding 5-axis singularities using tool path deformation,
+           2004), which moves the axis' path off a fixed cone. Here the way is found by :mod:`.rerouting`, and
+           kept only where driving it on the machine proves it better (:mod:`.choice`).
 
-Only the axis moves. Contact points and ball centres stay what they are, so a ball-end cutter cuts the same surface; any other
-cutter sits anew on its contact (:mod:`~freecad_fiveaxis.core.toolpath.cl_offset`).
+Only the axis moves. Contact points and ball centres stay what they are, so a ball-end cutter cuts the same
+surface; any other cutter sits anew on its contact (:mod:`~freecad_fiveaxis.core.toolpath.cl_offset`).
 """
 
 from __future__ import annotations
@@ -40,10 +41,11 @@ def deform_axes(
 ) -> tuple[Floats, tuple[Finding, ...]]:
     """Unit tool axes (n, 3) led past the pole, and what there is to say about them.
 
-    ``axis`` (n, 3) unit, one for each row of ``offset``, all within the machine's reach (:func:`~.feasible.feasible_rows`
-    first); ``max_change`` rad: the largest angle between the given and the led axis. Rows of one contact point keep one axis
-    between them; rows of passes that do not come near the pole, or that do not get better, keep the given axis to the last bit.
-    Raises SettingsError for an angle out of range, ReachError for axes beyond the machine's limits.
+    ``axis`` (n, 3) unit, one for each row of ``offset``, all within the machine's reach
+    (:func:`~.feasible.feasible_rows` first); ``max_change`` rad: the largest angle between the given and the
+    led axis. Rows of one contact point keep one axis between them; rows of passes that do not come near the
+    pole, or that do not get better, keep the given axis to the last bit. Raises SettingsError for an angle
+    out of range, ReachError for axes beyond the machine's limits.
     """
     check_change(max_change)
     found = rerouted_axes(offset, np.asarray(axis, float), kinematics, max_change, progress)
@@ -66,16 +68,23 @@ def check_change(change: float) -> None:
         )
 
 
-def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: ReroutedAxes, change: float) -> tuple[Finding, ...]:
+def _findings(
+    offset: OffsetPath, axis: Floats, kinematics: Chain, found: ReroutedAxes, change: float
+) -> tuple[Finding, ...]:
     """What was led, and what still turns fast near the pole."""
     globe, letter, limit = Globe.of(kinematics), kinematics.letters[3], math.degrees(change)
     findings = []
     if found.rerouted.any():
         most = math.degrees(float(angle_between(found.axis, axis).max()))
-        before, after = (math.degrees(float(part.peak[found.rerouted].max())) for part in (found.before, found.after))
-        turned, turns = (math.degrees(float(part.first[found.rerouted].sum())) for part in (found.before, found.after))
+        before, after = (
+            math.degrees(float(part.peak[found.rerouted].max())) for part in (found.before, found.after)
+        )
+        turned, turns = (
+            math.degrees(float(part.first[found.rerouted].sum())) for part in (found.before, found.after)
+        )
         text = say(
-            "{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on them, "
+            "{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on "
+            "them, "
             "and {turns} instead of {turned} in all, for an axis changed by up to {most}.",
             count=int(found.rerouted.sum()),
             letter=letter,
@@ -88,12 +97,15 @@ def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: Rerout
         worst = np.flatnonzero(found.rerouted)[found.before.peak[found.rerouted].argmax()]
         place = _nearest_place(offset, axis, globe, int(worst))
         findings.append(report_finding(Code.AXIS_LED_PAST_POLE, text, most, limit, place=place))
-    left = np.flatnonzero(near_polylines(offset, axis, globe, change) & ~found.rerouted & (found.after.peak > STEADY))
+    left = np.flatnonzero(
+        near_polylines(offset, axis, globe, change) & ~found.rerouted & (found.after.peak > STEADY)
+    )
     if len(left):
         worst = left[found.after.peak[left].argmax()]
         rate = math.degrees(float(found.after.peak[worst]))
         text = say(
-            "{count} passes come within {limit} of the pole and could not be turned past it any better: {letter} "
+            "{count} passes come within {limit} of the pole and could not be turned past it any better: "
+            "{letter} "
             "turns up to {rate} there. A larger angle, wider rotary limits or another setup may help.",
             count=len(left),
             limit=Angle(limit),
@@ -105,9 +117,13 @@ def _findings(offset: OffsetPath, axis: Floats, kinematics: Chain, found: Rerout
     return tuple(findings)
 
 
-def _nearest_place(offset: OffsetPath, axis: Floats, globe: Globe, polyline: int) -> tuple[float, float, float]:
+def _nearest_place(
+    offset: OffsetPath, axis: Floats, globe: Globe, polyline: int
+) -> tuple[float, float, float]:
     """The contact point at which the axis of a polyline is nearest to the pole."""
     begin = starts(offset.polyline)
     rows = slice(int(begin[polyline]), int(np.append(begin, len(axis))[polyline + 1]))
-    x, y, z = offset.point[rows.start + int(np.linalg.norm(globe.across(axis[rows]), axis=1).argmin())].tolist()
+    x, y, z = offset.point[
+        rows.start + int(np.linalg.norm(globe.across(axis[rows]), axis=1).argmin())
+    ].tolist()
     return x, y, z

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which polylines are led, and which way: tried out on the machine.
 
-way       one manner of leading a polyline (:mod:`.rerouting`): through or around the pole, near it or all along.
-parity    1 where the branch on which the machine comes to a polyline is the other one than in the given drive, else 0. On a
-          nutating axis the other branch needs another way.
+way       one manner of leading a polyline (:mod:`.rerouting`): through or around the pole, near it or all
+          along.
+parity    1 where the branch on which the machine comes to a polyline is the other one than in the given
+          drive, else 0. On a nutating axis the other branch needs another way.
 swap      a way that ends on another branch than the given axes: it turns the parity of what follows.
 
-The machine's branch is chosen for the whole path, so one polyline led may change how another is driven. Therefore all ways chosen
-are driven together; those that are no better, or make another polyline worse, are replaced or given up, and all is driven again.
+The machine's branch is chosen for the whole path, so one polyline led may change how another is driven.
+Therefore all ways chosen are driven together; those that are no better, or make another polyline worse, are
+replaced or given up, and all is driven again.
 """
 
 from __future__ import annotations
@@ -30,11 +32,11 @@ from .rerouting import Given, Route, given, lead, mirrored, peak_rate
 NEAR = 3.0
 """Passes that come within so many allowed changes of the pole are led, if that makes them better."""
 ROUNDS = 6
-"""Times that the ways led are driven and those that did not help are tried another way; as many times again they are left as
-given, and if the rest still harms somebody, all are."""
+"""Times that the ways led are driven and those that did not help are tried another way; as many times again
+they are left as given, and if the rest still harms somebody, all are."""
 ENOUGH = 0.1
-"""Share of the given peak rate and travel of the first word that is low enough: of ways that reach it, the one that leaves most
-of the pass alone is taken."""
+"""Share of the given peak rate and travel of the first word that is low enough: of ways that reach it, the
+one that leaves most of the pass alone is taken."""
 AS_MEANT = 1.5
 """Times the meant peak rate up to which a way counts as driven the way it was meant."""
 SAME_AXIS = 1e-9
@@ -45,8 +47,9 @@ LEAN = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Attempt:
-    """A polyline (by its number in order) that comes near the pole: its ``rows``, how it is driven as given, and the ways to lead
-    it, best first, each with the parity it is for. ``whole``: there are no other ways."""
+    """A polyline (by its number in order) that comes near the pole: its ``rows``, how it is driven as given,
+    and the ways to lead it, best first, each with the parity it is for. ``whole``: there are no other
+    ways."""
 
     polyline: int
     rows: slice
@@ -57,8 +60,8 @@ class Attempt:
 
 @dataclass(frozen=True, eq=False)
 class ReroutedAxes:
-    """Tool ``axis`` (n, 3); ``near`` (p,) polylines that come near the pole, ``rerouted`` (p,) those whose axis was changed;
-    figures of every polyline ``before`` and ``after``."""
+    """Tool ``axis`` (n, 3); ``near`` (p,) polylines that come near the pole, ``rerouted`` (p,) those whose
+    axis was changed; figures of every polyline ``before`` and ``after``."""
 
     axis: Floats
     near: Bools
@@ -78,8 +81,8 @@ def near_polylines(offset: OffsetPath, axis: Floats, globe: Globe, angle: float)
 def rerouted_axes(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, progress: Progress = silent
 ) -> ReroutedAxes | None:
-    """The axes (n, 3) led within ``change`` rad as in :func:`~.past_pole.apply.deform_axes`, with the figures; None where no
-    polyline comes near the pole."""
+    """The axes (n, 3) led within ``change`` rad as in :func:`~.past_pole.apply.deform_axes`, with the
+    figures; None where no polyline comes near the pole."""
     globe = Globe.of(kinematics)
     if not len(axis) or not (near := near_polylines(offset, axis, globe, NEAR * change)).any():
         return None
@@ -137,7 +140,9 @@ def _with_ways(
             if _usable(offset, kinematics, attempt.rows, route.axis):
                 routes.append((parity, route))
                 if globe.straight and not whole and not _rank(line, route)[0]:
-                    return replace(attempt, routes=tuple(sorted(routes, key=lambda found: _rank(line, found[1]))))
+                    return replace(
+                        attempt, routes=tuple(sorted(routes, key=lambda found: _rank(line, found[1])))
+                    )
     more = sorted(routes[known:], key=lambda found: _rank(line, found[1]))
     return replace(attempt, routes=(*routes[:known], *more), whole=True)
 
@@ -152,12 +157,14 @@ def _rank(line: Given, route: Route) -> tuple[bool, float, float]:
 
 def _usable(offset: OffsetPath, kinematics: Chain, rows: slice, route: Floats) -> bool:
     """Whether the tool does not lean into the part, and stays within the rotary limits."""
-    return bool(((offset.normal[rows] * route).sum(1) >= -LEAN).all() and axes_within_limits(kinematics, route).all())
+    return bool(
+        ((offset.normal[rows] * route).sum(1) >= -LEAN).all() and axes_within_limits(kinematics, route).all()
+    )
 
 
 def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
-    """The number of the best way left of each attempt that has one, by the attempt's number; a way for the parity that the ways
-    before leave, if there is one."""
+    """The number of the best way left of each attempt that has one, by the attempt's number; a way for the
+    parity that the ways before leave, if there is one."""
     parity, chosen = 0, {}
     for number, (attempt, bad) in enumerate(zip(attempts, dropped, strict=True)):
         left = [route for route in range(len(attempt.routes)) if route not in bad]
@@ -168,7 +175,9 @@ def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
     return chosen
 
 
-def _assembled(axis: Floats, attempts: list[Attempt], chosen: dict[int, int], count: int) -> tuple[Floats, Bools]:
+def _assembled(
+    axis: Floats, attempts: list[Attempt], chosen: dict[int, int], count: int
+) -> tuple[Floats, Bools]:
     """The axes with the chosen ways, and which of ``count`` polylines are led."""
     tried, rerouted = np.array(axis), np.zeros(count, bool)
     for number, route in chosen.items():
@@ -180,8 +189,9 @@ def _assembled(axis: Floats, attempts: list[Attempt], chosen: dict[int, int], co
 def _failed(
     attempts: list[Attempt], chosen: dict[int, int], rerouted: Bools, before: Figures, after: Figures
 ) -> dict[int, set[int]]:
-    """The ways that have to go, by attempt: those that are no better, or that the machine drives on another branch, far faster
-    than meant; or, where there are none, what makes another polyline worse: the last swap before it, or else the nearest way."""
+    """The ways that have to go, by attempt: those that are no better, or that the machine drives on another
+    branch, far faster than meant; or, where there are none, what makes another polyline worse: the last swap
+    before it, or else the nearest way."""
     better, failed = after.better(before), {}
     for number, route in chosen.items():
         line, meant = attempts[number].polyline, attempts[number].routes[route][1].peak

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One polyline led past the pole: which way round, how evenly, and the tool axes that follow.
 
-encounter  a stretch of a polyline on which the way of its axis comes within the allowed change of the pole. There the axis may be
-           led through the pole itself.
-through    on the other branch afterwards: the second rotary word changes its sign, the first one need not turn.
-around     on the same branch: the first rotary word makes its turn, but over as long a way as the allowed change gives it.
+encounter  a stretch of a polyline on which the way of its axis comes within the allowed change of the pole.
+           There the axis may be led through the pole itself.
+through    on the other branch afterwards: the second rotary word changes its sign, the first one need not
+           turn.
+around     on the same branch: the first rotary word makes its turn, but over as long a way as the allowed
+           change gives it.
 """
 
 from __future__ import annotations
@@ -23,10 +25,12 @@ from .even_word import cut_length, evened, laziest, leash_of, least_rates
 from .meridian import TURN, Globe, angle_between, runs
 
 ZONE = 12.0
-"""Half length of the way over which the axis is led, in allowed changes d. An axis that passes the pole at d, along a straight
-line in the azimuthal view, then turns the first word by about 2 / ZONE rad on this way instead of half a turn."""
+"""Half length of the way over which the axis is led, in allowed changes d. An axis that passes the pole at d,
+along a straight line in the azimuthal view, then turns the first word by about 2 / ZONE rad on this way
+instead of half a turn."""
 GENTLE = 4.0
-"""Rate that is always allowed, in rates of the first word at the rim of that zone, ``1 / (ZONE^2 d)`` of the axis' own rate."""
+"""Rate that is always allowed, in rates of the first word at the rim of that zone, ``1 / (ZONE^2 d)`` of the
+axis' own rate."""
 SAME_WORD = 1e-12
 """A first rotary word that is led by less than this (rad) leaves its axis as it was given."""
 CLOSED = 1e-9
@@ -35,8 +39,8 @@ CLOSED = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """A polyline as it is driven without leading: ``axis`` (n, 3); ``along`` (n,) mm, its course; ``word`` (n,) rad, the first
-    rotary one; ``side`` (n,) rad; ``closed``: it ends where it began."""
+    """A polyline as it is driven without leading: ``axis`` (n, 3); ``along`` (n,) mm, its course; ``word``
+    (n,) rad, the first rotary one; ``side`` (n,) rad; ``closed``: it ends where it began."""
 
     axis: Floats
     along: Floats
@@ -52,15 +56,16 @@ def given(globe: Globe, axis: Floats, centre: Floats, fill: Bools, word: Floats)
 
 
 def mirrored(line: Given) -> Given:
-    """The polyline taken up on the other branch. On a machine of orthogonal axes it is led the same way; a nutating axis turns
-    the first one along with it, on either branch in another sense."""
+    """The polyline taken up on the other branch. On a machine of orthogonal axes it is led the same way; a
+    nutating axis turns the first one along with it, on either branch in another sense."""
     return replace(line, word=line.word - 2.0 * line.side, side=-line.side)
 
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """A polyline led: its ``axis`` (n, 3); ``peak`` rad/mm and ``travel`` rad of the first word on it; ``zone``: how far from
-    the pole it leaves the given axes, in changes; ``swaps``: it ends on another branch than without leading."""
+    """A polyline led: its ``axis`` (n, 3); ``peak`` rad/mm and ``travel`` rad of the first word on it;
+    ``zone``: how far from the pole it leaves the given axes, in changes; ``swaps``: it ends on another branch
+    than without leading."""
 
     axis: Floats
     peak: float
@@ -70,9 +75,9 @@ class Route:
 
 
 def lead(globe: Globe, line: Given, change: float) -> Iterator[Route]:
-    """The ways to lead a polyline past the pole within ``change`` rad, those that are possible and change anything: through
-    the pole before around it, and of either the way that keeps to the given axes away from the pole before the one that turns
-    least all along. Each is made when it is asked for."""
+    """The ways to lead a polyline past the pole within ``change`` rad, those that are possible and change
+    anything: through the pole before around it, and of either the way that keeps to the given axes away from
+    the pole before the one that turns least all along. Each is made when it is asked for."""
     allowed = change - OFF_POLE
     for through in (True, False):
         word, side = _met(globe, line, allowed, through)
@@ -82,15 +87,19 @@ def lead(globe: Globe, line: Given, change: float) -> Iterator[Route]:
         rates = least_rates(line.along, word - below, word + above, _gentle_rate(globe, line, change))
         if rates is not None:
             met = Met(word, side, below, above, leash_of(line.along, rates))
-            yield from (route for zone in (ZONE, math.inf) if (route := _rerouted(globe, line, met, change, zone)) is not None)
+            yield from (
+                route
+                for zone in (ZONE, math.inf)
+                if (route := _rerouted(globe, line, met, change, zone)) is not None
+            )
         if np.array_equal(side, line.side):  # nothing to go through
             return
 
 
 @dataclass(frozen=True, eq=False)
 class Met:
-    """How a polyline meets the pole: the ``word`` and ``side`` (n,) by which the given axes are taken up, the word's room
-    ``below`` and ``above``, and the ``leash`` that it is led on, all (n,) rad."""
+    """How a polyline meets the pole: the ``word`` and ``side`` (n,) by which the given axes are taken up, the
+    word's room ``below`` and ``above``, and the ``leash`` that it is led on, all (n,) rad."""
 
     word: Floats
     side: Floats
@@ -100,9 +109,12 @@ class Met:
 
 
 def _rerouted(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Route | None:
-    """The way that keeps to the given axes beyond ``zone`` changes from the pole; None where that changes nothing."""
+    """The way that keeps to the given axes beyond ``zone`` changes from the pole; None where that changes
+    nothing."""
     low, high = _kept(globe, line, zone * change, met)
-    rerouted = evened(met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above)
+    rerouted = evened(
+        met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above
+    )
     moved = np.flatnonzero(np.abs(rerouted - met.word) > SAME_WORD)
     if not len(moved):
         return None
@@ -118,7 +130,8 @@ def peak_rate(along: Floats, word: Floats) -> float:
 
 
 def _kept(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Floats]:
-    """The least and the most (n,) that the word may be to turn less: all its room next to the pole, none ``reach`` rad off it."""
+    """The least and the most (n,) that the word may be to turn less: all its room next to the pole, none
+    ``reach`` rad off it."""
     if reach == math.inf:
         return met.word - met.below, met.word + met.above
     angle = np.arcsin(np.minimum(np.linalg.norm(globe.across(line.axis), axis=1), 1.0))
@@ -129,7 +142,8 @@ def _kept(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Fl
 
 
 def _gentle_rate(globe: Globe, line: Given, change: float) -> float:
-    """The rate, rad/mm, that is always allowed: that of ZONE at the mean rate of the axis itself, as far as the zone goes."""
+    """The rate, rad/mm, that is always allowed: that of ZONE at the mean rate of the axis itself, as far as
+    the zone goes."""
     travel, length = angle_between(line.axis[1:], line.axis[:-1]), np.diff(line.along)
     inside = globe.approach(line.axis) <= math.sin(min(ZONE * change, 0.5 * math.pi))
     mean = float(travel[inside].sum() / max(length[inside].sum(), CLOSED))
@@ -137,7 +151,8 @@ def _gentle_rate(globe: Globe, line: Given, change: float) -> float:
 
 
 def _met(globe: Globe, line: Given, change: float, through: bool) -> tuple[Floats, Floats]:
-    """The words and sides (n,) by which the given axes are taken up when every encounter is passed the shorter way."""
+    """The words and sides (n,) by which the given axes are taken up when every encounter is passed the
+    shorter way."""
     near = globe.approach(line.axis)
     side, step = line.side.copy(), _nearest(np.diff(line.word))
     for (begin, end), (first, last) in _encounters(near, change):
@@ -151,8 +166,8 @@ def _met(globe: Globe, line: Given, change: float, through: bool) -> tuple[Float
 
 
 def _encounters(near: Floats, change: float) -> list[tuple[tuple[int, int], tuple[int, int]]]:
-    """The first and last row of each encounter, and of the way in and out again: as far as the zone goes, but not into another
-    encounter. ``near`` (n - 1,): how near each step comes to the pole."""
+    """The first and last row of each encounter, and of the way in and out again: as far as the zone goes, but
+    not into another encounter. ``near`` (n - 1,): how near each step comes to the pole."""
     met = runs(near <= math.sin(change))
     zones = runs(near <= math.sin(min(ZONE * change, 0.5 * math.pi)))
     routes = []
@@ -165,7 +180,8 @@ def _encounters(near: Floats, change: float) -> list[tuple[tuple[int, int], tupl
 
 
 def _shorter(line: Given, side: Floats, first: int, last: int, through: bool) -> tuple[float, bool]:
-    """The least turn of the first word from row ``first`` to row ``last``, and whether it is one that changes the branch."""
+    """The least turn of the first word from row ``first`` to row ``last``, and whether it is one that changes
+    the branch."""
     word = _taken(line, side)
     stay = float(_nearest(np.array([word[last] - word[first]]))[0])
     swap = float(_nearest(np.array([word[last] - 2.0 * side[last] - word[first]]))[0])

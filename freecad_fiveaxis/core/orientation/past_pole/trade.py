@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a larger change of the tool axis buys: the table from which an angle is chosen.
 
-pieces    of a block: into how many equal parts it has to be cut for its deviation to keep the tolerance. The deviation of a
-          block falls with the square of its length, so these are ``sqrt(deviation / tolerance)``, rounded up.
+pieces    of a block: into how many equal parts it has to be cut for its deviation to keep the tolerance. The
+          deviation of a block falls with the square of its length, so these are ``sqrt(deviation /
+          tolerance)``, rounded up.
 """
 
 from __future__ import annotations
@@ -39,11 +40,12 @@ MOST_ROWS = 50_000
 
 @dataclass(frozen=True, eq=False)
 class Trade:
-    """One row an allowed change, row 0 the axes as given, over the passes that come near the pole at the largest change.
+    """One row an allowed change, row 0 the axes as given, over the passes that come near the pole at the
+    largest change.
 
-    ``allowed`` and ``used`` rad: largest change allowed, and made; ``passes`` passes that are led; ``peak`` rad/mm largest rate
-    of the first rotary word; ``first``, ``second`` rad turns of the rotary words on the part; ``deviation`` mm, the largest of a
-    block; ``blocks`` estimated number after linearization.
+    ``allowed`` and ``used`` rad: largest change allowed, and made; ``passes`` passes that are led; ``peak``
+    rad/mm largest rate of the first rotary word; ``first``, ``second`` rad turns of the rotary words on the
+    part; ``deviation`` mm, the largest of a block; ``blocks`` estimated number after linearization.
     """
 
     allowed: Floats
@@ -63,28 +65,40 @@ class Trade:
         """Headings and rows for a report, degrees and mm; ``letters`` of the chain."""
         first, second = letters[3], letters[4]
         heads = (
-            "axis change allowed, deg", "made, deg", "passes led", f"peak {first} rate, deg/mm", f"{first} travel, deg",
+            "axis change allowed, deg", "made, deg", "passes led", f"peak {first} rate, deg/mm",
+            f"{first} travel, deg",
             f"{second} travel, deg", "largest deviation, mm", "blocks when linearized",
         )  # fmt: skip
         angles = (np.degrees(part) for part in (self.peak, self.first, self.second))
-        columns = (np.degrees(self.allowed), np.degrees(self.used), self.passes, *angles, self.deviation, self.blocks)
+        columns = (
+            np.degrees(self.allowed),
+            np.degrees(self.used),
+            self.passes,
+            *angles,
+            self.deviation,
+            self.blocks,
+        )
         return heads, [tuple(float(value) for value in row) for row in np.column_stack(columns)]
 
 
 def trade_off(
-    offset: OffsetPath, axis: Floats, kinematics: Chain, changes: Sequence[float], tolerance: float, radius: float = 0.0,
+    offset: OffsetPath, axis: Floats, kinematics: Chain, changes: Sequence[float], tolerance: float,
+    radius: float = 0.0,
     progress: Progress = silent, ring: float = 0.0, barrel: Flank | None = None,
 ) -> Trade:  # fmt: skip
     """Lead the axes within each of ``changes`` (rad) and say what comes of it.
 
-    ``tolerance`` mm for the number of blocks; ``radius`` mm from the ball's centre to the driven point (0: the centre is driven);
-    ``ring`` mm of a cutter that is no ball, or the flank of a barrel: its hub takes the place of the ball's centre.
-    All rows are measured before rounding. Raises SettingsError for a change or tolerance out of range.
+    ``tolerance`` mm for the number of blocks; ``radius`` mm from the ball's centre to the driven point (0:
+    the centre is driven); ``ring`` mm of a cutter that is no ball, or the flank of a barrel: its hub takes
+    the place of the ball's centre. All rows are measured before rounding. Raises SettingsError for a change
+    or tolerance out of range.
     """
     for change in changes:
         check_change(change)
     if not 0.0 < tolerance < math.inf:
-        raise SettingsError(say("tolerance is {tolerance}; give a length above 0", tolerance=Length(tolerance)), tolerance)
+        raise SettingsError(
+            say("tolerance is {tolerance}; give a length above 0", tolerance=Length(tolerance)), tolerance
+        )
     axis = np.asarray(axis, float)
     offset, axis = _near(offset, axis, kinematics, NEAR * max(changes, default=0.0))
     allowed = [0.0, *changes]
@@ -112,8 +126,8 @@ def trade_findings(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, tolerance: float, radius: float = 0.0,
     progress: Progress = silent, ring: float = 0.0, barrel: Flank | None = None,
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change`` of the pole, as a
-    note; none where no pass does. Other arguments as in :func:`trade_off`."""
+    """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change``
+    of the pole, as a note; none where no pass does. Other arguments as in :func:`trade_off`."""
     changes = sorted({min(step * change, LARGEST_CHANGE) for step in STEPS if step * change >= LEAST_CHANGE})
     offset, axis = _near(offset, axis, kinematics, change)
     if not len(axis):
@@ -121,7 +135,17 @@ def trade_findings(
     begin = starts(offset.polyline)
     chosen = np.arange(len(begin)) % math.ceil(len(axis) / MOST_ROWS) == 0
     rows = np.flatnonzero(np.repeat(chosen, np.diff(begin, append=len(axis))))
-    trade = trade_off(take_path_rows(offset, rows), axis[rows], kinematics, changes, tolerance, radius, progress, ring, barrel)
+    trade = trade_off(
+        take_path_rows(offset, rows),
+        axis[rows],
+        kinematics,
+        changes,
+        tolerance,
+        radius,
+        progress,
+        ring,
+        barrel,
+    )
     part = say("the {all}", all=len(begin))
     if not chosen.all():
         part = say("{count} of the {all}", count=int(chosen.sum()), all=len(begin))
@@ -152,21 +176,37 @@ def _rows(trade: Trade) -> Iterator[Sentence]:
 def _near(offset: OffsetPath, axis: Floats, kinematics: Chain, angle: float) -> tuple[OffsetPath, Floats]:
     """The polylines that come within ``angle`` (rad) of the pole, and their axes."""
     near = near_polylines(offset, axis, Globe.of(kinematics), angle) if len(axis) else np.zeros(0, bool)
-    rows = np.flatnonzero(np.repeat(near, np.diff(starts(offset.polyline), append=len(axis)))) if near.any() else np.empty(0, int)
+    rows = (
+        np.flatnonzero(np.repeat(near, np.diff(starts(offset.polyline), append=len(axis))))
+        if near.any()
+        else np.empty(0, int)
+    )
     return take_path_rows(offset, rows), axis[rows]
 
 
 def _driven(
-    offset: OffsetPath, axis: Floats, kinematics: Chain, tolerance: float, sizes: tuple[float, float, Flank | None]
+    offset: OffsetPath,
+    axis: Floats,
+    kinematics: Chain,
+    tolerance: float,
+    sizes: tuple[float, float, Flank | None],
 ) -> tuple[float, float, float, float, int]:
     """Peak rate, turns of both words, largest deviation and number of blocks of the moves on the part.
 
     ``sizes`` mm: of radius and ring, and the flank."""
     angles = drive(offset, axis, kinematics)
     found = figures(offset, angles)
-    words = q_to_words(joint_words(kinematics, hub_positions(offset, axis, *sizes[1:]) - sizes[0] * axis, angles))
+    words = q_to_words(
+        joint_words(kinematics, hub_positions(offset, axis, *sizes[1:]) - sizes[0] * axis, angles)
+    )
     on_part = np.diff(offset.polyline, prepend=offset.polyline[:1] - 1) == 0
     deviation = measure(kinematics, words).segment[on_part]
     pieces = np.maximum(np.ceil(np.sqrt(deviation / tolerance)), 1.0)
     first = float(found.first.sum())
-    return float(found.peak.max()), first, float(found.travel.sum()) - first, float(deviation.max(initial=0.0)), int(pieces.sum())
+    return (
+        float(found.peak.max()),
+        first,
+        float(found.travel.sum()) - first,
+        float(deviation.max(initial=0.0)),
+        int(pieces.sum()),
+    )

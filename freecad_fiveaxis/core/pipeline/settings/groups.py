@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The groups of settings, one frozen dataclass each: every input of a job stands here, and nowhere else.
 
-A field knows its quantity (and so its unit), its range, its help and the tasks that use it. :mod:`.settings` makes one tree of
-the groups.
+A field knows its quantity (and so its unit), its range, its help and the tasks that use it. :mod:`.settings`
+makes one tree of the groups.
 """
 
 from __future__ import annotations
@@ -44,47 +44,65 @@ from .option import (
 class PassSettings:
     """Where the passes lie (planes: Lin & Ye, II.B and C)."""
 
-    passes: str = option("scallop", "text", "pass strategy (see `strategies`); planes if a direction or a plane normal is given")
+    passes: str = option(
+        "scallop",
+        "text",
+        "pass strategy (see `strategies`); planes if a direction or a plane normal is given",
+    )
     plane_normal: Vector | None = option(
         None, "vector", "I,J,K across the planes [upright, along the direction]", least=-LONGEST, most=LONGEST
     )
     from_: str | Vector = option(
-        "border", "place", "where scallop and morph passes begin: at the region's border, at a point X,Y,Z or along a curve, a "
+        "border", "place",
+        "where scallop and morph passes begin: at the region's border, at a point X,Y,Z or along a curve, a "
         "file of X,Y,Z on each line (or the lines themselves, a ; between two)",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     to: str | Vector = option(
-        "border", "place", "where morph passes end: the same. From border to border they run along the direction, on a ring "
+        "border", "place",
+        "where morph passes end: the same. From border to border they run along the direction, on a ring "
         "from rim to rim",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     pass_centre: str | Vector = option(
-        "middle", "place", "point of the axis that radial passes radiate from, and rotary ones turn about: X,Y,Z or the middle "
+        "middle", "place",
+        "point of the axis that radial passes radiate from, and rotary ones turn about: X,Y,Z or the middle "
         "of what is cut (rotary: of the machine's only rotary axis, else of the part)",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     pass_axis: Vector | None = option(
-        None, "vector", "I,J,K of that axis [0,0,1; rotary: the machine's only rotary axis, else the part's longest side]",
+        None, "vector",
+        "I,J,K of that axis [0,0,1; rotary: the machine's only rotary axis, else the part's longest side]",
         least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     rotary_by: Literal["around", "along"] = option(
-        "around", "choice", "rotary passes are rings around the axis, which --spiral makes one helix, or lines along it",
+        "around", "choice",
+        "rotary passes are rings around the axis, which --spiral makes one helix, or lines along it",
         choices=("around", "along"),
     )  # fmt: skip
     frames: float = option(
-        12, "count", "most positions of the rotary axes that the passes `frames` are cut in [as many as are worth it]", least=1,
+        12, "count",
+        "most positions of the rotary axes that the passes `frames` are cut in [as many as are worth it]",
+        least=1,
         most=12,
     )  # fmt: skip
     within_frames: Literal["scallop", "planes"] = option(
-        "scallop", "choice", "what the passes `frames` are in each frame: constant scallop, or planes along the frame's axis and "
+        "scallop", "choice",
+        "what the passes `frames` are in each frame: constant scallop, or planes along the frame's axis and "
         "the direction",
         choices=("scallop", "planes"),
     )  # fmt: skip
     direction: float = option(
-        0.0, "angle", "travel direction of planes (and of morph passes from border to border), counter-clockwise from X"
+        0.0,
+        "angle",
+        "travel direction of planes (and of morph passes from border to border), counter-clockwise from X",
     )
     scallop: float | None = option(
-        None, "length", "largest scallop left between passes [0.01 where no stepover is given]", least=SMALLEST, most=LONGEST
+        None,
+        "length",
+        "largest scallop left between passes [0.01 where no stepover is given]",
+        least=SMALLEST,
+        most=LONGEST,
     )
     stepover: float | None = option(
         None, "length", "constant distance of the planes, instead of a scallop", least=SMALLEST, most=LONGEST
@@ -93,7 +111,9 @@ class PassSettings:
         0.05, "length", "planes never come closer than this (steep walls)", least=SMALLEST, most=LONGEST
     )
     steep_shallow: float | None = option(
-        None, "angle", "level planes where the surface is steeper than this from the horizontal, the passes only where it is not "
+        None, "angle",
+        "level planes where the surface is steeper than this from the horizontal, the passes only where it "
+        "is not "
         "[the passes everywhere]",
         above=0, most=math.pi / 2,
     )  # fmt: skip
@@ -129,15 +149,24 @@ class BoundarySettings:
     boundary: str | None = option(
         None,
         "curve",
-        "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two (or the lines themselves, a ; between "
+        "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two (or the lines "
+        "themselves, a ; between "
         "two, and ;; between two curves): passes end at them [none]",
         (*FROM_SOLID, REACH),
     )
     boundary_axis: Vector = option(
-        (0.0, 0.0, 1.0), "vector", "I,J,K along which the boundary is seen", (*FROM_SOLID, REACH), least=-LONGEST, most=LONGEST
+        (0.0, 0.0, 1.0),
+        "vector",
+        "I,J,K along which the boundary is seen",
+        (*FROM_SOLID, REACH),
+        least=-LONGEST,
+        most=LONGEST,
     )
     boundary_by: Literal["contact", "centre"] = option(
-        "contact", "choice", "what stays inside the boundary: the contact, or the cutter's centre", choices=("contact", "centre")
+        "contact",
+        "choice",
+        "what stays inside the boundary: the contact, or the cutter's centre",
+        choices=("contact", "centre"),
     )
 
 
@@ -145,9 +174,15 @@ class BoundarySettings:
 class CutterSettings:
     """The cutter and how co-edges are closed."""
 
-    cutter: Cutter = option(Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (*FROM_PATH, AUDIT, REACH))
+    cutter: Cutter = option(
+        Cutter(10.0), "cutter", "KIND:DIAMETER, as ball:10 or ball:0.5in", (*FROM_PATH, AUDIT, REACH)
+    )
     coedge_tolerance: float = option(
-        0.01, "length", "largest R - r at a convex co-edge before an arc is used", least=SMALLEST, most=LONGEST
+        0.01,
+        "length",
+        "largest R - r at a convex co-edge before an arc is used",
+        least=SMALLEST,
+        most=LONGEST,
     )
 
 
@@ -155,13 +190,26 @@ class CutterSettings:
 class ToolAxisSettings:
     """How the tool stands at each contact."""
 
-    tool_axis: str = option("auto", "text", "tool-axis strategy (see `strategies`); facet_mean for planes and what is no ball")
-    axis: Vector = option((0.0, 0.0, 1.0), "vector", "I,J,K of the strategy `fixed`, tip to holder", least=-LONGEST, most=LONGEST)
-    lead: float = option(0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 2, most=math.pi / 2)
-    tilt: float = option(0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 2, most=math.pi / 2)
+    tool_axis: str = option(
+        "auto", "text", "tool-axis strategy (see `strategies`); facet_mean for planes and what is no ball"
+    )
+    axis: Vector = option(
+        (0.0, 0.0, 1.0),
+        "vector",
+        "I,J,K of the strategy `fixed`, tip to holder",
+        least=-LONGEST,
+        most=LONGEST,
+    )
+    lead: float = option(
+        0.0, "angle", "lean of the tool along the feed direction", least=-math.pi / 2, most=math.pi / 2
+    )
+    tilt: float = option(
+        0.0, "angle", "lean of the tool across the feed direction", least=-math.pi / 2, most=math.pi / 2
+    )
     max_tilt: float = option(
         math.radians(5.0), "angle",
-        "how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any strategy",
+        "how far the strategy `minimax` may leave the facet normals, and gouge `tilt` the axes of any "
+        "strategy",
         least=LEAST_TILT, most=MOST_TILT,
     )  # fmt: skip
 
@@ -178,12 +226,17 @@ class LinkSettings:
         choices=("on", "off"),
     )  # fmt: skip
     links: Literal["near", "over"] = option(
-        "near", "choice", "between passes the tool stays near the part where it is free there, or always goes over it",
+        "near", "choice",
+        "between passes the tool stays near the part where it is free there, or always goes over it",
         choices=("near", "over"),
     )  # fmt: skip
-    clearance: float = option(5.0, "length", "rapids stay this far off the part's bounding box", least=NEAREST, most=FARTHEST)
+    clearance: float = option(
+        5.0, "length", "rapids stay this far off the part's bounding box", least=NEAREST, most=FARTHEST
+    )
     lead_in: float = option(
-        0.0, "length", "passes are entered from off the part, and left, on an arc of this radius tangent to the surface [none]",
+        0.0, "length",
+        "passes are entered from off the part, and left, on an arc of this radius tangent to the surface "
+        "[none]",
         least=0.0, most=WIDEST_LEAD,
     )  # fmt: skip
 
@@ -192,7 +245,9 @@ class LinkSettings:
 class FeedSettings:
     """Feeds of the tip over the part."""
 
-    feed: float = option(1000.0, "feed", "feed of the tip over the part, mm/min", FROM_PATH, least=SLOWEST, most=FASTEST)
+    feed: float = option(
+        1000.0, "feed", "feed of the tip over the part, mm/min", FROM_PATH, least=SLOWEST, most=FASTEST
+    )
     plunge_feed: float = option(300.0, "feed", "feed of the approach, mm/min", least=SLOWEST, most=FASTEST)
     feed_mode: Literal["g93", "g94"] = option(
         "g93", "choice", "inverse time, or units a minute", FROM_PATH, choices=("g93", "g94")
@@ -216,23 +271,40 @@ class HeadSettings:
         most=99_999,
     )
     spindle: float | None = option(
-        None, "speed", "spindle speed, 1/min; off (or 0) for a dry run [the spindle stays off, with a warning]", (MILL, POST),
+        None, "speed",
+        "spindle speed, 1/min; off (or 0) for a dry run [the spindle stays off, with a warning]",
+        (MILL, POST),
         least=0, most=999_999,
     )  # fmt: skip
-    coolant: Literal["on", "off"] = option("off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off"))
+    coolant: Literal["on", "off"] = option(
+        "off", "choice", "coolant during the program", (MILL, POST), choices=("on", "off")
+    )
     work_offset: str = option(
-        "G54", "text", "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300", (MILL, POST, PROVE)
+        "G54",
+        "text",
+        "work offset: G54 to G59, LinuxCNC's G59.1 to G59.3, Fanuc's G54.1 P1 to P300",
+        (MILL, POST, PROVE),
     )
     rtcp: str = option(
         "off", "choice",
-        "the controller guides the tip (RTCP), told the tool axis by rotary words (angles) or vectors; off: joint output",
+        "the controller guides the tip (RTCP), told the tool axis by rotary words (angles) or vectors; off: "
+        "joint output",
         (MILL, POST), choices=RTCP, bare="angles",
     )  # fmt: skip
     high_speed: Literal["on", "off"] = option(
-        "off", "choice", "the controller's high-speed mode, with the tolerance of --blend", (MILL, POST), choices=("on", "off")
+        "off",
+        "choice",
+        "the controller's high-speed mode, with the tolerance of --blend",
+        (MILL, POST),
+        choices=("on", "off"),
     )
     blend: float = option(
-        0.0, "length", "how far the controller may round corners, where it can; 0: exact path", (MILL, POST), least=0, most=999
+        0.0,
+        "length",
+        "how far the controller may round corners, where it can; 0: exact path",
+        (MILL, POST),
+        least=0,
+        most=999,
     )
 
 
@@ -245,18 +317,34 @@ class MachineSettings:
     """The machine and where the part stands on it."""
 
     machine: str = option(
-        "", "text", "a shipped machine's name or a path to a .fcm", (*ONE_PROGRAM, SETUP, REACH, RECOVER, PROVE)
+        "",
+        "text",
+        "a shipped machine's name or a path to a .fcm",
+        (*ONE_PROGRAM, SETUP, REACH, RECOVER, PROVE),
     )
-    controller: str | None = option(None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS)
+    controller: str | None = option(
+        None, "text", "the dialect of the NC file [the machine's, or linuxcnc]", TASKS
+    )
     origin: Vector | None = option(
-        None, "point", "X,Y,Z of the work zero in the machine frame [the machine's]", TASKS, least=-LONGEST, most=LONGEST
+        None,
+        "point",
+        "X,Y,Z of the work zero in the machine frame [the machine's]",
+        TASKS,
+        least=-LONGEST,
+        most=LONGEST,
     )
     tool_length: float | None = option(
-        None, "length", "gauge point to tip; machines with a rotary head need it", TASKS, least=0, most=LONGEST
+        None,
+        "length",
+        "gauge point to tip; machines with a rotary head need it",
+        TASKS,
+        least=0,
+        most=LONGEST,
     )
     rapids: str = option(
         AS_MACHINE, "choice",
-        "how the controller drives its axes in a rapid: together (interpolated), each at its own rate (independent), or unknown; "
+        "how the controller drives its axes in a rapid: together (interpolated), each at its own rate "
+        "(independent), or unknown; "
         "machine: as the machine file says, else the controller",
         (MILL, AUDIT), choices=(AS_MACHINE, *RAPIDS),
     )  # fmt: skip
@@ -274,11 +362,13 @@ class CureSettings:
     """What is done against deviation and needless turning."""
 
     linearize: Literal["on", "off"] = option(
-        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it; off with rtcp", (MILL, POST),
+        "off", "choice", "divide feed blocks over tolerance into the fewest that hold it; off with rtcp",
+        (MILL, POST),
         choices=("on", "off"), by_task={MILL: "on", POST: "on"},
     )  # fmt: skip
     singularity: str = option(
-        "report", "choice", "near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)",
+        "report", "choice",
+        "near the pole: only report, divide blocks over tolerance, or lead the tool axis past it (deform)",
         (MILL, POST), choices=SINGULARITY,
     )  # fmt: skip
     max_axis_change: float = option(
@@ -297,7 +387,8 @@ class GougeSettings:
 
     gouge: str = option(
         "off", "choice",
-        "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free within max-tilt and "
+        "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free "
+        "within max-tilt and "
         "lift where the cutter still enters; off: no check",
         (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift", AUDIT: "report"},
     )  # fmt: skip
@@ -310,19 +401,26 @@ class GougeSettings:
         (MILL, AUDIT, REACH, SETUP),
     )  # fmt: skip
     fixture: tuple[str, ...] = option(
-        (), "paths", "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against it, "
+        (), "paths",
+        "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against "
+        "it, "
         "and a path is laid around it; may be repeated", ONE_PROGRAM,
     )  # fmt: skip
     fixture_clearance: float = option(
-        0.0, "length", "how near cutter, shank, holder and spindle may come to fixtures and bodies of the machine before that is "
+        0.0, "length",
+        "how near cutter, shank, holder and spindle may come to fixtures and bodies of the machine before "
+        "that is "
         "told", (*ONE_PROGRAM, SETUP), least=0.0, most=LONGEST,
     )  # fmt: skip
     avoid_allowance: float = option(
-        0.0, "length", "so far cutter, shank and holder keep off the faces to avoid, on feeds and rapids; 0: they may touch them",
+        0.0, "length",
+        "so far cutter, shank and holder keep off the faces to avoid, on feeds and rapids; 0: they may touch "
+        "them",
         (*FROM_SOLID, REACH), least=0.0, most=LONGEST,
     )  # fmt: skip
     rest: Literal["on", "off"] = option(
-        "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets", (MILL,),
+        "off", "choice", "map of what stays uncut and of what is cut too deep, on the machined facets",
+        (MILL,),
         choices=("on", "off"), bare="on",
     )  # fmt: skip
 
@@ -351,12 +449,18 @@ class SetupSettings:
 
     region: Vector = option(
         USUAL_REGION, "lengths",
-        "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays, as Z does where nobody says how high "
+        "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays, as Z does where "
+        "nobody says how high "
         "the table is",
         (SETUP,), least=0, most=FARTHEST,
     )  # fmt: skip
     grid: Vector | None = option(
-        None, "counts", "places that the map shows along X,Y,Z [as many as take some seconds]", (SETUP,), least=1, most=200
+        None,
+        "counts",
+        "places that the map shows along X,Y,Z [as many as take some seconds]",
+        (SETUP,),
+        least=1,
+        most=200,
     )
     turns: float = option(
         1.0,
@@ -381,9 +485,14 @@ class CompareSettings:
     """What is compared."""
 
     machines: tuple[str, ...] = option(
-        (), "names", "machines to compare, as for `mill`, with commas between; or --machine again for each", (COMPARE,)
+        (),
+        "names",
+        "machines to compare, as for `mill`, with commas between; or --machine again for each",
+        (COMPARE,),
     )
-    cures: tuple[str, ...] = option((), "names", "cures to compare, with commas between [every one there is]", (COMPARE,))
+    cures: tuple[str, ...] = option(
+        (), "names", "cures to compare, with commas between [every one there is]", (COMPARE,)
+    )
 
 
 @dataclass(frozen=True)
@@ -393,7 +502,8 @@ class RecoverSettings:
     program: str = option("", "path", "the NC program that was posted from the CL path", (RECOVER,))
     machine_file: str | None = option(None, "path", "the machine file (.fcm) to write", (RECOVER,))
     certainty: float = option(
-        0.01, "length", "offsets should be that certain, and that near to those of the machine given", (RECOVER,),
+        0.01, "length", "offsets should be that certain, and that near to those of the machine given",
+        (RECOVER,),
         above=0, most=LONGEST,
     )  # fmt: skip
 
@@ -403,17 +513,30 @@ class ProveSettings:
     """What is moved to prove the signs."""
 
     mark: Vector | None = option(
-        None, "point", "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach [nothing above Z 0]",
+        None, "point",
+        "X,Y,Z over the work zero of a place to mark, as high as part and clamps reach [nothing above Z 0]",
         (PROVE,), least=-LONGEST, most=LONGEST,
     )  # fmt: skip
     gap: float = option(
-        20.0, "length", "the tip stops so far above the mark, and never comes nearer", (PROVE,), least=5, most=500
+        20.0,
+        "length",
+        "the tip stops so far above the mark, and never comes nearer",
+        (PROVE,),
+        least=5,
+        most=500,
     )
     travel: float = option(20.0, "length", "way of each linear axis", (PROVE,), least=1, most=500)
     angle: float = option(
-        math.radians(10.0), "angle", "turn of each rotary axis", (PROVE,), least=math.radians(2.0), most=math.radians(45.0)
+        math.radians(10.0),
+        "angle",
+        "turn of each rotary axis",
+        (PROVE,),
+        least=math.radians(2.0),
+        most=math.radians(45.0),
     )
-    slow_feed: float = option(200.0, "feed", "feed of all its moves, mm/min and deg/min", (PROVE,), least=1, most=2000)
+    slow_feed: float = option(
+        200.0, "feed", "feed of all its moves, mm/min and deg/min", (PROVE,), least=1, most=2000
+    )
 
 
 UNITS, DECIMAL = ("file", "mm", "inch"), ("calculator", "least-increment")
@@ -436,11 +559,15 @@ class ReadingSettings:
         (POST, SETUP, COMPARE, AUDIT, RECOVER), least=0, most=99_999_999,
     )  # fmt: skip
     decimal: Literal["calculator", "least-increment"] = option(
-        "calculator", "choice", "a word without a decimal point: X100 is 100 mm, or 0.1 mm (least increment)", (AUDIT, RECOVER),
+        "calculator", "choice", "a word without a decimal point: X100 is 100 mm, or 0.1 mm (least increment)",
+        (AUDIT, RECOVER),
         choices=DECIMAL,
     )  # fmt: skip
     search: tuple[str, ...] = option(
-        (), "paths", "a folder with the programs that the program calls, beside its own; may be repeated", (AUDIT, RECOVER)
+        (),
+        "paths",
+        "a folder with the programs that the program calls, beside its own; may be repeated",
+        (AUDIT, RECOVER),
     )
 
 
@@ -449,10 +576,14 @@ class AuditSettings:
     """What the audited program is compared with."""
 
     against: str | None = option(
-        None, "path", "the CL file (.apt, .cl) or the part (.stl) that the program is compared with [neither]", (AUDIT,)
+        None,
+        "path",
+        "the CL file (.apt, .cl) or the part (.stl) that the program is compared with [neither]",
+        (AUDIT,),
     )
     axis_tolerance: float = option(
-        math.radians(0.2), "angle", "largest angle between the tool axis and that of the CL path at a block's end", (AUDIT,),
+        math.radians(0.2), "angle",
+        "largest angle between the tool axis and that of the CL path at a block's end", (AUDIT,),
         above=0, most=math.pi / 2,
     )  # fmt: skip
 
@@ -463,13 +594,19 @@ class OutputSettings:
 
     output: str | None = option(None, "path", "the NC file", (MILL, POST, PROVE))
     cl: str | None = option(None, "path", "the CL path as an APT file", (MILL,))
-    report: tuple[str, ...] = option((), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS)
+    report: tuple[str, ...] = option(
+        (), "paths", "report; the ending .json, .html or .txt says which; may be repeated", TASKS
+    )
     blocks: str | None = option(None, "path", "CSV with one row a block", ONE_PROGRAM)
     rates: str | None = option(
-        None, "path", "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or part",
+        None, "path",
+        "CSV with one row a block: time, feed over the part, rates asked of the axes, distance off path or "
+        "part",
         (AUDIT,),
     )  # fmt: skip
     advise: Literal["on", "off"] = option(
-        "off", "choice", "where something stays unfinished: other passes, free tool axes and smaller balls are tried, and the "
-        "one that finishes most more is named; takes as long as some programs", (MILL,), choices=("on", "off"), bare="on",
+        "off", "choice",
+        "where something stays unfinished: other passes, free tool axes and smaller balls are tried, and the "
+        "one that finishes most more is named; takes as long as some programs", (MILL,),
+        choices=("on", "off"), bare="on",
     )  # fmt: skip

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every input of a job, as one tree of frozen dataclasses.
 
-The tree is the only place where settings are gathered: the command line, job files, reports and the workbench's properties are
-made from its fields, which :mod:`.groups` lists.
+The tree is the only place where settings are gathered: the command line, job files, reports and the
+workbench's properties are made from its fields, which :mod:`.groups` lists.
 
 option    the flat name of a field: ``least_interval`` in job files, ``--least-interval`` on the command line.
 """
@@ -55,7 +55,8 @@ OF_PLANES = ("direction", "plane_normal")
 STEEP = "zlevel"
 """The pass strategy of what is steep, where the others are divided from it."""
 OVER_SURFACE = ("frames", "morph", "radial", "rotary", "scallop")
-"""Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it loads numpy."""
+"""Pass strategies whose passes lie over walls as over floors; their own attribute says so too, but to ask it
+loads numpy."""
 
 
 def flat_name(name: str) -> str:
@@ -70,8 +71,8 @@ def group(cls: type) -> Any:
 
 @dataclass(frozen=True)
 class Settings:
-    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``explicit``: the options given, the
-    others have their defaults."""
+    """Every input of a job. ``source``: the STL, CL or NC file that the task reads; ``explicit``: the options
+    given, the others have their defaults."""
 
     task: str = MILL
     source: str = ""
@@ -98,7 +99,8 @@ class Settings:
 
 
 def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
-    """Every option with the group that it belongs to, in order; of one task with the defaults there, or of all."""
+    """Every option with the group that it belongs to, in order; of one task with the defaults there, or of
+    all."""
     for top in fields(Settings):
         if "group" in top.metadata:
             for leaf in fields(top.metadata["group"]):
@@ -134,26 +136,37 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
                 name,
             )
     given = {flat_name(name): value for name, value in options.items() if value is not None}
-    groups = {top.name: _build(top.metadata["group"], task, given) for top in fields(Settings) if "group" in top.metadata}
+    groups = {
+        top.name: _build(top.metadata["group"], task, given)
+        for top in fields(Settings)
+        if "group" in top.metadata
+    }
     settings = _with_defaults(Settings(task=task, source=source, explicit=frozenset(given), **groups), given)
     _check_together(settings)
     return settings
 
 
 def with_current_names(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options under their names of today, where a former name (``left``) is given. Raises SettingsError for one that is given
-    under both."""
+    """The options under their names of today, where a former name (``left``) is given. Raises SettingsError
+    for one that is given under both."""
     for old, name in RENAMED.items():
         if options.get(old) is not None and options.get(name) is not None:
-            raise SettingsError(say("{old} is the former name of {name}; give {name} alone", old=old, name=name), old)
-    return {RENAMED.get(name, name): value for name, value in options.items() if name not in RENAMED or value is not None}
+            raise SettingsError(
+                say("{old} is the former name of {name}; give {name} alone", old=old, name=name), old
+            )
+    return {
+        RENAMED.get(name, name): value
+        for name, value in options.items()
+        if name not in RENAMED or value is not None
+    }
 
 
 def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
     """The pass strategy and the tool axis chosen by the other options, where they are not ``given``.
 
-    Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on the normals. So do
-    cutters without a ball end: their passes are as far apart as the cutter's bottom is wide there, which a leaned one is not.
+    Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on
+    the normals. So do cutters without a ball end: their passes are as far apart as the cutter's bottom is
+    wide there, which a leaned one is not.
     """
     if "passes" not in given and any(name in given for name in OF_PLANES):
         settings = replace(settings, passes=replace(settings.passes, passes="planes"))
@@ -164,13 +177,16 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
         return settings
     if "tool_axis" not in given and settings.passes.passes == ROTARY:
         return replace(settings, tool_axis=replace(settings.tool_axis, tool_axis=FROM_AXIS))
-    if "tool_axis" not in given and (settings.passes.passes not in OVER_SURFACE or not settings.cutter.cutter.touches_as_ball):
+    if "tool_axis" not in given and (
+        settings.passes.passes not in OVER_SURFACE or not settings.cutter.cutter.touches_as_ball
+    ):
         settings = replace(settings, tool_axis=replace(settings.tool_axis, tool_axis="facet_mean"))
     return settings
 
 
 def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
-    """What was not asked for, where its default depends on what was: a guided tip is not divided, no part is not looked at."""
+    """What was not asked for, where its default depends on what was: a guided tip is not divided, no part is
+    not looked at."""
     settings = _with_strategies(settings, given)
     if settings.head.rtcp != "off" and "linearize" not in given:
         settings = replace(settings, cure=replace(settings.cure, linearize="off"))
@@ -183,7 +199,10 @@ def _build(cls: type, task: str, given: Mapping[str, Any]) -> Any:
     leaves = [_in_task(leaf, task) for leaf in fields(cls)]
     names = {leaf.name: flat_name(leaf.name) for leaf in leaves}
     return cls(
-        **{leaf.name: read_option(leaf, given[at]) if (at := names[leaf.name]) in given else leaf.default for leaf in leaves}
+        **{
+            leaf.name: read_option(leaf, given[at]) if (at := names[leaf.name]) in given else leaf.default
+            for leaf in leaves
+        }
     )
 
 
@@ -191,7 +210,11 @@ def _refuse_of_cl_file(settings: Settings) -> None:
     for name, value in (("units", settings.reading.units), ("cl_tool", settings.reading.cl_tool)):
         if value not in ("file", None):
             raise SettingsError(
-                say("{option} is of a CL file, {source} is a part; leave it out", option=Option(name), source=settings.source),
+                say(
+                    "{option} is of a CL file, {source} is a part; leave it out",
+                    option=Option(name),
+                    source=settings.source,
+                ),
                 value,
             )
 
@@ -199,7 +222,8 @@ def _refuse_of_cl_file(settings: Settings) -> None:
 def _check_together(settings: Settings) -> None:
     if settings.task not in TASKS:
         raise SettingsError(
-            say("unknown task {task}; known: {tasks}", task=repr(settings.task), tasks=", ".join(TASKS)), settings.task
+            say("unknown task {task}; known: {tasks}", task=repr(settings.task), tasks=", ".join(TASKS)),
+            settings.task,
         )
     if settings.task == COMPARE and not settings.compare.machines:
         raise SettingsError(
@@ -212,13 +236,17 @@ def _check_together(settings: Settings) -> None:
         )
     if settings.task not in (COMPARE, RECOVER) and not settings.machine.machine:
         text = say(
-            "no machine given; name one with {machine} ({list} shows them)", machine=Option("machine"), list=Task("machines")
+            "no machine given; name one with {machine} ({list} shows them)",
+            machine=Option("machine"),
+            list=Task("machines"),
         )
         raise SettingsError(text, "")
     if settings.task == RECOVER and not settings.recover.program:
         raise SettingsError(say("no program given; name the NC file that was posted from the CL path"), "")
     if settings.passes.scallop is not None and settings.passes.stepover is not None:
-        raise SettingsError(say("scallop and stepover exclude each other; give one of them"), settings.passes.stepover)
+        raise SettingsError(
+            say("scallop and stepover exclude each other; give one of them"), settings.passes.stepover
+        )
     if settings.task == POST and settings.cure.singularity == "deform":
         raise SettingsError(
             say(
@@ -228,10 +256,13 @@ def _check_together(settings: Settings) -> None:
             ),
             "deform",
         )
-    if settings.head.rtcp != "off" and (settings.cure.linearize == "on" or settings.cure.singularity == "linearize"):
+    if settings.head.rtcp != "off" and (
+        settings.cure.linearize == "on" or settings.cure.singularity == "linearize"
+    ):
         raise SettingsError(
             say(
-                "{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; give one",
+                "{rtcp} lets the controller guide the tip, {linearize} divides blocks where it does not; "
+                "give one",
                 rtcp=Option("rtcp", flag=False),
                 linearize=Option("linearize", flag=False),
             ),
@@ -239,7 +270,11 @@ def _check_together(settings: Settings) -> None:
         )
     _check_steep(settings)
     _check_gouge(settings)
-    if (faces := settings.faces.faces or settings.faces.avoid) and settings.task != MILL and not is_part(settings.source):
+    if (
+        (faces := settings.faces.faces or settings.faces.avoid)
+        and settings.task != MILL
+        and not is_part(settings.source)
+    ):
         text = say("faces need the part (.stl), {source} is none; leave faces out", source=settings.source)
         raise SettingsError(text, faces)
     _check_boundary(settings)
@@ -254,7 +289,9 @@ def _check_boundary(settings: Settings) -> None:
     bounds = settings.boundary
     if bounds.boundary and settings.task != MILL and not is_part(settings.source):
         text = say(
-            "{option} needs the part (.stl), {source} is none; leave it out", option=Option("boundary"), source=settings.source
+            "{option} needs the part (.stl), {source} is none; leave it out",
+            option=Option("boundary"),
+            source=settings.source,
         )
         raise SettingsError(text, bounds.boundary)
     if math.hypot(*bounds.boundary_axis) < SHORTEST:
@@ -267,18 +304,22 @@ def _check_boundary(settings: Settings) -> None:
 
 
 def _check_steep(settings: Settings) -> None:
-    """Level planes are not divided from themselves, frames divide the part by themselves, and what turns has no level walls."""
+    """Level planes are not divided from themselves, frames divide the part by themselves, and what turns has
+    no level walls."""
     passes = settings.passes.passes
     if settings.passes.steep_shallow is None or passes not in (STEEP, FRAMES, ROTARY):
         return
     option, given = Option("steep_shallow"), Choice("passes", (passes,))
     if passes == STEEP:
         text = say(
-            "{option} divides level planes from other passes, but {passes} are level planes all over; leave one of them out",
+            "{option} divides level planes from other passes, but {passes} are level planes all over; leave "
+            "one of them out",
             option=option, passes=given,
         )  # fmt: skip
     else:
-        text = say("{option} does not go together with {passes}; leave one of them out", option=option, passes=given)
+        text = say(
+            "{option} does not go together with {passes}; leave one of them out", option=option, passes=given
+        )
     raise SettingsError(text, passes)
 
 
@@ -294,7 +335,8 @@ def _check_frames(settings: Settings) -> None:
     for name, against, value in refused:
         if against:
             text = say(
-                "{frames} lock the rotary axes and choose the tool axes themselves; leave {option} out", frames=frames,
+                "{frames} lock the rotary axes and choose the tool axes themselves; leave {option} out",
+                frames=frames,
                 option=Option(name),
             )  # fmt: skip
             raise SettingsError(text, value)
@@ -311,7 +353,8 @@ def _check_tool_axis(tool: ToolAxisSettings) -> None:
     if tool.tool_axis == "fixed" and math.hypot(*tool.axis) < SHORTEST:
         given = ",".join(f"{number:g}" for number in tool.axis)
         raise SettingsError(
-            say("axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", given=given), tool.axis
+            say("axis {given} has no direction; give I,J,K of the fixed tool axis, as 0,0,1", given=given),
+            tool.axis,
         )
     for name in ("lead", "tilt"):
         lean = math.degrees(getattr(tool, name))
@@ -329,7 +372,8 @@ def _check_tool_axis(tool: ToolAxisSettings) -> None:
 
 
 def _check_barrel(settings: Settings) -> None:
-    """Refuse minimax with a barrel: it lets the axis lean as the machine likes, and with that another place of the arc cuts."""
+    """Refuse minimax with a barrel: it lets the axis lean as the machine likes, and with that another place
+    of the arc cuts."""
     if settings.cutter.cutter.barrel is not None and settings.tool_axis.tool_axis == "minimax":
         raise SettingsError(
             say(
@@ -342,10 +386,12 @@ def _check_barrel(settings: Settings) -> None:
 
 
 def _check_gouge(settings: Settings) -> None:
-    """An audit changes nothing, and knows no part but the one that it is given. Shank and holder are looked at beside fixtures
-    and the machine's bodies too."""
+    """An audit changes nothing, and knows no part but the one that it is given. Shank and holder are looked
+    at beside fixtures and the machine's bodies too."""
     gouge, against = settings.gouge, settings.audit.against
-    if settings.task != AUDIT or (gouge.gouge == "off" and (gouge.fixture or (not gouge.shank and not gouge.holder))):
+    if settings.task != AUDIT or (
+        gouge.gouge == "off" and (gouge.fixture or (not gouge.shank and not gouge.holder))
+    ):
         return
     if gouge.gouge not in ("off", "report"):
         raise SettingsError(
@@ -357,7 +403,9 @@ def _check_gouge(settings: Settings) -> None:
             ),
             gouge.gouge,
         )
-    own = (settings.machine.machine or "").lower().endswith(".fcm")  # its file may name bodies, which are looked at too
+    own = (
+        (settings.machine.machine or "").lower().endswith(".fcm")
+    )  # its file may name bodies, which are looked at too
     if (against is None or not is_part(against)) and not (own and gouge.gouge == "off"):
         raise without_part(against)
 
@@ -365,7 +413,8 @@ def _check_gouge(settings: Settings) -> None:
 def without_part(against: str | None) -> SettingsError:
     """Say that shank and holder have nothing to be looked at against."""
     text = say(
-        "gouge, shank and holder need the part or a fixture: give its STL with {against} or {fixture}", against=Option("against"),
+        "gouge, shank and holder need the part or a fixture: give its STL with {against} or {fixture}",
+        against=Option("against"),
         fixture=Option("fixture"),
     )  # fmt: skip
     return SettingsError(text, against)
@@ -375,7 +424,9 @@ def flat_options(settings: Settings) -> dict[str, Any]:
     """The options that the task uses, as a job file would hold them (degrees, mm), defaults included."""
     values = {}
     for cls, leaf in option_fields(settings.task):
-        holder = next(getattr(settings, top.name) for top in fields(Settings) if top.metadata.get("group") is cls)
+        holder = next(
+            getattr(settings, top.name) for top in fields(Settings) if top.metadata.get("group") is cls
+        )
         values[flat_name(leaf.name)] = write_option(leaf, getattr(holder, leaf.name))
     return {"task": settings.task, "source": settings.source, **values}
 

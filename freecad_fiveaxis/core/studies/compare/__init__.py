@@ -6,6 +6,7 @@ from .tool_centre import Guided, guide
 from .words import compare_html, compare_json, compare_text, verdict
 
 __all__ = [
-    "Cure", "Guided", "Row", "Station", "compare", "compare_html", "compare_json", "compare_text", "guide", "solved", "station",
+    "Cure", "Guided", "Row", "Station", "compare", "compare_html", "compare_json", "compare_text", "guide",
+    "solved", "station",
     "verdict",
 ]  # fmt: skip

@@ -2,11 +2,13 @@
 """One CL path on several machines, with each cure, with and without tool-centre control.
 
 station   a machine with the part clamped on it, and how it is posted for.
-cure      a way from the CL path to joints that deviate less: a function, so that every cure there is, and none, stands in
-          the same table. A cure may divide blocks or lead the axes otherwise; it must not move what is cut.
-pair      a station and a cure: the work of one worker, where there are several. No more workers have anything to do
-          than there are pairs.
-row       one combination. Its deviation is that of its own rounded blocks from the segments that they command.
+cure      a way from the CL path to joints that deviate less: a function, so that every cure there is, and
+          none, stands in the same table. A cure may divide blocks or lead the axes otherwise; it must not
+          move what is cut.
+pair      a station and a cure: the work of one worker, where there are several. No more workers have anything
+          to do than there are pairs.
+row       one combination. Its deviation is that of its own rounded blocks from the segments that they
+          command.
 """
 
 from __future__ import annotations
@@ -40,8 +42,8 @@ NO_RATES = (math.nan,) * 5
 
 @dataclass(frozen=True, eq=False)
 class Station:
-    """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the machine cannot do
-    what is asked for at all, or empty."""
+    """``kinematics``: the machine in its setup. ``name`` as it stands in the table. ``refused``: why the
+    machine cannot do what is asked for at all, or empty."""
 
     name: str
     machine: Machine
@@ -56,10 +58,10 @@ Cure = Callable[[CLPath, Station, Progress], JointPath]
 
 @dataclass(frozen=True)
 class Row:
-    """``tool_centre``: the controller guides the tip. ``deviation``, ``bound`` mm and ``axis_deviation`` rad: the largest of the
-    feed blocks, of a ball its centre's; ``time`` s of the whole program; ``peak_rate``: the largest rate of each axis, in the
-    order of ``letters``, in a feed block, mm/min and rad/min; ``over`` mm beyond linear limits. ``problem``: why there are no
-    figures (then NaN), or empty.
+    """``tool_centre``: the controller guides the tip. ``deviation``, ``bound`` mm and ``axis_deviation`` rad:
+    the largest of the feed blocks, of a ball its centre's; ``time`` s of the whole program; ``peak_rate``:
+    the largest rate of each axis, in the order of ``letters``, in a feed block, mm/min and rad/min; ``over``
+    mm beyond linear limits. ``problem``: why there are no figures (then NaN), or empty.
     """
 
     machine: str
@@ -92,23 +94,28 @@ NO_CURE: Mapping[str, Cure] = {"none": solved}
 
 
 def compare(
-    path: CLPath, stations: Sequence[Station], cures: Mapping[str, Cure] = NO_CURE, guided: Sequence[bool] = (False, True),
+    path: CLPath, stations: Sequence[Station], cures: Mapping[str, Cure] = NO_CURE,
+    guided: Sequence[bool] = (False, True),
     progress: Progress = silent, executor: Executor | None = None,
 ) -> tuple[Row, ...]:  # fmt: skip
     """A row for each station, each cure, and each of ``guided`` (tool-centre control), in this order.
 
-    What cannot be done (a machine that does not take up an axis, a cure that refuses) is a row with its problem.
-    ``executor``: whose workers do a pair of station and cure each (for processes the cures must pickle), with the same rows to
-    the last bit; None: all is done here. Raises SettingsError where there is nothing to compare, and what a cancelling
-    ``progress`` raises.
+    What cannot be done (a machine that does not take up an axis, a cure that refuses) is a row with its
+    problem. ``executor``: whose workers do a pair of station and cure each (for processes the cures must
+    pickle), with the same rows to the last bit; None: all is done here. Raises SettingsError where there is
+    nothing to compare, and what a cancelling ``progress`` raises.
     """
     if not stations or not cures or not guided:
-        raise SettingsError(say("there is nothing to compare; name at least one machine and one correction"), 0)
+        raise SettingsError(
+            say("there is nothing to compare; name at least one machine and one correction"), 0
+        )
     if not len(path.tip):
         raise SettingsError(say("there is no path to compare on: it has no rows"), 0)
     pairs = [Pair(place, name) for place in range(len(stations)) for name in cures]
     work = Compared(path, tuple(stations), dict(cures), tuple(guided))
-    return tuple(row for rows in spread(_pair_rows, work, pairs, executor, progress, "compare") for row in rows)
+    return tuple(
+        row for rows in spread(_pair_rows, work, pairs, executor, progress, "compare") for row in rows
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,8 +143,9 @@ def _pair_rows(work: Compared, pair: Pair, progress: Progress) -> list[Row]:
 
 
 class Share:
-    """The progress of one pair, of ``count`` the one ``at`` this place, as that of the whole. A cure has many stages, each from 0
-    to 1, and nobody knows how many are to come: each new one takes up half of what is left, so that the whole never goes back."""
+    """The progress of one pair, of ``count`` the one ``at`` this place, as that of the whole. A cure has many
+    stages, each from 0 to 1, and nobody knows how many are to come: each new one takes up half of what is
+    left, so that the whole never goes back."""
 
     def __init__(self, progress: Progress, at: int = 0, count: int = 1) -> None:
         self._progress, self._at, self._count = progress, at, count
@@ -153,7 +161,9 @@ class Share:
         self._progress("compare", (self._at + self._begin + self._room * fraction) / self._count)
 
 
-def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[bool], progress: Progress) -> list[Row]:
+def _rows(
+    path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[bool], progress: Progress
+) -> list[Row]:
     letters = where.kinematics.letters
     if where.refused:
         return [Row(where.name, name, one, letters, problem=where.refused) for one in guided]
@@ -166,7 +176,9 @@ def _rows(path: CLPath, where: Station, name: str, cure: Cure, guided: Sequence[
         return [Row(where.name, name, one, letters, problem=error.text) for one in guided]
     deviation = _measured(where, program)
     return [
-        (_guided if one else _unguided)(where, name, joints, program, deviation)  # columns that depend on tool-centre control
+        (_guided if one else _unguided)(
+            where, name, joints, program, deviation
+        )  # columns that depend on tool-centre control
         for one in guided
     ]
 
@@ -181,10 +193,14 @@ def _measured(where: Station, program: Program) -> Deviation:
 
 def _unguided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
     feeds = feed_blocks(program)
-    rates = axis_rates(program)[feeds].max(axis=0, initial=0.0) * np.array([1.0, 1.0, 1.0, *[math.pi / 180.0] * 2])
+    rates = axis_rates(program)[feeds].max(axis=0, initial=0.0) * np.array(
+        [1.0, 1.0, 1.0, *[math.pi / 180.0] * 2]
+    )
     return Row(
-        where.name, name, False, where.kinematics.letters, _largest(deviation.segment[feeds]), _largest(deviation.bound[feeds]),
-        _largest(deviation.axis[feeds]), len(program.words), len(feeds), float(program.seconds.sum()), tuple(rates.tolist()),
+        where.name, name, False, where.kinematics.letters, _largest(deviation.segment[feeds]),
+        _largest(deviation.bound[feeds]),
+        _largest(deviation.axis[feeds]), len(program.words), len(feeds), float(program.seconds.sum()),
+        tuple(rates.tolist()),
         _over(where.kinematics, joints.q),
     )  # fmt: skip
 
@@ -192,9 +208,12 @@ def _unguided(where: Station, name: str, joints: JointPath, program: Program, de
 def _guided(where: Station, name: str, joints: JointPath, program: Program, deviation: Deviation) -> Row:
     feeds, row, dialect = feed_blocks(program), program.row, where.posting.dialect
     tip = np.stack([rounded(joints.path.tip[row, k], dialect.decimals(k)) for k in range(3)], axis=1)
-    guided = guide(where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row])
+    guided = guide(
+        where.kinematics, tip, np.radians(program.words[:, 3:]), program.motion, joints.path.feed[row]
+    )
     return Row(
-        where.name, name, True, where.kinematics.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row), len(feeds),
+        where.name, name, True, where.kinematics.letters, 0.0, 0.0, _largest(deviation.axis[feeds]), len(row),
+        len(feeds),
         float(guided.seconds.sum()), tuple(guided.rates(feeds).tolist()), _over(where.kinematics, joints.q),
     )  # fmt: skip
 

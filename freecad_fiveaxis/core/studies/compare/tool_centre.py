@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the axes do where the controller guides the tip itself (tool-centre control: RTCP, TCPM, TRAORI, G43.4).
+"""What the axes do where the controller guides the tip itself (tool-centre control: RTCP, TCPM, TRAORI,
+G43.4).
 
-guided    the words of a block are the tip's place over the part and the two rotary words. The tip goes straight and evenly,
-          the rotary words go evenly, and the linear axes do whatever keeps the tip there: they speed up and slow down within
-          a block.
+guided    the words of a block are the tip's place over the part and the two rotary words. The tip goes
+          straight and evenly, the rotary words go evenly, and the linear axes do whatever keeps the tip
+          there: they speed up and slow down within a block.
 peak      the largest ``|dq/du|`` of an axis in a block, mm or rad: over the block's time, its peak rate.
 
-The tip cannot leave its chord, so the deviation is none; the price is rates, which the peaks show. A controller that guides the
-tip slows it down where an axis would exceed its maximum rate: so the time of a block here.
+The tip cannot leave its chord, so the deviation is none; the price is rates, which the peaks show. A
+controller that guides the tip slows it down where an axis would exceed its maximum rate: so the time of a
+block here.
 """
 
 from __future__ import annotations
@@ -22,14 +24,16 @@ from freecad_fiveaxis.core.motion.program.feeds import feed_minutes, rapid_minut
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 TURN_PER_PIECE = 0.05
-"""Rotary travel (rad) of a piece, on which the words are taken as parabolas: their slope is then within a thousandth."""
+"""Rotary travel (rad) of a piece, on which the words are taken as parabolas: their slope is then within a
+thousandth."""
 MOST_PIECES = 40_000
 """Pieces worked on at a time."""
 
 
 @dataclass(frozen=True, eq=False)
 class Guided:
-    """One row a block, row 0 all zero: ``peak`` (m, 5) mm and rad a unit of u, ``seconds`` (m,) of the block."""
+    """One row a block, row 0 all zero: ``peak`` (m, 5) mm and rad a unit of u, ``seconds`` (m,) of the
+    block."""
 
     peak: Floats
     seconds: Floats
@@ -47,8 +51,8 @@ class Guided:
 def guide(kinematics: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: Floats) -> Guided:
     """Peaks and times of the blocks between rows of ``tip`` (m, 3) mm, work frame, and ``angles`` (m, 2) rad.
 
-    ``motion`` (m,) and ``feed`` (m,) mm/min of the tip as in the CL path. Rates that the machine does not state are no limit of
-    feed blocks; rapids and turns on the spot take those that ``program.feeds`` assumes.
+    ``motion`` (m,) and ``feed`` (m,) mm/min of the tip as in the CL path. Rates that the machine does not
+    state are no limit of feed blocks; rapids and turns on the spot take those that ``program.feeds`` assumes.
     """
     peak = np.zeros((len(tip), 5))
     turn = np.abs(np.diff(angles, axis=0)).sum(axis=1)
@@ -62,7 +66,8 @@ def guide(kinematics: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: F
 
 
 def _peaks(kinematics: Chain, tip: Floats, angles: Floats, rows: Ints, pieces: int) -> Floats:
-    """The largest slopes (k, 5) of the words in each block, from parabolas through three points of each piece."""
+    """The largest slopes (k, 5) of the words in each block, from parabolas through three points of each
+    piece."""
     u = np.linspace(0.0, 1.0, 2 * pieces + 1)[None, :, None]
     place, turned = ((1.0 - u) * table[rows - 1, None] + u * table[rows, None] for table in (tip, angles))
     q = joint_words(kinematics, place.reshape(-1, 3), turned.reshape(-1, 2)).reshape(len(rows), -1, 5)

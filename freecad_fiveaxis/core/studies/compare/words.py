@@ -23,10 +23,12 @@ HEAD = (
 )  # fmt: skip
 
 SHORT_HEAD = (
-    "machine", "cure", "TCP", "dev. mm", "bound mm", "axis deg", "blocks", "time", "XYZ mm/min", "1st deg/min", "2nd deg/min",
+    "machine", "cure", "TCP", "dev. mm", "bound mm", "axis deg", "blocks", "time", "XYZ mm/min",
+    "1st deg/min", "2nd deg/min",
     "limits",
 )  # fmt: skip
-"""For the terminal. TCP: tool-centre control; XYZ, 1st, 2nd: peak rates of the linear and of the two rotary axes."""
+"""For the terminal. TCP: tool-centre control; XYZ, 1st, 2nd: peak rates of the linear and of the two rotary
+axes."""
 
 
 def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
@@ -41,16 +43,19 @@ def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
 
 
 def compare_json(rows: Sequence[Row], inputs: Mapping[str, object] | None = None) -> str:
-    """The rows for scripts: mm, degrees, seconds, rates a minute by letter; no number is null. ``inputs``: a job file."""
+    """The rows for scripts: mm, degrees, seconds, rates a minute by letter; no number is null. ``inputs``: a
+    job file."""
     return json_text({"version": VERSION, "rows": [_record(row) for row in rows], "inputs": inputs or {}})
 
 
 def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None = None) -> str:
-    """The table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the first sentence."""
+    """The table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the first
+    sentence."""
     body = [
         section("The table", table(_table(rows)) + f'<p class="note">{escape(NOTE)}</p>'),
         section(
-            "What could not be done", "".join(f"<p><b>{escape(key)}</b>: {escape(text)}</p>" for key, text in _problems(rows))
+            "What could not be done",
+            "".join(f"<p><b>{escape(key)}</b>: {escape(text)}</p>" for key, text in _problems(rows)),
         ),
     ]
     mood = "open" if tolerance is None else "good" if _good(rows, tolerance) else "bad"
@@ -58,9 +63,12 @@ def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None =
 
 
 NOTE = (
-    "Tip guided: the controller has tool-centre control (RTCP, TCPM, G43.4). Deviation: the largest distance of the tip's real "
-    "path from the segment that a block commands, of all blocks at feed, as rounded; a guided tip stays on it. Axis: how far the "
-    "tool leaves the plane of a block's two end axes. Rates are the peaks within feed blocks, at the programmed feed where no "
+    "Tip guided: the controller has tool-centre control (RTCP, TCPM, G43.4). Deviation: the largest distance "
+    "of the tip's real "
+    "path from the segment that a block commands, of all blocks at feed, as rounded; a guided tip stays on "
+    "it. Axis: how far the "
+    "tool leaves the plane of a block's two end axes. Rates are the peaks within feed blocks, at the "
+    "programmed feed where no "
     "axis is too slow for it. Time includes rapids."
 )
 
@@ -81,7 +89,9 @@ def verdict(rows: Sequence[Row], tolerance: float | None = None) -> Sentence:
         )
     good = _good(able, tolerance)
     if not good:
-        return say("Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance))
+        return say(
+            "Nothing here holds {tolerance} within the limits of its machine.", tolerance=Length(tolerance)
+        )
     best = min(good, key=lambda row: row.time)
     return plural(
         len(good),
@@ -139,9 +149,12 @@ def _rate(row: Row, column: int) -> str:
 def _record(row: Row) -> dict[str, object]:
     rates = [*row.peak_rate[:3], *(math.degrees(rate) for rate in row.peak_rate[3:])]
     return {
-        "machine": row.machine, "cure": row.cure, "tool_centre": row.tool_centre, "deviation": row.deviation, "bound": row.bound,
-        "axis_deviation_deg": math.degrees(row.axis_deviation), "blocks": row.blocks, "feed_blocks": row.feed_blocks,
-        "time_s": row.time, "peak_rate": {row.letters[k]: rates[k] for k in fitted_columns(row.letters)}, "over_limits": row.over,
+        "machine": row.machine, "cure": row.cure, "tool_centre": row.tool_centre, "deviation": row.deviation,
+        "bound": row.bound,
+        "axis_deviation_deg": math.degrees(row.axis_deviation), "blocks": row.blocks,
+        "feed_blocks": row.feed_blocks,
+        "time_s": row.time, "peak_rate": {row.letters[k]: rates[k] for k in fitted_columns(row.letters)},
+        "over_limits": row.over,
         "problem": row.problem,
     }  # fmt: skip
 

@@ -4,10 +4,21 @@
 from .driven import Posting, part_box, turned_path
 from .heat_map import heat_maps, pictures
 from .mapping import Collide, setup_map
-from .page import advice, heat_map_html, marked_rows, origin_option, setup_json, setup_markers, setup_text, verdict
+from .page import (
+    advice,
+    heat_map_html,
+    marked_rows,
+    origin_option,
+    setup_json,
+    setup_markers,
+    setup_text,
+    verdict,
+)
 from .setups import Kind, Region, SetupMap
 
 __all__ = [
-    "Collide", "Kind", "Posting", "Region", "SetupMap", "advice", "heat_map_html", "heat_maps", "marked_rows", "origin_option",
-    "part_box", "pictures", "setup_json", "setup_map", "setup_markers", "setup_text", "turned_path", "verdict",
+    "Collide", "Kind", "Posting", "Region", "SetupMap", "advice", "heat_map_html", "heat_maps", "marked_rows",
+    "origin_option",
+    "part_box", "pictures", "setup_json", "setup_map", "setup_markers", "setup_text", "turned_path",
+    "verdict",
 ]  # fmt: skip

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""In which setups tool or spindle hit the machine: asked of the present one, and of those that would be recommended, one by one,
-until one is free.
+"""In which setups tool or spindle hit the machine: asked of the present one, and of those that would be
+recommended, one by one, until one is free.
 
-A part that is moved by less than the depth of a hit, at the same turn, moves the tool's way against each body by no more: there
-the tool hits as well. So these are passed over without a look.
+A part that is moved by less than the depth of a hit, at the same turn, moves the tool's way against each body
+by no more: there the tool hits as well. So these are passed over without a look.
 """
 
 from __future__ import annotations
@@ -19,27 +19,32 @@ from freecad_fiveaxis.core.base.records import Bools, Floats
 from freecad_fiveaxis.core.base.sentences import Length, Option, Point, plural
 
 MOST_LOOKED_AT = 24
-"""Setups whose whole program is checked: what is free nowhere near these is for the user to find another region for."""
+"""Setups whose whole program is checked: what is free nowhere near these is for the user to find another
+region for."""
 
 Look = Callable[[float, Floats], tuple[Finding, ...]]
-"""What tool and spindle hit of the machine at a turn, rad, and a work zero (3,) mm, deeper than the tolerance."""
+"""What tool and spindle hit of the machine at a turn, rad, and a work zero (3,) mm, deeper than the
+tolerance."""
 Choose = Callable[[Bools], int | None]
 """The row to recommend of those (k,) that may be."""
 
 
 class FreeSetup(NamedTuple):
-    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep tool or spindle go into the
-    machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best, and of those that were passed over."""
+    """``best``: the row to recommend, None where none is free; ``hits`` (k,) mm: at least so deep tool or
+    spindle go into the machine, 0 where they hit nothing, NaN where nobody knows; ``findings`` of the best,
+    and of those that were passed over."""
 
     best: int | None
     hits: Floats
     findings: tuple[Finding, ...] = ()
 
 
-def choose_free(choose: Choose, origin: Floats, turn: Floats, able: Bools, present: bool, look: Look | None) -> FreeSetup:
-    """Choose the best of the rows ``able`` (k,) in which tool and spindle hit nothing of the machine; ``present``: whether row 0
-    keeps the limits, and is looked at too. ``look``: None where the machine has no bodies. ``origin`` (k, 3) mm, ``turn`` (k,)
-    rad."""
+def choose_free(
+    choose: Choose, origin: Floats, turn: Floats, able: Bools, present: bool, look: Look | None
+) -> FreeSetup:
+    """Choose the best of the rows ``able`` (k,) in which tool and spindle hit nothing of the machine;
+    ``present``: whether row 0 keeps the limits, and is looked at too. ``look``: None where the machine has no
+    bodies. ``origin`` (k, 3) mm, ``turn`` (k,) rad."""
     hits = np.full(len(origin), np.nan)
     if look is None:
         return FreeSetup(choose(able), hits)
@@ -55,7 +60,9 @@ def choose_free(choose: Choose, origin: Floats, turn: Floats, able: Bools, prese
             passed = {at: found for at, found in seen.items() if hits[at] > 0.0 and able[at]}
             return FreeSetup(best, hits, (*seen[best], *_passed_over(origin, passed)))
         row = best
-    return FreeSetup(None, hits, tuple(_none_free(origin, hits, seen)) if able.any() else ())  # else the limits are why
+    return FreeSetup(
+        None, hits, tuple(_none_free(origin, hits, seen)) if able.any() else ()
+    )  # else the limits are why
 
 
 def _depth(found: tuple[Finding, ...]) -> float:
@@ -64,7 +71,11 @@ def _depth(found: tuple[Finding, ...]) -> float:
 
 
 def _deepest(found: tuple[Finding, ...]) -> Finding | None:
-    return max((one for one in found if one.severity is Severity.ERROR), key=lambda one: one.value or 0.0, default=None)
+    return max(
+        (one for one in found if one.severity is Severity.ERROR),
+        key=lambda one: one.value or 0.0,
+        default=None,
+    )
 
 
 def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
@@ -73,9 +84,11 @@ def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iter
         row = next(iter(passed))
         text = plural(
             len(passed),
-            "1 setup that was tried is passed over, because tool or spindle hit the machine there: with the work zero at "
+            "1 setup that was tried is passed over, because tool or spindle hit the machine there: with the "
+            "work zero at "
             "{origin} the {name} by {depth}.",
-            "{count} setups that were tried are passed over, because tool or spindle hit the machine there: with the work zero "
+            "{count} setups that were tried are passed over, because tool or spindle hit the machine there: "
+            "with the work zero "
             "at {origin} the {name} by {depth}.",
             origin=Point(tuple(origin[row].tolist()), ".6g"),
             **_hit(passed[row]),
@@ -90,9 +103,11 @@ def _none_free(origin: Floats, hits: Floats, seen: dict[int, tuple[Finding, ...]
     row = min(hit, key=lambda one: float(hits[one]))
     text = plural(
         len(hit),
-        "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: the {name} by {depth}. "
+        "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: "
+        "the {name} by {depth}. "
         "Move the region ({option}), clamp the part higher, or use a longer tool.",
-        "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at {origin}: the {name} "
+        "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at "
+        "{origin}: the {name} "
         "by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
         origin=Point(tuple(origin[row].tolist()), ".6g"),
         option=Option("origin"),

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One turn of the part, driven once: what is the same for all work zeros is worked out here, the rest in each of them.
+"""One turn of the part, driven once: what is the same for all work zeros is worked out here, the rest in each
+of them.
 
-The rotary words follow from the tool axes alone. So branch, winding, rewinds and the rows that these insert are the same wherever
-the work zero stands; and the linear words, and with them the real path at any u, are **affine** in the work zero, because the
-chain's two lines shift evenly with it. Only the rapids are cut into other pieces: ``joint_path`` is asked once, its pieces
-are joined again, and each work zero cuts the rapids as it needs.
+The rotary words follow from the tool axes alone. So branch, winding, rewinds and the rows that these insert
+are the same wherever the work zero stands; and the linear words, and with them the real path at any u, are
+**affine** in the work zero, because the chain's two lines shift evenly with it. Only the rapids are cut into
+other pieces: ``joint_path`` is asked once, its pieces are joined again, and each work zero cuts the rapids as
+it needs.
 """
 
 from __future__ import annotations
@@ -34,9 +36,10 @@ FIRST_BATCH = 64
 
 @dataclass(frozen=True, eq=False)
 class Posting:
-    """How a path becomes a program: ``dialect`` and feed mode; ``clearance`` mm of rapids; ``radius`` mm of the ball; ``part``
-    (v, 3) mm: points of the part, whose box the rewinds keep out of; None: of the path's feed moves. ``above`` mm: so far over
-    the driven point stands the one that makes the surface (a ball's centre), by which ``compare`` divides and measures."""
+    """How a path becomes a program: ``dialect`` and feed mode; ``clearance`` mm of rapids; ``radius`` mm of
+    the ball; ``part`` (v, 3) mm: points of the part, whose box the rewinds keep out of; None: of the path's
+    feed moves. ``above`` mm: so far over the driven point stands the one that makes the surface (a ball's
+    centre), by which ``compare`` divides and measures."""
 
     dialect: Dialect
     inverse_time: bool = True
@@ -48,7 +51,8 @@ class Posting:
 
 @dataclass(frozen=True, eq=False)
 class Worst:
-    """Blocks of the largest deviation, largest first: ``row`` (k,) where each ends, ``segment`` (k,) mm, ``u`` (k,)."""
+    """Blocks of the largest deviation, largest first: ``row`` (k,) where each ends, ``segment`` (k,) mm,
+    ``u`` (k,)."""
 
     row: Ints
     segment: Floats
@@ -57,7 +61,8 @@ class Worst:
 
 @dataclass(frozen=True, eq=False)
 class Cost:
-    """One setup: the program's largest deviation mm, rotary travel rad, time s, and how far it goes over limits mm."""
+    """One setup: the program's largest deviation mm, rotary travel rad, time s, and how far it goes over
+    limits mm."""
 
     deviation: float
     travel: float
@@ -72,7 +77,8 @@ class Cost:
 
 @dataclass(frozen=True, eq=False)
 class Driven:
-    """A path, turned, as the machine drives it. ``drive`` has every rapid in one piece; ``rewinds``: retracts inside cuts."""
+    """A path, turned, as the machine drives it. ``drive`` has every rapid in one piece; ``rewinds``: retracts
+    inside cuts."""
 
     machine: Machine
     tool_length: float
@@ -102,7 +108,9 @@ class Driven:
 
     def posted(self, kinematics: Chain) -> tuple[JointPath, Program]:
         """Joints and program in one setup: the same as ``solve`` and ``build_program`` make there."""
-        drive = subdivide_rapids(self.drive, kinematics, min(0.5 * self.posting.clearance, SAFE_MARGIN))  # as joint_path.solve
+        drive = subdivide_rapids(
+            self.drive, kinematics, min(0.5 * self.posting.clearance, SAFE_MARGIN)
+        )  # as joint_path.solve
         q = joint_words(kinematics, drive.path.tip, drive.angles)
         joints = JointPath(drive.path, drive.row, q, drive.branch, np.zeros(len(q)))
         return joints, build_program(joints, kinematics, self.posting.dialect, self.posting.inverse_time)
@@ -113,15 +121,21 @@ class Driven:
         joints, program = self.posted(kinematics)
         worst = worst_blocks(kinematics, program.words, feed_blocks(program))
         travel = np.abs(np.diff(np.radians(program.words[:, 3:]), axis=0)).sum()
-        over = np.maximum(joints.q[:, :3] - kinematics.high[:3], kinematics.low[:3] - joints.q[:, :3]).max(initial=0.0)
-        return Cost(float(worst.segment.max(initial=0.0)), float(travel), float(program.seconds.sum()), float(over))
+        over = np.maximum(joints.q[:, :3] - kinematics.high[:3], kinematics.low[:3] - joints.q[:, :3]).max(
+            initial=0.0
+        )
+        return Cost(
+            float(worst.segment.max(initial=0.0)), float(travel), float(program.seconds.sum()), float(over)
+        )
 
 
 def turned_path(path: CLPath, turn: float) -> CLPath:
     """The path of a part that is turned counter-clockwise by ``turn`` rad about Z through the work zero."""
     if turn == 0.0:
         return path
-    columns: dict[str, Any] = {name: turned(getattr(path, name), turn) for name in ("tip", "axis", "contact", "normal")}
+    columns: dict[str, Any] = {
+        name: turned(getattr(path, name), turn) for name in ("tip", "axis", "contact", "normal")
+    }
     return replace(path, **columns)
 
 
@@ -133,7 +147,8 @@ def turned(points: Floats, turn: float) -> Floats:
 
 
 def part_box(path: CLPath, part: Floats | None, turn: float = 0.0) -> tuple[Floats, Floats]:
-    """Low and high corner (3,) mm of the part's box when turned; the box of the feed moves where the part is not known."""
+    """Low and high corner (3,) mm of the part's box when turned; the box of the feed moves where the part is
+    not known."""
     feeding = path.motion != Motion.RAPID
     points = (path.tip[feeding] if feeding.any() else path.tip) if part is None else np.asarray(part)
     points = turned(points, turn) if turn else points
@@ -143,15 +158,19 @@ def part_box(path: CLPath, part: Floats | None, turn: float = 0.0) -> tuple[Floa
 def drive_turned(
     path: CLPath, machine: Machine, base: Setup, posting: Posting, turn: float, progress: Progress = silent
 ) -> Driven:
-    """The path at one turn. Raises ReachError where the rotary limits allow no way, whatever the work zero."""
+    """The path at one turn. Raises ReachError where the rotary limits allow no way, whatever the work
+    zero."""
     low, high = part_box(path, posting.part, turn)
     kinematics = chain(machine, base)
-    joints = solve(turned_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress)
+    joints = solve(
+        turned_path(path, turn), kinematics, low, high, posting.clearance, posting.radius, progress
+    )
     return Driven(machine, base.tool_length, posting, turn, _whole_rapids(joints), joints.rewinds)
 
 
 def _whole_rapids(joints: JointPath) -> Drive:
-    """The joint path with the pieces of each rapid joined: rows go where a rapid goes on evenly to the same row."""
+    """The joint path with the pieces of each rapid joined: rows go where a rapid goes on evenly to the same
+    row."""
     path, angles = joints.path, joints.q[:, 3:]
     step = np.diff(np.column_stack([path.tip, angles]), axis=0)
     even = np.abs(np.diff(step, axis=0)).max(axis=1, initial=0.0) <= EVEN
@@ -163,19 +182,24 @@ def _whole_rapids(joints: JointPath) -> Drive:
 
 def picked_path(path: CLPath, keep: Bools) -> CLPath:
     """Some rows of a CL path."""
-    return replace(path, **{one.name: getattr(path, one.name)[keep] for one in fields(path) if one.name != "findings"})
+    return replace(
+        path, **{one.name: getattr(path, one.name)[keep] for one in fields(path) if one.name != "findings"}
+    )
 
 
 def worst_blocks(kinematics: Chain, words: Floats, feeds: Ints, count: int = 1) -> Worst:
     """At least the ``count`` largest deviations of the blocks that end in the rows ``feeds``, largest first.
 
-    ``words`` (m, 5) mm and degrees. A block is measured only while its quick bound promises more than what was found.
+    ``words`` (m, 5) mm and degrees. A block is measured only while its quick bound promises more than what
+    was found.
     """
     bound = quick_bound(kinematics, words)[feeds]
     order = np.argsort(-bound, kind="stable")
     row, segment, u = np.empty(0, np.int64), np.empty(0), np.empty(0)
     at, batch = 0, max(FIRST_BATCH, count)
-    while at < len(order) and (len(segment) < count or bound[order[at]] > np.partition(segment, -count)[-count]):
+    while at < len(order) and (
+        len(segment) < count or bound[order[at]] > np.partition(segment, -count)[-count]
+    ):
         rows = feeds[order[at : at + batch]]
         ends = np.unique(np.concatenate([rows - 1, rows]))  # a block's two ends are neighbours here, too
         found, own = measure(kinematics, words[ends]), np.searchsorted(ends, rows)

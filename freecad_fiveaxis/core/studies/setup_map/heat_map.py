@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of a map of setups, as SVG. Needs matplotlib; without it there are none.
 
-slice    the grid cut along two of X, Y, Z through the place nearest to the recommended one, at its turn; along one axis only
-         where the grid has no more.
+slice    the grid cut along two of X, Y, Z through the place nearest to the recommended one, at its turn;
+         along one axis only where the grid has no more.
 """
 
 from __future__ import annotations
@@ -29,12 +29,14 @@ FLOOR = 1e-6
 
 
 def heat_maps(chart: SetupMap) -> tuple[Plot, ...]:
-    """A heat map for each pair of axes along which the grid has places, or a curve; and what the turns cost."""
+    """A heat map for each pair of axes along which the grid has places, or a curve; and what the turns
+    cost."""
     return tuple(Plot(*words, _svg(figure)) for words, figure in pictures(chart))
 
 
 def pictures(chart: SetupMap) -> Iterator[tuple[PlotText, Any]]:
-    """The pictures as matplotlib's figures, each to be saved before the next is drawn; none without matplotlib."""
+    """The pictures as matplotlib's figures, each to be saved before the next is drawn; none without
+    matplotlib."""
     try:
         import matplotlib
         from matplotlib.figure import Figure
@@ -77,10 +79,14 @@ def _turn_at(chart: SetupMap) -> int:
 
 
 def _sliced(chart: SetupMap, column: Floats | Bools, axes: tuple[int, ...]) -> Floats:
-    """The grid's values along ``axes`` (ascending), the last axis first, through the place nearest to the shown setup."""
+    """The grid's values along ``axes`` (ascending), the last axis first, through the place nearest to the
+    shown setup."""
     origin, lines = chart.origin[_shown(chart)], chart.region.lines()
     at: list[Any] = [_turn_at(chart)]
-    at += [slice(None) if axis in axes else int(np.abs(lines[axis] - origin[axis]).argmin()) for axis in (2, 1, 0)]
+    at += [
+        slice(None) if axis in axes else int(np.abs(lines[axis] - origin[axis]).argmin())
+        for axis in (2, 1, 0)
+    ]
     return np.asarray(chart.grid(column)[tuple(at)])
 
 
@@ -88,7 +94,9 @@ def _where(chart: SetupMap, axes: tuple[int, ...]) -> str:
     """Where the slice lies, in words."""
     origin, lines = chart.origin[_shown(chart)], chart.region.lines()
     held = [
-        f"{'XYZ'[axis]} {lines[axis][np.abs(lines[axis] - origin[axis]).argmin()]:g} mm" for axis in range(3) if axis not in axes
+        f"{'XYZ'[axis]} {lines[axis][np.abs(lines[axis] - origin[axis]).argmin()]:g} mm"
+        for axis in range(3)
+        if axis not in axes
     ]
     turn = chart.region.turns[_turn_at(chart)]
     return " and ".join([*held, f"a turn of {math.degrees(turn):g} deg"])
@@ -108,15 +116,28 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> PlotText:
     _panel(figure, right, chart, axes, time / 60.0, outside, ("time, min", "cividis_r", None))
     names = f"{'XYZ'[across]} and {'XYZ'[up]}"
     caption = (
-        f"Each cell is the program as posted with the work zero there, at {_where(chart, axes)}. Star: recommended; cross: "
-        "present. Hatched: an axis would leave its limits, the part would reach below the table, or the tool hit the machine."
+        f"Each cell is the program as posted with the work zero there, at {_where(chart, axes)}. Star: "
+        "recommended; cross: "
+        "present. Hatched: an axis would leave its limits, the part would reach below the table, or the tool "
+        "hit the machine."
     )
     alt = f"Largest deviation over the work zero along {names}: from {low:.4g} to {high:.4g} mm."
-    return f"heat-{'xyz'[across]}{'xyz'[up]}", f"Deviation and time over the work zero along {names}", caption, alt
+    return (
+        f"heat-{'xyz'[across]}{'xyz'[up]}",
+        f"Deviation and time over the work zero along {names}",
+        caption,
+        alt,
+    )
 
 
 def _panel(
-    figure: Any, axes: Any, chart: SetupMap, pair: tuple[int, int], values: Floats, outside: Bools, look: tuple[str, str, Any]
+    figure: Any,
+    axes: Any,
+    chart: SetupMap,
+    pair: tuple[int, int],
+    values: Floats,
+    outside: Bools,
+    look: tuple[str, str, Any],
 ) -> None:
     lines = chart.region.lines()
     edges = [_edges(lines[axis]) for axis in pair]
@@ -159,31 +180,59 @@ def _curve(figure: Any, chart: SetupMap, axis: int) -> PlotText:
     line, letter = chart.region.lines()[axis], "XYZ"[axis]
     deviation, time = (_sliced(chart, column, (axis,)) for column in (chart.max_deviation, chart.time))
     left, right = figure.subplots(1, 2)
-    for axes, values, label in ((left, deviation, "largest deviation, mm"), (right, time / 60.0, "time, min")):
+    for axes, values, label in (
+        (left, deviation, "largest deviation, mm"),
+        (right, time / 60.0, "time, min"),
+    ):
         axes.plot(line, values, "o-", color=BLUE)
         axes.set(xlabel=f"work zero {letter}, mm", ylabel=label)
     outside = ~_sliced(chart, chart.able, (axis,)).astype(bool)
-    left.plot(line[outside], deviation[outside], "x", color=RED, ms=9, label="beyond limits, below the table or in the machine")
+    left.plot(
+        line[outside],
+        deviation[outside],
+        "x",
+        color=RED,
+        ms=9,
+        label="beyond limits, below the table or in the machine",
+    )
     if chart.best is not None:
-        left.plot(chart.origin[chart.best, axis], chart.max_deviation[chart.best], "*", color=GREEN, ms=12, label="recommended")
+        left.plot(
+            chart.origin[chart.best, axis],
+            chart.max_deviation[chart.best],
+            "*",
+            color=GREEN,
+            ms=12,
+            label="recommended",
+        )
     left.legend() if left.get_legend_handles_labels()[0] else None
     caption = f"Each dot is the program as posted with the work zero there, at {_where(chart, (axis,))}."
-    alt = f"Largest deviation along {letter}: from {np.nanmin(deviation):.4g} to {np.nanmax(deviation):.4g} mm."
+    alt = (
+        f"Largest deviation along {letter}: from {np.nanmin(deviation):.4g} to {np.nanmax(deviation):.4g} mm."
+    )
     return f"curve-{letter.lower()}", f"Deviation and time over the work zero along {letter}", caption, alt
 
 
 def _turns(figure: Any, chart: SetupMap) -> PlotText:
     turns = np.degrees(chart.region.turns)
     found = chart.kind != Kind.PRESENT
-    least = np.array([_least(chart.max_deviation, found & (chart.turn == turn)) for turn in chart.region.turns])
-    travel = np.degrees([_least(chart.rotary_travel, found & (chart.turn == turn)) for turn in chart.region.turns])
+    least = np.array(
+        [_least(chart.max_deviation, found & (chart.turn == turn)) for turn in chart.region.turns]
+    )
+    travel = np.degrees(
+        [_least(chart.rotary_travel, found & (chart.turn == turn)) for turn in chart.region.turns]
+    )
     left, right = figure.subplots(1, 2)
     left.plot(turns, least, "o-", color=BLUE)
     left.set(xlabel="turn of the part, deg", ylabel="least largest deviation, mm", ylim=(0.0, None))
     right.plot(turns, travel, "o-", color=BLUE)
     right.set(xlabel="turn of the part, deg", ylabel="rotary travel, deg", ylim=(0.0, None))
-    caption = "The best work zero at each turn of the part about Z. A missing dot: no work zero within the limits was found."
-    alt = f"Least deviation over {len(turns)} turns: from {np.nanmin(least):.4g} to {np.nanmax(least):.4g} mm."
+    caption = (
+        "The best work zero at each turn of the part about Z. A missing dot: no work zero within "
+        "the limits was found."
+    )
+    alt = (
+        f"Least deviation over {len(turns)} turns: from {np.nanmin(least):.4g} to {np.nanmax(least):.4g} mm."
+    )
     return "turns", "What turning the part brings", caption, alt
 
 

@@ -51,29 +51,40 @@ def setup_map(
 ) -> SetupMap:  # fmt: skip
     """What the program of ``path`` costs wherever the part may stand, and where it should.
 
-    ``path`` in the work frame of the present setup ``base``, turn 0; the tool length is that of ``base``. Each setup of the grid
-    is posted, rounded and measured as a full run would; then the least deviation of each turn is searched over the whole
-    region, with a proof (module ``search``). ``enough`` mm: setups below this deviation are equally good, and time decides.
-    ``table`` mm: height of the table's face in the machine frame; no setup below it is searched or recommended.
-    ``collide``: what the program hits of the machine in a setup; no setup in which that is anything is recommended.
-    ``executor``: whose workers do the trials, with the same result to the last bit; None: they are done here.
-    Raises SettingsError for a path without rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
+    ``path`` in the work frame of the present setup ``base``, turn 0; the tool length is that of ``base``.
+    Each setup of the grid is posted, rounded and measured as a full run would; then the least deviation of
+    each turn is searched over the whole region, with a proof (module ``search``). ``enough`` mm: setups below
+    this deviation are equally good, and time decides. ``table`` mm: height of the table's face in the machine
+    frame; no setup below it is searched or recommended. ``collide``: what the program hits of the machine in
+    a setup; no setup in which that is anything is recommended. ``executor``: whose workers do the trials,
+    with the same result to the last bit; None: they are done here. Raises SettingsError for a path without
+    rows and a negative ``enough``, ReachError where no turn is within the rotary limits.
     """
     if not len(path.tip):
         raise SettingsError(say("there is no path to set up: it has no rows"), 0)
     if not enough >= 0.0:
-        raise SettingsError(say("a deviation of {enough} cannot be enough; give 0 or more", enough=Length(enough)), enough)
+        raise SettingsError(
+            say("a deviation of {enough} cannot be enough; give 0 or more", enough=Length(enough)), enough
+        )
     present, stand = np.array(base.origin, float), _Stand(table, float(part_box(path, posting.part)[0][2]))
     ground = Ground(path, machine, base, posting, stand.above(region), enough)
     trials = list(trials_of(region, present, ground.searched is not None))
-    tried = spread(carry_out, ground, trials, executor, progress, "setup map", [trial.weight for trial in trials])
+    tried = spread(
+        carry_out, ground, trials, executor, progress, "setup map", [trial.weight for trial in trials]
+    )
     rows = [row for trial, one in zip(trials, tried, strict=True) for row in _rows(trial, one)]
     found = [one.found for one in tried if one.found is not None]
-    lost = {(trial.kind, trial.turn): one.lost for trial, one in zip(trials, tried, strict=True) if one.lost is not None}
+    lost = {
+        (trial.kind, trial.turn): one.lost
+        for trial, one in zip(trials, tried, strict=True)
+        if one.lost is not None
+    }
     if all((Kind.GRID, turn) in lost for turn in region.turns):
         raise lost[Kind.GRID, region.turns[-1]]
     look = None if collide is None else _look(ground, collide, progress)
-    return _mapped(machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand, look)
+    return _mapped(
+        machine, base, region, enough, sorted(rows, key=lambda row: row.kind), found, lost, stand, look
+    )
 
 
 def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
@@ -89,7 +100,8 @@ def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
 
 @dataclass(frozen=True)
 class _Stand:
-    """``table`` mm: height of its face, machine frame, None: not known; ``bottom`` mm: the part's lowest place, work frame."""
+    """``table`` mm: height of its face, machine frame, None: not known; ``bottom`` mm: the part's lowest
+    place, work frame."""
 
     table: float | None
     bottom: float
@@ -155,7 +167,8 @@ def _inside(origin: Floats, region: Region) -> Bools:
 def _findings(region: Region, origin: Floats, best: int | None, found: list[Found]) -> Iterator[Finding]:
     if best is None and not found:
         text = say(
-            "No work zero of the setup region puts the part on the table. Move the region up ({origin}), or widen it.",
+            "No work zero of the setup region puts the part on the table. Move the region up ({origin}), or "
+            "widen it.",
             origin=Option("origin"),
         )
         yield report_finding(Code.NO_SETUP_ON_THE_TABLE, text)
@@ -163,7 +176,8 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
     if best is None:
         over = min(one.over for one in found)
         text = say(
-            "No work zero of the setup region keeps the linear axes within their limits: they are exceeded by "
+            "No work zero of the setup region keeps the linear axes within their limits: they are exceeded "
+            "by "
             "{over} at least. Widen the region, turn the part, or take a larger machine.",
             over=Length(over, ".4g"),
         )
@@ -193,7 +207,8 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
         yield report_finding(Code.TABLE_UNKNOWN, text)
     elif not stands[0]:
         text = say(
-            "In the present setup the part reaches below the table: its work zero must stand at Z {least} or higher. Give "
+            "In the present setup the part reaches below the table: its work zero must stand at Z {least} or "
+            "higher. Give "
             "another {origin}.",
             least=Length(stand.least),
             origin=Option("origin"),
@@ -204,5 +219,9 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
 def _lost_findings(lost: dict[tuple[Kind, float], ReachError]) -> Iterator[Finding]:
     for (_, turn), error in lost.items():
         angle = math.degrees(turn)
-        text = say("With the part turned by {angle} the rotary limits allow no way: {error}.", angle=Angle(angle), error=error)
+        text = say(
+            "With the part turned by {angle} the rotary limits allow no way: {error}.",
+            angle=Angle(angle),
+            error=error,
+        )
         yield report_finding(Code.TURN_OUT_OF_REACH, text, angle)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said of a map of setups: one sentence, text, JSON, a page with heat maps, and places for the 3D view."""
+"""What is said of a map of setups: one sentence, text, JSON, a page with heat maps, and places for the 3D
+view."""
 
 from __future__ import annotations
 
@@ -25,7 +26,18 @@ VERSION = 1
 LEAST_GAIN = 1.05
 """A setup that lowers the deviation by less than this is no reason to move the part."""
 
-HEAD = ("setup", "X, mm", "Y, mm", "Z, mm", "turn, deg", "deviation, mm", "rotary travel, deg", "time", "rewinds", "limits")
+HEAD = (
+    "setup",
+    "X, mm",
+    "Y, mm",
+    "Z, mm",
+    "turn, deg",
+    "deviation, mm",
+    "rotary travel, deg",
+    "time",
+    "rewinds",
+    "limits",
+)
 
 
 def verdict(chart: SetupMap) -> Sentence:
@@ -38,11 +50,18 @@ def verdict(chart: SetupMap) -> Sentence:
         leaves = say("In the present setup the axes leave their limits.")
         below = say("In the present setup the part reaches below the table.")
         hits = say("In the present setup tool or spindle hit the machine.")
-        stand = say("Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g"))
-        return joined((stand, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table))
+        stand = say(
+            "Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g")
+        )
+        return joined(
+            (stand, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table)
+        )
     if now <= LEAST_GAIN * best:
         text = Length(now, ".4g")
-        good = say("The present setup is as good as any of the region: largest deviation {deviation}.", deviation=text)
+        good = say(
+            "The present setup is as good as any of the region: largest deviation {deviation}.",
+            deviation=text,
+        )
         return joined((good, _on_table(chart, 0)))
     stand = say(
         "Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.",
@@ -59,7 +78,9 @@ def _on_table(chart: SetupMap, row: int) -> Sentence:
     if chart.table is None:
         return say("The height of the table is not known: check that the part stands on it.")
     above = float(chart.origin[row, 2]) + chart.bottom - chart.table
-    return say("The part's lowest place is then {height} above the table.", height=Length(max(above, 0.0), ".3f"))
+    return say(
+        "The part's lowest place is then {height} above the table.", height=Length(max(above, 0.0), ".3f")
+    )
 
 
 def _place(chart: SetupMap, row: int) -> Sentence:
@@ -83,30 +104,40 @@ def advice(chart: SetupMap) -> tuple[str, ...]:
     if not turn:
         return (place,)
     return (
-        f"turn the part in CAD by {turn:g} deg about Z through its zero, counter-clockwise seen from above, and export it",
+        f"turn the part in CAD by {turn:g} deg about Z through its zero, counter-clockwise seen from above, "
+        "and export it",
         f"add {turn:g} deg to --direction, so that the passes turn with the part",
         place,
     )
 
 
 def origin_option(chart: SetupMap) -> str:
-    """The recommended work zero as an option of the command line, ``--origin=X,Y,Z`` mm; empty where there is none."""
+    """The recommended work zero as an option of the command line, ``--origin=X,Y,Z`` mm; empty where there is
+    none."""
     if chart.best is None:
         return ""
-    return "--origin=" + ",".join(f"{round(value, 4) + 0.0:.12g}" for value in chart.origin[chart.best].tolist())
+    return "--origin=" + ",".join(
+        f"{round(value, 4) + 0.0:.12g}" for value in chart.origin[chart.best].tolist()
+    )
 
 
 def setup_text(chart: SetupMap) -> str:
     """The map for the terminal: the sentence, the setups worth naming, the findings."""
-    lines = [*textwrap.wrap(verdict(chart), WIDTH), *(f"  {step}" for step in advice(chart)), "", *text_table(_named(chart)), ""]
+    lines = [
+        *textwrap.wrap(verdict(chart), WIDTH),
+        *(f"  {step}" for step in advice(chart)),
+        "",
+        *text_table(_named(chart)),
+        "",
+    ]
     lines += textwrap.wrap(_proven(chart), WIDTH)
     lines += findings_text(chart.findings)
     return "\n".join(lines) + "\n"
 
 
 def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> str:
-    """The map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into setups), least, setups,
-    findings, inputs (a job file)."""
+    """The map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into
+    setups), least, setups, findings, inputs (a job file)."""
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
@@ -114,9 +145,13 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
         "machine_hit": chart.hits,
     }  # fmt: skip
     kinds = [Kind(kind).name.lower() for kind in chart.kind]
-    setups = [{"kind": kinds[row]} | {name: plain(column[row]) for name, column in columns.items()} for row in range(len(kinds))]
+    setups = [
+        {"kind": kinds[row]} | {name: plain(column[row]) for name, column in columns.items()}
+        for row in range(len(kinds))
+    ]
     record = {
-        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length, "table": chart.table,
+        "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length,
+        "table": chart.table,
         "bottom": chart.bottom, "best": chart.best,
         "least": chart.least, "setups": setups, "findings": chart.findings, "inputs": inputs or {},
     }  # fmt: skip
@@ -124,7 +159,8 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
 
 
 def heat_map_html(chart: SetupMap, title: str = "") -> str:
-    """The map as one page that needs nothing else. The heat maps need matplotlib; without it the page says how to get them."""
+    """The map as one page that needs nothing else. The heat maps need matplotlib; without it the page says
+    how to get them."""
     pictures = figures(heat_maps(chart), bool(np.isfinite(chart.max_deviation).any()))
     body = [
         section("What to do", "".join(f"<p><code>{escape(step)}</code></p>" for step in advice(chart))),
@@ -136,13 +172,17 @@ def heat_map_html(chart: SetupMap, title: str = "") -> str:
     ]
     bad = chart.best is None or any(one.severity == Severity.ERROR for one in chart.findings)
     return page(
-        "Where the part should stand", f"{title} on {chart.machine}".lstrip(), verdict(chart), "bad" if bad else "good", body
+        "Where the part should stand",
+        f"{title} on {chart.machine}".lstrip(),
+        verdict(chart),
+        "bad" if bad else "good",
+        body,
     )
 
 
 def setup_markers(chart: SetupMap) -> tuple[Marker, ...]:
-    """Places for the 3D view, in the work frame of the present setup: where the work zero should stand, where it stands, and
-    the grid at the recommended turn, the best first."""
+    """Places for the 3D view, in the work frame of the present setup: where the work zero should stand, where
+    it stands, and the grid at the recommended turn, the best first."""
     place = chart.origin - np.array(chart.base.origin)
     turn = math.degrees(chart.turn[chart.best]) if chart.best is not None else 0.0
     turned = f", turned by {turn:g} deg" if turn else ""
@@ -187,10 +227,18 @@ def _turn_table(chart: SetupMap) -> Table:
 
 def _cells(chart: SetupMap, name: str, row: int) -> list[str]:
     limits = "within" if chart.stands[row] else "below the table"
-    limits = f"hits the machine by {number(float(chart.hits[row]), 3)} mm" if chart.hits[row] > 0.0 else limits
+    limits = (
+        f"hits the machine by {number(float(chart.hits[row]), 3)} mm" if chart.hits[row] > 0.0 else limits
+    )
     limits = limits if chart.within_limits[row] else f"over by {number(float(chart.over[row]), 3)} mm"
     if not math.isfinite(chart.max_deviation[row]):
-        return [name, *(number(value, 3) for value in chart.origin[row]), f"{math.degrees(chart.turn[row]):g}", *"----", "rotary"]
+        return [
+            name,
+            *(number(value, 3) for value in chart.origin[row]),
+            f"{math.degrees(chart.turn[row]):g}",
+            *"----",
+            "rotary",
+        ]
     return [
         name,
         *(number(value, 3) for value in chart.origin[row]),
@@ -208,11 +256,14 @@ def _proven(chart: SetupMap) -> str:
         return ""
     turns = "at the turns tried" if len(chart.region.turns) > 1 else "at this turn"
     where = "" if chart.table is None else " above the table"
-    return f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but for the rounding of words."
+    return (
+        f"Proven: no work zero of the region{where} has less than {chart.least:.4g} mm {turns}, but "
+        "for the rounding of words."
+    )
 
 
 WORDS = """<dl><dt>Work zero</dt><dd>The zero of the program's coordinates, as it stands in the machine's frame: what a work
 offset (G54) says. The part stands where its own zero does.</dd>
 <dt>Turn</dt><dd>The part turned counter-clockwise about Z through the work zero, seen from above.</dd>
 <dt>Deviation</dt><dd>The largest distance of the tip's real path from the commanded segments, of all blocks at feed.</dd>
-<dt>Rewind</dt><dd>A retract inside a cut, because a rotary axis has to turn back.</dd></dl>"""
+<dt>Rewind</dt><dd>A retract inside a cut, because a rotary axis has to turn back.</dd></dl>"""  # noqa: E501

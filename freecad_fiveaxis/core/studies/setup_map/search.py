@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The best work zero at one turn: a convex problem, solved with a proof.
 
-Let p be the real tip at share u of a block. Its place over the part is affine in the work zero o: the rotary words do not depend
-on o, the linear words and both rotary lines shift evenly with it. The block's chord does not depend on o at all. A distance from
-a fixed convex set is convex, a convex function of an affine one is convex, and a maximum of convex functions is convex:
+Let p be the real tip at share u of a block. Its place over the part is affine in the work zero o: the rotary
+words do not depend on o, the linear words and both rotary lines shift evenly with it. The block's chord does
+not depend on o at all. A distance from a fixed convex set is convex, a convex function of an affine one is
+convex, and a maximum of convex functions is convex:
 
     the largest deviation of a program is a convex function of the work zero (words not rounded),
 
-and so is the excess over each linear limit. There is one valley: no start can be wrong, and a minimum can be proven.
+and so is the excess over each linear limit. There is one valley: no start can be wrong, and a minimum can be
+proven.
 
-cut     at a block that was measured at o, with x the vector from the chord to the tip at its worst u: for **every** o' the
-        largest deviation is at least ``|x| + x/|x| . (p(o') - p(o))``, a plane under the valley (Kelley 1960, J. SIAM 8).
-        For a limit: the excess of a row is itself a plane.
-least   the lowest place above all planes, by linear programming: no work zero of the region can be better than this.
-level   what is as good as the best found. In the end the work zero nearest to the present one that keeps the level is taken:
-        where a direction does not matter (Z of a head-table machine, all of a head-head machine) the part stays where it is.
+cut     at a block that was measured at o, with x the vector from the chord to the tip at its worst u: for
+        **every** o' the largest deviation is at least ``|x| + x/|x| . (p(o') - p(o))``, a plane under the
+        valley (Kelley 1960, J. SIAM 8). For a limit: the excess of a row is itself a plane.
+least   the lowest place above all planes, by linear programming: no work zero of the region can be better
+        than this.
+level   what is as good as the best found. In the end the work zero nearest to the present one that keeps the
+        level is taken: where a direction does not matter (Z of a head-table machine, all of a head-head
+        machine) the part stays where it is.
 """
 
 from __future__ import annotations
@@ -48,8 +52,8 @@ SHIFT = 64.0
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """``origin`` (3,) mm of the best work zero, None where the limits leave none; ``least`` mm: none of the region is better;
-    ``over`` mm: with no work zero within limits, by how much they are exceeded at least."""
+    """``origin`` (3,) mm of the best work zero, None where the limits leave none; ``least`` mm: none of the
+    region is better; ``over`` mm: with no work zero within limits, by how much they are exceeded at least."""
 
     origin: Floats | None
     least: float
@@ -58,7 +62,8 @@ class Found:
 
 @dataclass(eq=False)
 class _Planes:
-    """Planes ``value + slope . (o - at)`` under the valley: ``low`` of the deviation, ``bar`` of the limits (mm)."""
+    """Planes ``value + slope . (o - at)`` under the valley: ``low`` of the deviation, ``bar`` of the limits
+    (mm)."""
 
     low: list[Floats] = field(default_factory=list)
     low_rest: list[Floats] = field(default_factory=list)
@@ -72,19 +77,32 @@ class _Planes:
         rests.append(value - slope @ at)
 
     def lowest(self, region: Region) -> tuple[Floats, float] | None:
-        """The work zero of the least deviation that the planes allow, and that deviation; None where the limits allow none."""
+        """The work zero of the least deviation that the planes allow, and that deviation; None where the
+        limits allow none."""
         low = np.concatenate(self.low)
-        rows = np.concatenate([np.column_stack([low, -np.ones(len(low))]), *(_wide(slope, 0.0) for slope in self.bar)])
-        right = np.concatenate([-np.concatenate(self.low_rest), *(LINEAR_SLACK - rest for rest in self.bar_rest)])
-        solved = scipy.optimize.linprog((0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs")
+        rows = np.concatenate(
+            [np.column_stack([low, -np.ones(len(low))]), *(_wide(slope, 0.0) for slope in self.bar)]
+        )
+        right = np.concatenate(
+            [-np.concatenate(self.low_rest), *(LINEAR_SLACK - rest for rest in self.bar_rest)]
+        )
+        solved = scipy.optimize.linprog(
+            (0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs"
+        )
         return (np.array(solved.x[:3]), float(solved.x[3])) if solved.status == 0 else None
 
     def nearest(self, region: Region, to: Floats, level: float) -> Floats | None:
-        """The work zero nearest to ``to`` (sum of the shifts) at which the planes allow a deviation of no more than ``level``."""
+        """The work zero nearest to ``to`` (sum of the shifts) at which the planes allow a deviation of no
+        more than ``level``."""
         slopes = [np.column_stack([slope, np.zeros((len(slope), 3))]) for slope in (*self.low, *self.bar)]
         eye = np.eye(3)
         rows = np.concatenate([*slopes, np.hstack([eye, -eye]), np.hstack([-eye, -eye])])
-        right = [*(level - rest for rest in self.low_rest), *(LINEAR_SLACK - rest for rest in self.bar_rest), to, -to]
+        right = [
+            *(level - rest for rest in self.low_rest),
+            *(LINEAR_SLACK - rest for rest in self.bar_rest),
+            to,
+            -to,
+        ]
         bounds = [*_box(region), *[(0.0, None)] * 3]
         solved = scipy.optimize.linprog(
             (0.0, 0.0, 0.0, 1.0, 1.0, 1.0), rows, np.concatenate(right), bounds=bounds, method="highs"
@@ -92,10 +110,13 @@ class _Planes:
         return np.array(solved.x[:3]) if solved.status == 0 else None
 
     def least_over(self, region: Region) -> float:
-        """The least excess over the limits (mm) that any work zero of the region has, as far as the planes tell."""
+        """The least excess over the limits (mm) that any work zero of the region has, as far as the planes
+        tell."""
         rows = np.concatenate([_wide(slope, -1.0) for slope in self.bar])
         right = -np.concatenate(self.bar_rest)
-        solved = scipy.optimize.linprog((0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs")
+        solved = scipy.optimize.linprog(
+            (0.0, 0.0, 0.0, 1.0), rows, right, bounds=[*_box(region), (0.0, None)], method="highs"
+        )
         return float(solved.x[3]) if solved.status == 0 else math.nan
 
 
@@ -107,8 +128,11 @@ def _box(region: Region) -> list[tuple[float, float]]:
     return list(zip(region.low, region.high, strict=True))
 
 
-def best_origin(driven: Driven, region: Region, present: Floats, enough: float, progress: Progress = silent) -> Found:
-    """The work zero of least deviation within limits, and of those as good the nearest to ``present`` (3,) mm.
+def best_origin(
+    driven: Driven, region: Region, present: Floats, enough: float, progress: Progress = silent
+) -> Found:
+    """The work zero of least deviation within limits, and of those as good the nearest to ``present`` (3,)
+    mm.
 
     ``enough`` mm: a deviation that needs no improvement.
     """
@@ -131,11 +155,13 @@ def best_origin(driven: Driven, region: Region, present: Floats, enough: float, 
 
 
 def _nearer(
-    driven: Driven, region: Region, present: Floats, planes: _Planes, best: Floats, level: float, progress: Progress
+    driven: Driven, region: Region, present: Floats, planes: _Planes, best: Floats, level: float,
+    progress: Progress
 ) -> Floats:  # fmt: skip
     """The nearest to ``present`` that keeps ``level``, or a place on the way there from ``best``.
 
-    What keeps the level is a convex set: halving the way from a place inside to one outside ends at its border.
+    What keeps the level is a convex set: halving the way from a place inside to one outside ends at its
+    border.
     """
     outside = present
     for _ in range(NEARER):
@@ -162,7 +188,8 @@ def _keeps(driven: Driven, at: Floats, planes: _Planes, level: float) -> bool:
 
 
 def _measured(driven: Driven, origin: Floats, planes: _Planes) -> tuple[float, float]:
-    """Deviation and excess over limits at one work zero, mm, of words before rounding; its planes are put to the others."""
+    """Deviation and excess over limits at one work zero, mm, of words before rounding; its planes are put to
+    the others."""
     stations = [driven.kinematics(origin), *(driven.kinematics(origin + SHIFT * way) for way in np.eye(3))]
     words = driven.words(stations[0])
     worst = worst_blocks(stations[0], words, driven.feeds, BLOCKS)
@@ -179,7 +206,8 @@ def _measured(driven: Driven, origin: Floats, planes: _Planes) -> tuple[float, f
 
 
 def _slopes(values: list[Floats]) -> Floats:
-    """Slopes (k, 3) of affine functions, from their values (k,) at a work zero and at three that are shifted along X, Y, Z."""
+    """Slopes (k, 3) of affine functions, from their values (k,) at a work zero and at three that are shifted
+    along X, Y, Z."""
     return np.stack([(value - values[0]) / SHIFT for value in values[1:]], axis=1)
 
 
@@ -189,7 +217,8 @@ def _tips(driven: Driven, kinematics: Chain, rows: Ints, u: Floats) -> Floats:
 
 
 def off_chord(tip: Floats, rows: Ints, place: Floats) -> Floats:
-    """The vectors (k, 3) to ``place`` from the nearest points of the chords of ``tip`` (n, 3) that end in ``rows`` (k,)."""
+    """The vectors (k, 3) to ``place`` from the nearest points of the chords of ``tip`` (n, 3) that end in
+    ``rows`` (k,)."""
     start = tip[rows - 1]
     chord = tip[rows] - start
     square = np.maximum((chord * chord).sum(axis=1), np.finfo(float).tiny)
@@ -203,6 +232,9 @@ def _extremes(words: Floats) -> Ints:
 
 
 def _excess(driven: Driven, kinematics: Chain, rows: Ints) -> Floats:
-    """How far (6,) mm these rows are beyond the linear limits, negative within them; infinite where there is no limit."""
+    """How far (6,) mm these rows are beyond the linear limits, negative within them; infinite where there is
+    no limit."""
     words, axis = driven.words(kinematics, rows), np.arange(3)
-    return np.concatenate([words[axis, axis] - kinematics.high[:3], kinematics.low[:3] - words[axis + 3, axis]])
+    return np.concatenate(
+        [words[axis, axis] - kinematics.high[:3], kinematics.low[:3] - words[axis + 3, axis]]
+    )

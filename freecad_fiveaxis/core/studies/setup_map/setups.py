@@ -2,11 +2,12 @@
 """Setups and the map of what each of them costs.
 
 setup     where the work zero stands in the machine frame (mm), and how the part is turned there.
-turn      the part turned counter-clockwise about Z through the work zero (rad). The work frame stays parallel to the machine's,
-          so the path's tips and axes turn with the part.
+turn      the part turned counter-clockwise about Z through the work zero (rad). The work frame stays parallel
+          to the machine's, so the path's tips and axes turn with the part.
 region    the box of work zeros that are thinkable, the grid laid over it, and the turns that are tried.
 map       one row a setup: the present one first, then the grid, then the places that the search found.
-stands    whether the part's lowest place is not below the face of the table; everywhere where nobody says how high that is.
+stands    whether the part's lowest place is not below the face of the table; everywhere where nobody says how
+          high that is.
 over      how far (mm) the linear axes would have to go beyond their limits, 0 within them.
 """
 
@@ -45,8 +46,9 @@ class Kind(IntEnum):
 
 @dataclass(frozen=True)
 class Region:
-    """``low``, ``high`` mm: corners of the box of work zeros, machine frame; ``count`` grid places along X, Y, Z (1: the middle
-    only); ``turns`` rad. Raises SettingsError for a box turned inside out, a count below 1, or too many setups."""
+    """``low``, ``high`` mm: corners of the box of work zeros, machine frame; ``count`` grid places along X,
+    Y, Z (1: the middle only); ``turns`` rad. Raises SettingsError for a box turned inside out, a count below
+    1, or too many setups."""
 
     low: Vector
     high: Vector
@@ -67,7 +69,11 @@ class Region:
             )
         if any(low > high for low, high in zip(self.low, self.high, strict=True)):
             raise SettingsError(
-                say("setup region {low} to {high}: the low corner is above the high; swap them", low=self.low, high=self.high),
+                say(
+                    "setup region {low} to {high}: the low corner is above the high; swap them",
+                    low=self.low,
+                    high=self.high,
+                ),
                 self.low,
             )
         if min(self.count) < 1 or not self.turns:
@@ -110,15 +116,17 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class SetupMap:
-    """One row a setup: row 0 the present one; then the grid, turn after turn, each as ``region.grid()``; then what was found.
+    """One row a setup: row 0 the present one; then the grid, turn after turn, each as ``region.grid()``; then
+    what was found.
 
-    ``origin`` (k, 3) mm and ``turn`` (k,) rad; ``max_deviation`` (k,) mm: of the feed blocks of the program that is posted in
-    this setup, as rounded; ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole program; ``over`` (k,) mm,
-    ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts inside cuts; ``kind`` (k,) of :class:`Kind`. Where the
-    rotary limits allow no way at a turn, its rows are NaN and not within limits. ``best``: the recommended row, None where
-    none is within limits and stands. ``least`` mm: no work zero of the region that stands, at the turns tried, has less
-    deviation (but for rounding of words). ``table`` mm: height of the table's face, machine frame, None where it is not
-    known; ``bottom`` mm: the part's lowest place over the work zero. ``hits`` (k,) mm: at least so deep tool or spindle go into
+    ``origin`` (k, 3) mm and ``turn`` (k,) rad; ``max_deviation`` (k,) mm: of the feed blocks of the program
+    that is posted in this setup, as rounded; ``rotary_travel`` (k,) rad and ``time`` (k,) s of the whole
+    program; ``over`` (k,) mm, ``within_limits`` and ``stands`` (k,); ``rewinds`` (k,) retracts inside cuts;
+    ``kind`` (k,) of :class:`Kind`. Where the rotary limits allow no way at a turn, its rows are NaN and not
+    within limits. ``best``: the recommended row, None where none is within limits and stands. ``least`` mm:
+    no work zero of the region that stands, at the turns tried, has less deviation (but for rounding of
+    words). ``table`` mm: height of the table's face, machine frame, None where it is not known; ``bottom``
+    mm: the part's lowest place over the work zero. ``hits`` (k,) mm: at least so deep tool or spindle go into
     the machine, 0 where they hit nothing, NaN where nobody knows (no bodies, or no need to look).
     """
 
@@ -144,7 +152,8 @@ class SetupMap:
 
     def __post_init__(self) -> None:
         freeze(
-            self, None, origin="f3", turn="f", max_deviation="f", rotary_travel="f", time="f", over="f", within_limits="b",
+            self, None, origin="f3", turn="f", max_deviation="f", rotary_travel="f", time="f", over="f",
+            within_limits="b",
             stands="b", rewinds="i", kind="m", hits="f",
         )  # fmt: skip
 
@@ -165,8 +174,9 @@ def recommended(
 ) -> int | None:
     """The row to take, None where none is within limits.
 
-    Of those with hardly more than the least deviation, or with less than is ``enough`` (mm): the fewest rewinds, then the
-    shortest time (to 1 %), then the least way from ``base``. Columns (k,), ``origin`` (k, 3).
+    Of those with hardly more than the least deviation, or with less than is ``enough`` (mm): the fewest
+    rewinds, then the shortest time (to 1 %), then the least way from ``base``. Columns (k,), ``origin`` (k,
+    3).
     """
     rows = np.flatnonzero(within & np.isfinite(deviation))
     if not len(rows):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pages and tables in the style of the report, for results that are no single program (setups, comparisons)."""
+"""Pages and tables in the style of the report, for results that are no single program (setups,
+comparisons)."""
 
 from __future__ import annotations
 
@@ -16,7 +17,10 @@ from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.plots import Plot
 from freecad_fiveaxis.core.report.text import WIDTH
 
-NO_PLOTS = "The pictures are left out because matplotlib is not installed. To get them: <code>pip install matplotlib</code>"
+NO_PLOTS = (
+    "The pictures are left out because matplotlib is not installed. To get them: <code>pip "
+    "install matplotlib</code>"
+)
 
 
 @dataclass(frozen=True)
@@ -28,13 +32,16 @@ class Table:
 
 
 def page(title: str, subtitle: str, verdict: str, mood: str, body: Sequence[str]) -> str:
-    """A whole page. ``mood`` good, bad or open colours the verdict; ``body`` is HTML, the other texts are not."""
+    """A whole page. ``mood`` good, bad or open colours the verdict; ``body`` is HTML, the other texts are
+    not."""
     head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
     head += f"<title>{escape(title)}</title><style>{STYLE}</style>"
     top = f"<header><h1>{escape(title)}</h1><p>{escape(subtitle)}</p></header>"
     parts = [top, f'<p class="verdict {mood}">{escape(verdict)}</p>', *(part for part in body if part)]
     main = "\n".join(parts)
-    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{main}\n</main></body></html>\n'
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body><main>\n{main}\n</main></body></html>\n'
+    )
 
 
 def json_text(record: object) -> str:
@@ -51,8 +58,13 @@ def section(title: str, content: str) -> str:
 def table(given: Table) -> str:
     """A table as HTML."""
     top = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in given.head)
-    rows = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in given.rows)
-    return f'<div class="scroll"><table class="numbers"><thead><tr>{top}</tr></thead>\n<tbody>{rows}</tbody></table></div>'
+    rows = "".join(
+        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in given.rows
+    )
+    return (
+        '<div class="scroll"><table '
+        f'class="numbers"><thead><tr>{top}</tr></thead>\n<tbody>{rows}</tbody></table></div>'
+    )
 
 
 def text_table(given: Table) -> list[str]:
@@ -60,7 +72,12 @@ def text_table(given: Table) -> list[str]:
     cells = [given.head, *given.rows]
     wide = [max(map(len, column)) for column in zip(*cells, strict=True)]
     return [
-        "  ".join([row[0].ljust(wide[0]), *(cell.rjust(width) for cell, width in zip(row[1:], wide[1:], strict=True))]).rstrip()
+        "  ".join(
+            [
+                row[0].ljust(wide[0]),
+                *(cell.rjust(width) for cell, width in zip(row[1:], wide[1:], strict=True)),
+            ]
+        ).rstrip()
         for row in cells
     ]
 
@@ -80,7 +97,8 @@ def figures(pictures: Sequence[Plot], wanted: bool) -> list[str]:
 def findings_list(findings: Sequence[Finding]) -> str:
     """The findings, one after the other; nothing where there are none."""
     return "".join(
-        f'<div class="finding"><p><code>{escape(one.code)}</code> {one.severity.name.lower()}: {escape(one.text)}</p></div>\n'
+        f'<div class="finding"><p><code>{escape(one.code)}</code> {one.severity.name.lower()}: '
+        f"{escape(one.text)}</p></div>\n"
         for one in findings
     )
 
@@ -88,4 +106,8 @@ def findings_list(findings: Sequence[Finding]) -> str:
 def findings_text(findings: Sequence[Finding]) -> list[str]:
     """The findings as lines of text, indented."""
     texts = (f"{one.severity.name} {one.code}: {one.text}" for one in findings)
-    return [line for one in texts for line in textwrap.wrap(one, WIDTH, initial_indent="  ", subsequent_indent="    ")]
+    return [
+        line
+        for one in texts
+        for line in textwrap.wrap(one, WIDTH, initial_indent="  ", subsequent_indent="    ")
+    ]

@@ -4,8 +4,9 @@
 ground    what all trials of a map have in common.
 trial     some work zeros at one turn, each of them posted and measured; or the search for the best one there.
 
-Nearly all the time of a map goes into them: into measuring, some 0.1 s a work zero where a path has 25,000 rows, and as much
-again for each of the two dozen steps of a search. The path at one turn is driven once by each worker.
+Nearly all the time of a map goes into them: into measuring, some 0.1 s a work zero where a path has 25,000
+rows, and as much again for each of the two dozen steps of a search. The path at one turn is driven once by
+each worker.
 """
 
 from __future__ import annotations
@@ -38,8 +39,9 @@ MOST_TRIALS = 512
 
 @dataclass(frozen=True, eq=False)
 class Ground:
-    """``path`` as it lies at turn 0, ``base`` the present setup, ``searched`` what of the region is searched (None: nothing),
-    ``enough`` mm as in :func:`~.mapping.setup_map`. ``driven``: the path at the last turn it was driven at, or why it cannot."""
+    """``path`` as it lies at turn 0, ``base`` the present setup, ``searched`` what of the region is searched
+    (None: nothing), ``enough`` mm as in :func:`~.mapping.setup_map`. ``driven``: the path at the last turn it
+    was driven at, or why it cannot."""
 
     path: CLPath
     machine: Machine
@@ -66,8 +68,8 @@ class Trial:
 
 @dataclass(frozen=True, eq=False)
 class Tried:
-    """``costs`` (k,) of the work zeros, or of the one that was found at ``origin`` (3,) mm; ``found``: of a search alone;
-    ``lost``: why the turn is out of reach, and then there is nothing else."""
+    """``costs`` (k,) of the work zeros, or of the one that was found at ``origin`` (3,) mm; ``found``: of a
+    search alone; ``lost``: why the turn is out of reach, and then there is nothing else."""
 
     costs: tuple[Cost, ...] = ()
     rewinds: int = 0
@@ -112,18 +114,22 @@ def _costs(driven: Driven, zeros: Floats, progress: Progress) -> Iterator[Cost]:
 
 
 def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost]:
-    """The work zero in steps that somebody can set; the one that was found where these would leave the limits."""
+    """The work zero in steps that somebody can set; the one that was found where these would leave the
+    limits."""
     origin = np.clip(np.round(found, SET_DECIMALS), region.low, region.high)
     cost = driven.cost(origin)
     return (origin, cost) if cost.within else (found, driven.cost(found))
 
 
 def drive(ground: Ground, turn: float, progress: Progress) -> Driven:
-    """Drive the path at one turn; the last one is kept. Threads may both drive the same: it is the same, too."""
+    """Drive the path at one turn; the last one is kept. Threads may both drive the same: it is the same,
+    too."""
     solved = ground.driven.get(turn)
     if solved is None:
         try:
-            solved = drive_turned(ground.path, ground.machine, ground.base, ground.posting, turn, _without_share(progress))
+            solved = drive_turned(
+                ground.path, ground.machine, ground.base, ground.posting, turn, _without_share(progress)
+            )
         except ReachError as error:
             solved = error
         ground.driven.clear()

@@ -25,8 +25,8 @@ MOST_ROWS = 20_000_000
 def chords(
     source: Source, statements: Statements, rows: Rows, scale: Floats, sagitta: float, holes: Ints
 ) -> tuple[Put, tuple[Finding, ...]]:  # fmt: skip
-    """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the unit at each row;
-    ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
+    """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the
+    unit at each row; ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
     arcs, lost = read_arcs(statements, rows.tip, scale, holes)
     spans = arc_spans(arcs, rows.tip)
     straight = rows.motion != Motion.RAPID
@@ -41,8 +41,9 @@ def chords(
 
 
 def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -> tuple[Arcs, Ints]:
-    """The arcs, and the statements (k,) that say one without a move before and after it, or one that another goes before,
-    or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit at each row."""
+    """The arcs, and the statements (k,) that say one without a move before and after it, or one that another
+    goes before, or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit
+    at each row."""
     at = np.concatenate([statements.of(Kind.CIRCLE), statements.of(Kind.TANGENT)])
     at = at[np.argsort(at, kind="stable")]
     row = statements.row[at]
@@ -91,16 +92,23 @@ def arc_findings(
         line = int(source.line[lost[0]])
         text = plural(
             len(lost),
-            "An arc lacks its start or its end (line {line}): it stands before the first move, after the last one, or before "
+            "An arc lacks its start or its end (line {line}): it stands before the first move, after the "
+            "last one, or before "
             "another arc, or its direction points to its centre. The path goes straight there.",
-            "{count} arcs lack their start or their end (first line {line}): they stand before the first move, after the last "
-            "one, or before another arc, or their direction points to their centre. The path goes straight there.",
+            "{count} arcs lack their start or their end (first line {line}): they stand before the first "
+            "move, after the last "
+            "one, or before another arc, or their direction points to their centre. The path goes straight "
+            "there.",
             line=line,
         )
         yield report_finding(Code.ARC_DOES_NOT_FIT, text, float(len(lost)), line=line, unit="")
     back, on = (which & ~bad for which in runs_back(arcs, spans, tip, straight))
     if back.any():
-        yield _runs_back(source, arcs, back) if back.sum() >= on.sum() else _cusps(source, arcs, back, int(on.sum()))
+        yield (
+            _runs_back(source, arcs, back)
+            if back.sum() >= on.sum()
+            else _cusps(source, arcs, back, int(on.sum()))
+        )
     either = ambiguous(arcs, spans) & ~bad & ~back
     if either.any():
         yield _ambiguous(source, arcs, spans, either)
@@ -111,9 +119,11 @@ def _does_not_fit(source: Source, arcs: Arcs, off: Floats, bad: Bools) -> Findin
     line = int(source.line[arcs.statement[worst]])
     text = plural(
         int(bad.sum()),
-        "An arc does not pass through the points before and after it (line {line}: off by {off}, radius {radius}); the path goes "
+        "An arc does not pass through the points before and after it (line {line}: off by {off}, radius "
+        "{radius}); the path goes "
         "straight there. Has the CAM system left out a move, or are the units mixed?",
-        "{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, radius {radius}); "
+        "{count} arcs do not pass through the points before and after them (worst line {line}: off by {off}, "
+        "radius {radius}); "
         "the path goes straight there. Has the CAM system left out a move, or are the units mixed?",
         line=line,
         off=Length(off[worst], ".4g"),
@@ -126,9 +136,11 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
     line = int(source.line[arcs.statement[back.argmax()]])
     text = plural(
         int(back.sum()),
-        "An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its circles the other way "
+        "An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its "
+        "circles the other way "
         "round? Have curves written as points.",
-        "{count} arcs run back against the straight moves beside them (first line {line}): does the CAM system mean its circles "
+        "{count} arcs run back against the straight moves beside them (first line {line}): does the CAM "
+        "system mean its circles "
         "the other way round? Have curves written as points.",
         line=line,
     )
@@ -136,13 +148,16 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
 
 
 def _cusps(source: Source, arcs: Arcs, back: Bools, on: int) -> Finding:
-    """A pocket's corner beside an island ends in a cusp; which way round circles are meant shows by the others of the file."""
+    """A pocket's corner beside an island ends in a cusp; which way round circles are meant shows by the
+    others of the file."""
     line = int(source.line[arcs.statement[back.argmax()]])
     text = plural(
         int(back.sum()),
-        "An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; {on} others of the "
+        "An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; "
+        "{on} others of the "
         "file run on as read.",
-        "{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside islands; {on} others of "
+        "{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside "
+        "islands; {on} others of "
         "the file run on as read.",
         line=line,
         on=on,
@@ -157,9 +172,11 @@ def _ambiguous(source: Source, arcs: Arcs, spans: ArcSpans, either: Bools) -> Fi
     taken = say("a whole turn") if last > np.pi else say("the short way")
     text = plural(
         int(either.sum()),
-        "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or next to nothing; "
+        "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or "
+        "next to nothing; "
         "{taken} is taken, as its direction says.",
-        "The ends of {count} arcs are as near as the printed digits allow (first line {line}): they may be whole turns or next "
+        "The ends of {count} arcs are as near as the printed digits allow (first line {line}): they may be "
+        "whole turns or next "
         "to nothing; there {taken} is taken, as its direction says.",
         line=line,
         taken=taken,

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Arcs of a CL file, divided into chords.
 
-arc       from the row before to its own row, right-handed about ``normal``; a helix where the heights along the normal differ.
+arc       from the row before to its own row, right-handed about ``normal``; a helix where the heights along
+          the normal differ.
 sagitta   the largest distance of a chord from its arc: ``r (1 - cos(angle / 2))``.
 
-The printed digits leave the ends a little off the circle. The radius therefore goes evenly from that of the start to that of
-the end, so that the first chord starts and the last one ends exactly on the rows of the file.
+The printed digits leave the ends a little off the circle. The radius therefore goes evenly from that of the
+start to that of the end, so that the first chord starts and the last one ends exactly on the rows of the
+file.
 """
 
 from __future__ import annotations
@@ -18,8 +20,8 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints, freeze, run_
 from freecad_fiveaxis.core.base.vectors import COINCIDENT_MM, NO_DIRECTION, slerp
 
 FIT = 0.01
-"""mm by which an end may be off its circle: several times what four printed decimals of a centre and a radius, in inches, leave
-open."""
+"""mm by which an end may be off its circle: several times what four printed decimals of a centre and a
+radius, in inches, leave open."""
 NEAR = 0.002
 """mm; ends that are nearer than this, and not the same, may mean next to nothing or a whole turn."""
 LEAST_RADIUS = 10.0 * NEAR
@@ -32,8 +34,8 @@ AGAINST = -0.9
 
 @dataclass(frozen=True, eq=False)
 class Arcs:
-    """``row`` (a,) where each ends, ascending; ``centre`` (a, 3) mm; ``normal`` (a, 3) unit, ``radius`` (a,) mm as said;
-    ``statement`` (a,) its number; ``turns`` (a,) whole ones beyond the way to its end."""
+    """``row`` (a,) where each ends, ascending; ``centre`` (a, 3) mm; ``normal`` (a, 3) unit, ``radius`` (a,)
+    mm as said; ``statement`` (a,) its number; ``turns`` (a,) whole ones beyond the way to its end."""
 
     row: Ints
     centre: Floats
@@ -53,8 +55,9 @@ class Arcs:
 
 @dataclass(frozen=True, eq=False)
 class ArcSpans:
-    """How each arc runs: ``start``, ``end`` (a, 3) mm from the axis of the circle, in its plane; ``height`` (a, 2) mm of both
-    over the centre; ``sweep`` (a,) rad, above 0: at most a whole turn, and the further ones."""
+    """How each arc runs: ``start``, ``end`` (a, 3) mm from the axis of the circle, in its plane; ``height``
+    (a, 2) mm of both over the centre; ``sweep`` (a,) rad, above 0: at most a whole turn, and the further
+    ones."""
 
     start: Floats
     end: Floats
@@ -70,7 +73,9 @@ def arc_spans(arcs: Arcs, tip: Floats) -> ArcSpans:
     sine = (np.cross(start, end) * arcs.normal).sum(axis=1)
     sweep = np.mod(np.arctan2(sine, (start * end).sum(axis=1)), 2.0 * np.pi)
     same = np.linalg.norm(end - start, axis=1) <= COINCIDENT_MM
-    return ArcSpans(start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep) + 2.0 * np.pi * arcs.turns)
+    return ArcSpans(
+        start, end, height, np.where(same | (sweep <= 0.0), 2.0 * np.pi, sweep) + 2.0 * np.pi * arcs.turns
+    )
 
 
 def misfit(arcs: Arcs, spans: ArcSpans) -> Floats:
@@ -88,9 +93,9 @@ def ambiguous(arcs: Arcs, spans: ArcSpans) -> Bools:
 
 
 def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> tuple[Bools, Bools]:
-    """Which arcs (a,) set out against the straight move before them, and arrive against the one after; ``straight`` (n,) the
-    rows that straight feed moves end at. One of both is enough where the other is no straight feed move.
-    And which do not."""
+    """Which arcs (a,) set out against the straight move before them, and arrive against the one after;
+    ``straight`` (n,) the rows that straight feed moves end at. One of both is enough where the other is no
+    straight feed move. And which do not."""
     against, along = np.zeros(len(arcs.row), np.bool_), np.zeros(len(arcs.row), np.bool_)
     for place, row in ((spans.start, arcs.row - 1), (spans.end, arcs.row + 1)):
         there = (row > 0) & (row < len(tip))
@@ -108,15 +113,18 @@ def runs_back(arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools) -> tupl
 def chord_counts(arcs: Arcs, spans: ArcSpans, sagitta: float) -> Ints:
     """Into how many chords (a,) each arc is divided, so that none is off by more than ``sagitta`` mm."""
     radius = np.maximum(np.linalg.norm(spans.start, axis=1), np.linalg.norm(spans.end, axis=1))
-    half = np.arcsin(np.sqrt(np.minimum(sagitta / np.maximum(2.0 * radius, 1e-300), 1.0)))  # of a half chord's angle
+    half = np.arcsin(
+        np.sqrt(np.minimum(sagitta / np.maximum(2.0 * radius, 1e-300), 1.0))
+    )  # of a half chord's angle
     count = np.ceil(spans.sweep / np.minimum(4.0 * half, MOST_ANGLE) - 1e-9)
     whole: Ints = np.maximum(count, 1.0).astype(np.int64)
     return whole
 
 
 def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[Ints, Floats, Floats]:
-    """The chords' ends but the last of each arc: the row (m,) before which each stands, its place (m, 3) mm and its tool axis
-    (m, 3), turned evenly from that of the row before, of ``axis`` (n, 3), to that of its own."""
+    """The chords' ends but the last of each arc: the row (m,) before which each stands, its place (m, 3) mm
+    and its tool axis (m, 3), turned evenly from that of the row before, of ``axis`` (n, 3), to that of its
+    own."""
     inner = count - 1
     arc = np.flatnonzero(inner > 0)
     of = arc[run_ids(inner[arc])] if len(arc) else arc
@@ -128,12 +136,17 @@ def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[
     angle = share * spans.sweep[of, None]
     here = radius[0][of, None] * (1.0 - share) + radius[1][of, None] * share
     height = spans.height[of, :1] * (1.0 - share) + spans.height[of, 1:] * share
-    place = arcs.centre[of] + height * arcs.normal[of] + here * (np.cos(angle) * out[of] + np.sin(angle) * ahead[of])
+    place = (
+        arcs.centre[of]
+        + height * arcs.normal[of]
+        + here * (np.cos(angle) * out[of] + np.sin(angle) * ahead[of])
+    )
     row = arcs.row[of]
     return row, place, _turned_evenly(axis[row - 1], axis[row], share)
 
 
 def _turned_evenly(first: Floats, last: Floats, share: Floats) -> Floats:
-    """The axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3); opposite ones stay first."""
+    """The axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3); opposite
+    ones stay first."""
     opposite = np.linalg.norm(first + last, axis=1, keepdims=True) <= NO_DIRECTION
     return np.where(opposite, first, slerp(first, last, share[:, 0]))

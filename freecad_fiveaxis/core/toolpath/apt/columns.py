@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The sequence numbers of punched cards, which CATIA and older processors still print in columns 73 to 80.
 
-Nothing in a file says that it has them, and a file without may use these columns for its statements. They are taken for sequence
-numbers only where every longer line has a number there, behind at most a few letters, that counts up; where none of these lines
-would end in the middle of a statement without it. Right behind a digit, where they might be its decimals, they must fill all
-eight columns, in steps that cards have, on three lines at least.
+Nothing in a file says that it has them, and a file without may use these columns for its statements. They are
+taken for sequence numbers only where every longer line has a number there, behind at most a few letters, that
+counts up; where none of these lines would end in the middle of a statement without it. Right behind a digit,
+where they might be its decimals, they must fill all eight columns, in steps that cards have, on three lines
+at least.
 """
 
 from __future__ import annotations
@@ -57,7 +58,12 @@ def _are_numbered(lines: list[bytes]) -> bool:
 
 def _is_long(line: bytes) -> bool:
     """Whether a line has anything in the columns that could belong to a statement."""
-    return len(line) > COLUMNS and bool(line[COLUMNS:].strip()) and b"$" not in line[:COLUMNS] and not TEXT.match(line)
+    return (
+        len(line) > COLUMNS
+        and bool(line[COLUMNS:].strip())
+        and b"$" not in line[:COLUMNS]
+        and not TEXT.match(line)
+    )
 
 
 def _cut(line: bytes) -> bytes:

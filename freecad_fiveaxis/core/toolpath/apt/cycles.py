@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The drilling cycles of a CL file: what a CYCLE statement says, and the way of the tool along its axis that it stands for.
+"""The drilling cycles of a CL file: what a CYCLE statement says, and the way of the tool along its axis that
+it stands for.
 
 Creo   ``CYCLE/ DRILL, DEPTH, d, MMPM, f, CLEAR, c``; ``CYCLE/ DEEP`` and ``BRKCHP`` with ``STEP, s``.
-NX     ``CYCLE/DRILL, RAPTO, c, FEDTO, -d, RTRCTO, r | AUTO, MMPM, f``; ``CYCLE/DRILL,DEEP`` and ``DRILL,BRKCHP`` with ``STEP``.
-CAMWorks  ``CYCLE/DRILL, FEDTO, d, MMPM, f, RAPTO, c, RTRCTO, r, DWELL, t``: FEDTO, said first, counts downwards; ``CYCLE/DEEP``
-       with ``INCR, s``; ``CYCLE/DEEP2`` with ``1STPECK, s, SUBPECK, s2``. Before it ``CYCLE/INIT`` or ``/CLEAR``: where to leave.
-point  each GOTO while the cycle is on is the top of a hole; lengths are counted from there along the tool axis.
-clear  height of the rapid before the hole.       out   height after it: clear where nothing is said; AUTO: where the tool stood
-       before the cycle.
+NX     ``CYCLE/DRILL, RAPTO, c, FEDTO, -d, RTRCTO, r | AUTO, MMPM, f``; ``CYCLE/DRILL,DEEP`` and
+       ``DRILL,BRKCHP`` with ``STEP``.
+CAMWorks  ``CYCLE/DRILL, FEDTO, d, MMPM, f, RAPTO, c, RTRCTO, r, DWELL, t``: FEDTO, said first, counts
+          downwards; ``CYCLE/DEEP``
+       with ``INCR, s``; ``CYCLE/DEEP2`` with ``1STPECK, s, SUBPECK, s2``. Before it ``CYCLE/INIT`` or
+       ``/CLEAR``: where to leave.
+point  each GOTO while the cycle is on is the top of a hole; lengths are counted from there along the tool
+       axis.
+clear  height of the rapid before the hole.       out   height after it: clear where nothing is said; AUTO:
+       where the tool stood before the cycle.
 peck   DEEP takes the chips out to ``clear`` after each step, BRKCHP only lifts by ``GAP``.
 
-Forms whose numbers have other meanings (CATIA's, by their order), and words beyond these (TAP, BACK, MANUAL, ORIENT ...) are not
-interpreted: a hole drilled wrongly spoils the part.
+Forms whose numbers have other meanings (CATIA's, by their order), and words beyond these (TAP, BACK, MANUAL,
+ORIENT ...) are not interpreted: a hole drilled wrongly spoils the part.
 """
 
 from __future__ import annotations
@@ -22,7 +27,8 @@ from dataclasses import dataclass, replace
 from . import vocabulary as words
 
 GAP = 0.5
-"""mm above the last bottom: so far DEEP goes back at rapid, and so far BRKCHP lifts; as controllers do (G83, G73)."""
+"""mm above the last bottom: so far DEEP goes back at rapid, and so far BRKCHP lifts; as controllers do (G83,
+G73)."""
 MOST_PECKS = 10_000
 """Of one hole: more are a slip of the pen."""
 CHIPS = ("DEEP", "DEEP2", "BRKCHP")
@@ -50,9 +56,10 @@ FEEDS |= {word: (math.nan if unit is None else unit, True) for word, unit in wor
 
 @dataclass(frozen=True)
 class Cycle:
-    """``clear``, ``depth`` and ``out`` in the file's unit (``out`` None: clear; NaN: where the tool stood before); ``steps`` of
-    the pecks, the last one for all that follow; ``chips`` DEEP, BRKCHP or empty; ``fed_out``; ``feed`` NaN: that of FEDRAT, in mm
-    of its ``unit`` (NaN: the file's), or per ``turn``; ``dwell`` s or turns."""
+    """``clear``, ``depth`` and ``out`` in the file's unit (``out`` None: clear; NaN: where the tool stood
+    before); ``steps`` of the pecks, the last one for all that follow; ``chips`` DEEP, BRKCHP or empty;
+    ``fed_out``; ``feed`` NaN: that of FEDRAT, in mm of its ``unit`` (NaN: the file's), or per ``turn``;
+    ``dwell`` s or turns."""
 
     clear: float
     depth: float
@@ -70,13 +77,21 @@ def cycle_of(rest: str) -> Cycle | None:
     """What stands behind ``CYCLE/``, blanks removed, in capitals; None where it is not interpreted."""
     parts = rest.split(",")
     kinds = [part for part in parts[:2] if part in KINDS]
-    if not kinds or parts[: len(kinds)] != kinds or (len(kinds) == 2 and (kinds[0] != "DRILL" or kinds[1] not in OF_DRILL)):
+    if (
+        not kinds
+        or parts[: len(kinds)] != kinds
+        or (len(kinds) == 2 and (kinds[0] != "DRILL" or kinds[1] not in OF_DRILL))
+    ):
         return None
     stated = _stated(parts[len(kinds) :])
     if stated is None or len(stated.get("clear", ())) != 1:
         return None
     depth = _depth(stated)
-    clear, steps, out = stated["clear"][0], stated.get("step", ()) + stated.get("later", ()), stated.get("out", ())
+    clear, steps, out = (
+        stated["clear"][0],
+        stated.get("step", ()) + stated.get("later", ()),
+        stated.get("out", ()),
+    )
     if depth is None or not (clear >= 0.0 and clear + depth > 0.0) or any(step <= 0.0 for step in steps):
         return None
     if steps and depth / steps[-1] > MOST_PECKS:
@@ -119,7 +134,8 @@ def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
 
 
 def _name(word: str, k: int, numbers: list[float]) -> str:
-    """What the word, part k behind the kind, says; FEDTO counts upwards, but where it stands first and is above 0 downwards."""
+    """What the word, part k behind the kind, says; FEDTO counts upwards, but where it stands first and is
+    above 0 downwards."""
     if word == "FEDTO" and k == 0 and numbers and numbers[0] > 0.0:
         return "depth"
     return "feed" if word in FEEDS else WORDS.get(word, "")
@@ -136,14 +152,15 @@ def _numbers(parts: list[str]) -> list[float]:
 
 
 def _depth(stated: dict[str, tuple[float, ...]]) -> float | None:
-    """How far below the point the hole ends: DEPTH counts downwards, FEDTO upwards; None where neither or both are said, or the
-    end lies above the point."""
+    """How far below the point the hole ends: DEPTH counts downwards, FEDTO upwards; None where neither or
+    both are said, or the end lies above the point."""
     depth = [*stated.get("depth", ()), *(-bottom for bottom in stated.get("bottom", ()))]
     return depth[0] + 0.0 if len(depth) == 1 and depth[0] >= 0.0 else None
 
 
 def bottoms(cycle: Cycle, scale: float) -> list[float]:
-    """Where the steps of a hole end, mm above the point (so 0 or less), the last at its depth; ``scale`` mm of the unit."""
+    """Where the steps of a hole end, mm above the point (so 0 or less), the last at its depth; ``scale`` mm
+    of the unit."""
     deep, depths, reached = cycle.depth * scale, [], 0.0
     steps = iter(cycle.steps)
     step = next(steps, 0.0)
@@ -155,8 +172,8 @@ def bottoms(cycle: Cycle, scale: float) -> list[float]:
 
 
 def way(cycle: Cycle, scale: float) -> list[tuple[float, bool]]:
-    """The way along the axis before the tool leaves for ``out``: heights, mm above the point, and whether each is reached at
-    feed."""
+    """The way along the axis before the tool leaves for ``out``: heights, mm above the point, and whether
+    each is reached at feed."""
     clear = cycle.clear * scale
     depths: list[tuple[float, bool]] = [(clear, False)]
     last = None

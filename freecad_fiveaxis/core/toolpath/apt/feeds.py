@@ -18,17 +18,19 @@ def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
 
 
 def stated_feeds(statements: Statements, scale: Floats, source: Source) -> tuple[Ints, Floats]:
-    """The rows of ``statements`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at each statement. Raises
-    ProgramError for a feed per turn of no spindle."""
+    """The rows of ``statements`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at each
+    statement. Raises ProgramError for a feed per turn of no spindle."""
     at = statements.of(Kind.FEED)
-    return at, per_minute(statements, at, statements.value(at), statements.unit(at), statements.turn(at), scale, source)
+    return at, per_minute(
+        statements, at, statements.value(at), statements.unit(at), statements.turn(at), scale, source
+    )
 
 
 def per_minute(
     statements: Statements, at: Ints, value: Floats, unit: Floats, turn: Bools, scale: Floats, source: Source
 ) -> Floats:
-    """mm/min (k,) of the feeds ``value`` that the rows ``at`` of ``statements`` say, in mm of their ``unit`` (NaN: the file's),
-    some per ``turn``. Raises ProgramError."""
+    """mm/min (k,) of the feeds ``value`` that the rows ``at`` of ``statements`` say, in mm of their ``unit``
+    (NaN: the file's), some per ``turn``. Raises ProgramError."""
     spindle = statements.of(Kind.SPINDLE)
     speed = statements.value(spindle)
     going = ~np.isnan(speed)
@@ -36,6 +38,8 @@ def per_minute(
     lost = np.flatnonzero(turn & ~(turns > 0.0))
     if len(lost):
         k = int(statements.statement[at[lost[0]]])
-        source.fail(k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute"))
+        source.fail(
+            k, "", say("a feed per turn needs the spindle speed; say SPINDL/ before, or give it per minute")
+        )
     with np.errstate(over="ignore"):  # the machine's greatest feed is below any of these
         return np.asarray(value * np.where(np.isnan(unit), scale[at], unit) * np.where(turn, turns, 1.0))

@@ -11,16 +11,16 @@ from freecad_fiveaxis.core.base.sentences import Length, Option, say
 from freecad_fiveaxis.core.tool import Cutter, cutter_from_apt, cutter_name
 
 SAME_CUTTER = 1e-3
-"""mm (and rad of the taper) by which a cutter may differ from the CL file's: what its four printed decimals, in inches too, leave
-open."""
+"""mm (and rad of the taper) by which a cutter may differ from the CL file's: what its four printed decimals,
+in inches too, leave open."""
 
 
 @dataclass(frozen=True)
 class ClHead:
-    """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and ``corner`` radius of
-    the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER statement says of it, mm and deg; ``neck`` (0
-    or 2 numbers) diameter and upper end of a lollipop's neck, mm; ``flank`` (0 or 2) radius of a barrel's flank, and
-    its length."""
+    """``tool`` number (None: no tool call), ``speed`` 1/min (0: not said), ``coolant`` on; ``diameter`` and
+    ``corner`` radius of the cutter, mm (0: not said); ``stated`` (0 to 7 numbers) all that its CUTTER
+    statement says of it, mm and deg; ``neck`` (0 or 2 numbers) diameter and upper end of a lollipop's neck,
+    mm; ``flank`` (0 or 2) radius of a barrel's flank, and its length."""
 
     tool: int | None = None
     speed: float = 0.0
@@ -47,11 +47,16 @@ def of_cl_file(finding: Finding) -> Finding:
     """A finding of a CL file among those of a program, whose lines are others."""
     if finding.line is None:
         return replace(finding, text=say("CL file: {finding}", finding=finding.text))
-    return replace(finding, text=say("CL file, line {line}: {finding}", line=finding.line, finding=finding.text), line=None)
+    return replace(
+        finding,
+        text=say("CL file, line {line}: {finding}", line=finding.line, finding=finding.text),
+        line=None,
+    )
 
 
 def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
-    """A note where the CL file is for another cutter than the one given: of another diameter, or, where it says one, shape."""
+    """A note where the CL file is for another cutter than the one given: of another diameter, or, where it
+    says one, shape."""
     other = head.cutter
     diameter = head.diameter if other is None else other.diameter
     if head.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:
@@ -74,8 +79,9 @@ def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
 
 
 def _off_shape(other: Cutter, given: Cutter) -> float:
-    """By how much, mm or rad, the CL file's cutter has another corner, taper or flank, or a thinner neck than the one given: a
-    neck thinner than the file's has the room of the file's. Only one of two with a flank has another shape altogether."""
+    """By how much, mm or rad, the CL file's cutter has another corner, taper or flank, or a thinner neck than
+    the one given: a neck thinner than the file's has the room of the file's. Only one of two with a flank has
+    another shape altogether."""
     thicker = max((given.neck or given.diameter) - other.neck, 0.0) if other.neck is not None else 0.0
     if (other.flank is None) != (given.flank is None):
         return other.diameter

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Holes of the drilling cycles, written out as moves.
 
-over      Where the axis is that of the row before, the tool first goes along it to the height of the hole's ``clear``, or stays
-          at its own where that is higher, then across, then down; as a controller's cycle does. To a hole with another axis it
-          goes straight: the CAM system has seen to the way between.
+over      Where the axis is that of the row before, the tool first goes along it to the height of the hole's
+          ``clear``, or stays at its own where that is higher, then across, then down; as a controller's cycle
+          does. To a hole with another axis it goes straight: the CAM system has seen to the way between.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ SAME_PLACE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Holes:
-    """``row`` (h,) of the moves that are holes, ascending; ``group`` (h,) of the CYCLE statement's ``cycles`` each is drilled by;
-    ``feed`` (h,) mm/min."""
+    """``row`` (h,) of the moves that are holes, ascending; ``group`` (h,) of the CYCLE statement's ``cycles``
+    each is drilled by; ``feed`` (h,) mm/min."""
 
     row: Ints
     group: Ints
@@ -42,10 +42,14 @@ class Holes:
     feed: Floats
 
 
-def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floats) -> tuple[Holes, tuple[Finding, ...]]:
-    """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row; ``scale`` (s,) mm of the
-    unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
-    cycle = [cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts]
+def read_holes(
+    source: Source, statements: Statements, rate: Floats, scale: Floats
+) -> tuple[Holes, tuple[Finding, ...]]:
+    """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row;
+    ``scale`` (s,) mm of the unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
+    cycle = [
+        cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts
+    ]
     named = np.array(
         [
             text.startswith("CYCLE") and meaning.kind is not Kind.LEAVING
@@ -63,14 +67,22 @@ def read_holes(source: Source, statements: Statements, rate: Floats, scale: Floa
     leaving = statements.of(Kind.LEAVING)
     leaves = held(statements.row[leaving], statements.value(leaving), 0.0, row)
     pairs, group = np.unique(np.stack([statements.which[at], scale[at], leaves]), axis=1, return_inverse=True)
-    cycles = [(left_at(one, how), float(mm)) for which, mm, how in pairs.T if (one := cycle[int(which)]) is not None]
+    cycles = [
+        (left_at(one, how), float(mm)) for which, mm, how in pairs.T if (one := cycle[int(which)]) is not None
+    ]
     group = group.reshape(-1)
     holes = Holes(row, group, cycles, _feeds(statements, at, group, cycles, rate[row], scale, source))
     return holes, tuple(_findings(source, statements, events, cycle, np.flatnonzero(on & ~plain)))
 
 
 def _feeds(
-    statements: Statements, at: Ints, group: Ints, cycles: list[tuple[Cycle, float]], rate: Floats, scale: Floats, source: Source
+    statements: Statements,
+    at: Ints,
+    group: Ints,
+    cycles: list[tuple[Cycle, float]],
+    rate: Floats,
+    scale: Floats,
+    source: Source,
 ) -> Floats:
     """mm/min (h,): the cycle's own, else that of FEDRAT."""
     own = np.array([(cycle.feed, cycle.unit, cycle.turn) for cycle, _ in cycles]).reshape(-1, 3)[group]
@@ -82,7 +94,8 @@ def _feeds(
 
 
 def drilled(rows: Rows, holes: Holes) -> tuple[Rows, Put]:
-    """The rows of the moves, those of holes where the tool leaves them; and the rows to be put in before: over, and down."""
+    """The rows of the moves, those of holes where the tool leaves them; and the rows to be put in before:
+    over, and down."""
     if not len(holes.row):
         return rows, Put.none()
     point, axis = rows.tip[holes.row], rows.axis[holes.row]
@@ -138,7 +151,9 @@ def _ways(holes: Holes, point: Floats, axis: Floats) -> Iterator[Put]:
         yield Put(holes.row[of], point[of] + height[:, None] * axis[of], axis[of], motion, speed)
 
 
-def _findings(source: Source, statements: Statements, events: Ints, cycle: list[Cycle | None], others: Ints) -> Iterator[Finding]:
+def _findings(
+    source: Source, statements: Statements, events: Ints, cycle: list[Cycle | None], others: Ints
+) -> Iterator[Finding]:
     def where(of: list[bool]) -> Ints:
         return statements.statement[events[np.array(of)[statements.which[events]]]] if len(events) else events
 
@@ -147,9 +162,11 @@ def _findings(source: Source, statements: Statements, events: Ints, cycle: list[
         line = int(source.line[whole[0]])
         text = plural(
             len(whole),
-            "A drilling cycle with pecks says no STEP (line {line}): its holes are drilled in one go. Say the step, if the chips "
+            "A drilling cycle with pecks says no STEP (line {line}): its holes are drilled in one go. Say "
+            "the step, if the chips "
             "are to come out.",
-            "{count} drilling cycles with pecks say no STEP (first line {line}): their holes are drilled in one go. Say the "
+            "{count} drilling cycles with pecks say no STEP (first line {line}): their holes are drilled in "
+            "one go. Say the "
             "step, if the chips are to come out.",
             line=line,
         )
@@ -159,15 +176,18 @@ def _findings(source: Source, statements: Statements, events: Ints, cycle: list[
         line = int(source.line[dwells[0]])
         text = plural(
             len(dwells),
-            "A drilling cycle dwells at the bottom (line {line}): the tool does not wait there in the program.",
-            "{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there in the program.",
+            "A drilling cycle dwells at the bottom (line {line}): the tool does not wait there in the "
+            "program.",
+            "{count} drilling cycles dwell at the bottom (first line {line}): the tool does not wait there "
+            "in the program.",
             line=line,
         )
         yield report_finding(Code.CYCLE_DWELL_LEFT_OUT, text, float(len(dwells)), line=line)
     if len(others):
         line = int(source.line[source.move_at[others[0]]])
         text = say(
-            "A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say CYCLE/OFF before.",
+            "A step or FROM stands within a drilling cycle (line {line}): no hole is drilled there. Say "
+            "CYCLE/OFF before.",
             line=line,
         )
         yield report_finding(Code.NO_HOLE_IN_CYCLE, text, float(len(others)), line=line)

@@ -28,8 +28,9 @@ FARTHEST = 1e7
 
 @dataclass(frozen=True, eq=False)
 class Moves:
-    """The numbers of each move as printed: ``point`` (n, 3) a place or a step (``step`` (n,) True; one number: along the
-    axis, first column, ``along`` (n,) True); ``axis`` (n, 3) of each, carried on where it has none; ``full`` (n,) it has one."""
+    """The numbers of each move as printed: ``point`` (n, 3) a place or a step (``step`` (n,) True; one
+    number: along the axis, first column, ``along`` (n,) True); ``axis`` (n, 3) of each, carried on where it
+    has none; ``full`` (n,) it has one."""
 
     point: Floats
     step: Bools
@@ -43,7 +44,8 @@ class Moves:
 
 
 def read_moves(source: Source, turned_at: Ints, turned: Floats) -> Moves:
-    """The moves, with the axes that TLAXIS says: statement ``turned_at`` (t,), ``turned`` (t, 3). Raises ProgramError."""
+    """The moves, with the axes that TLAXIS says: statement ``turned_at`` (t,), ``turned`` (t, 3). Raises
+    ProgramError."""
     at = source.move_at
     if not len(at):
         raise ProgramError(say("line 1, column 1: the CL file holds no GOTO statement"), None)
@@ -76,7 +78,8 @@ def _sorted_out(value: Floats, count: Ints, source: Source, turned_at: Ints, tur
 
 
 def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
-    """The driven points (n, 3) mm, steps added up; ``unit`` (n, 3) the axes, ``scale`` (n,) mm. Raises ProgramError."""
+    """The driven points (n, 3) mm, steps added up; ``unit`` (n, 3) the axes, ``scale`` (n,) mm. Raises
+    ProgramError."""
     with np.errstate(over="ignore"):
         point: Floats = moves.point * scale[:, None]
     _refuse_far(point, source)
@@ -85,7 +88,9 @@ def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
     rows = np.arange(len(point))
     anchor = np.maximum.accumulate(np.where(moves.step, -1, rows))
     if anchor[0] < 0:
-        source.fail(int(source.move_at[0]), "", say("GODLTA stands before the first GOTO: from where is not known"))
+        source.fail(
+            int(source.move_at[0]), "", say("GODLTA stands before the first GOTO: from where is not known")
+        )
     point[moves.along] = point[moves.along, :1] * unit[moves.along]
     travelled = np.cumsum(np.where(moves.step[:, None], point, 0.0), axis=0)
     summed: Floats = point[anchor] + (travelled - travelled[anchor])

@@ -2,7 +2,8 @@
 """CL files read, from any CAM system: the path, and what else they say.
 
 row       one of the path for each GOTO, GODLTA and FROM (a rapid).
-RAPID     the next move alone is a rapid.            FEDRAT/   the feed of those that follow, per minute, or per turn of SPINDL.
+RAPID     the next move alone is a rapid.            FEDRAT/   the feed of those that follow, per minute, or
+          per turn of SPINDL.
 UNITS/    the unit of all numbers from there on; before it that of the reading, mm if nobody says.
 CIRCLE/   the next move is an arc: one row for each of its chords.
 CYCLE/    each GOTO until CYCLE/OFF is a hole: one row for each of its moves.
@@ -38,8 +39,8 @@ USUAL = ClReading()
 
 @dataclass(frozen=True, eq=False)
 class ClFile:
-    """A CL file: its path, what it says of tool, spindle, coolant and cutter, and the numbers of its tools in the order of their
-    moves; none where it names none."""
+    """A CL file: its path, what it says of tool, spindle, coolant and cutter, and the numbers of its tools in
+    the order of their moves; none where it names none."""
 
     path: CLPath
     head: ClHead
@@ -47,10 +48,12 @@ class ClFile:
 
 
 def read_apt(text: bytes | str, reading: ClReading = USUAL, progress: Progress = silent) -> CLPath:
-    """The CLPath of an APT text: a row for each move, and for each chord of an arc; ``reading``: what the file does not say.
+    """The CLPath of an APT text: a row for each move, and for each chord of an arc; ``reading``: what the
+    file does not say.
 
-    The contact is the tip and the normal the axis; face and co-edge are -1; ``pass_`` counts the runs of cutting moves. A move
-    of three numbers keeps the axis (0, 0, 1 at first). Raises ProgramError, naming line and column.
+    The contact is the tip and the normal the axis; face and co-edge are -1; ``pass_`` counts the runs of
+    cutting moves. A move of three numbers keeps the axis (0, 0, 1 at first). Raises ProgramError, naming line
+    and column.
     """
     return read_cl_file(text, reading, progress).path
 
@@ -68,11 +71,15 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
         statements = read_statements(source)
     progress("reading CL", 0.8)
     units = statements.of(Kind.UNITS)
-    scale = held(statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin)))
+    scale = held(
+        statements.statement[units], statements.value(units), reading.scale, np.arange(len(source.begin))
+    )
     path = _path(source, statements, moves, scale, reading)
     reports = units_findings(source, statements, reading.units) + tool_findings(tools, reading.tool)
     return ClFile(
-        replace(path, findings=path.findings + reports), head_of(statements, scale[statements.statement]), tuple(tools.names)
+        replace(path, findings=path.findings + reports),
+        head_of(statements, scale[statements.statement]),
+        tuple(tools.names),
     )
 
 
@@ -93,7 +100,16 @@ def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, r
     located = each.with_put(Put.joined([drilling, turning]))
     none, runs = np.full(len(located.tip), -1), _runs(located.motion)
     return CLPath(
-        located.tip, located.axis, located.motion, located.speed, located.tip, located.axis, none, none, runs, findings + of_arcs
+        located.tip,
+        located.axis,
+        located.motion,
+        located.speed,
+        located.tip,
+        located.axis,
+        none,
+        none,
+        runs,
+        findings + of_arcs,
     )
 
 
@@ -117,7 +133,9 @@ def _lengths(axis: Floats, source: Source, statements: Statements) -> Floats:
         length: Floats = np.linalg.norm(axis, axis=1)
     wrong: Bools = ~((length > 0.0) & (length < np.inf))
     if wrong.any():
-        source.fail(int(source.move_at[wrong.argmax()]), "", say("the tool axis is 0, 0, 0, or beyond all bounds"))
+        source.fail(
+            int(source.move_at[wrong.argmax()]), "", say("the tool axis is 0, 0, 0, or beyond all bounds")
+        )
     return length
 
 

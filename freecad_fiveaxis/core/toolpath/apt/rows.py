@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of the path made of the moves of a CL file: one each, and those that arcs and holes put in before them."""
+"""The rows of the path made of the moves of a CL file: one each, and those that arcs and holes put in before
+them."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """``tip`` (n, 3) mm, ``axis`` (n, 3) unit, ``motion`` (n,) of Motion, ``speed`` (n,) mm/min, 0 for rapids."""
+    """``tip`` (n, 3) mm, ``axis`` (n, 3) unit, ``motion`` (n,) of Motion, ``speed`` (n,) mm/min, 0 for
+    rapids."""
 
     tip: Floats
     axis: Floats
@@ -33,7 +35,8 @@ class Rows:
 
 @dataclass(frozen=True, eq=False)
 class Put:
-    """Rows to be put in before the rows ``at`` (m,), in their order where several are; the columns as in Rows."""
+    """Rows to be put in before the rows ``at`` (m,), in their order where several are; the columns as in
+    Rows."""
 
     at: Ints
     tip: Floats
@@ -55,4 +58,9 @@ class Put:
     def joined(parts: Iterable[Put]) -> Put:
         """All of them; of those before one row, the rows of the first part come first."""
         every = list(parts)
-        return Put(*(np.concatenate([getattr(one, name) for one in every]) for name in ("at", "tip", "axis", "motion", "speed")))
+        return Put(
+            *(
+                np.concatenate([getattr(one, name) for one in every])
+                for name in ("at", "tip", "axis", "motion", "speed")
+            )
+        )

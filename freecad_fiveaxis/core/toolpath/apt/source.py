@@ -2,7 +2,8 @@
 """The text of a CL file cut into statements.
 
 $      the statement goes on in the next line.
-$$     the rest of the line is a comment. Creo's ``$$->`` lines go on with $ as statements do, and are comments throughout.
+$$     the rest of the line is a comment. Creo's ``$$->`` lines go on with $ as statements do, and are
+       comments throughout.
 soft   a byte that stands for the end of a line within a statement.
 """
 
@@ -35,7 +36,8 @@ WIDE = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
 
 
 class Source:
-    """The statements of the text without blanks, in capitals: where each begins and ends, its line, and which are moves."""
+    """The statements of the text without blanks, in capitals: where each begins and ends, its line, and which
+    are moves."""
 
     def __init__(self, raw: bytes) -> None:
         self.plain = plain_text(raw)
@@ -105,7 +107,11 @@ class Source:
     def kept(self, statements: Bools) -> Source:
         """The same text with some of its statements (s,) alone."""
         selected = copy(self)
-        selected.begin, selected.end, selected.line = self.begin[statements], self.end[statements], self.line[statements]
+        selected.begin, selected.end, selected.line = (
+            self.begin[statements],
+            self.end[statements],
+            self.line[statements],
+        )
         selected._find_moves()
         return selected
 
@@ -124,7 +130,8 @@ class Source:
 
 
 def plain_text(raw: bytes) -> bytes:
-    """The text in capitals, lines ended by LF, whatever system it comes from. Raises ProgramError for what is no text."""
+    """The text in capitals, lines ended by LF, whatever system it comes from. Raises ProgramError for what is
+    no text."""
     codec = WIDE.get(raw[:2])
     if codec:
         raw = raw[2:].decode(codec, "replace").encode("latin-1", "replace")
@@ -139,7 +146,9 @@ def plain_text(raw: bytes) -> bytes:
             control=control[0],
             offset=offset,
         )
-        raise ProgramError(say("line {line}, column {column}: {reason}", line=line, column=column, reason=reason), control[0])
+        raise ProgramError(
+            say("line {line}, column {column}: {reason}", line=line, column=column, reason=reason), control[0]
+        )
     return raw.upper()
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the statements between the moves say: each different text is read once, however often it stands in the file.
+"""What the statements between the moves say: each different text is read once, however often it stands in the
+file.
 
 meaning   what one such text says: a kind and its numbers. Meanings and where they stand make columns.
 """
@@ -51,8 +52,8 @@ class Kind(IntEnum):
 
 
 class Meaning(NamedTuple):
-    """``value``: the number it says; ``unit``: mm of its unit, NaN the file's; ``more``: further numbers; ``turn``: a feed
-    per turn of the spindle."""
+    """``value``: the number it says; ``unit``: mm of its unit, NaN the file's; ``more``: further numbers;
+    ``turn``: a feed per turn of the spindle."""
 
     kind: Kind
     value: float = 0.0
@@ -63,8 +64,8 @@ class Meaning(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Statements:
-    """One row a statement that is no move: ``statement`` its number, ``row`` the move that follows, ``which`` text of ``texts``
-    (with ``meanings``) it is."""
+    """One row a statement that is no move: ``statement`` its number, ``row`` the move that follows, ``which``
+    text of ``texts`` (with ``meanings``) it is."""
 
     statement: Ints
     row: Ints
@@ -74,7 +75,9 @@ class Statements:
 
     def of(self, kind: Kind) -> Ints:
         """The rows of that kind."""
-        return np.flatnonzero(np.isin(self.which, [k for k, meaning in enumerate(self.meanings) if meaning.kind is kind]))
+        return np.flatnonzero(
+            np.isin(self.which, [k for k, meaning in enumerate(self.meanings) if meaning.kind is kind])
+        )
 
     def value(self, rows: Ints) -> Floats:
         """The numbers that these rows say."""
@@ -94,7 +97,8 @@ class Statements:
 
 
 def read_statements(source: Source) -> Statements:
-    """All statements that are no moves. Raises ProgramError, naming line and column, for one that must be known and is not."""
+    """All statements that are no moves. Raises ProgramError, naming line and column, for one that must be
+    known and is not."""
     at = np.flatnonzero(~source.moves)
     text = source.chosen(source.begin[at], source.end[at]).tobytes().replace(SOFT, b"")
     every = text.split(b"\n")[: len(at)]
@@ -140,7 +144,9 @@ def name_of(statement: str) -> str:
 
 def _unit(rest: str) -> Meaning | tuple[str, str]:
     scale = words.UNITS.get(rest)
-    return (rest, say("unknown unit; known are MM and INCHES")) if scale is None else Meaning(Kind.UNITS, scale)
+    return (
+        (rest, say("unknown unit; known are MM and INCHES")) if scale is None else Meaning(Kind.UNITS, scale)
+    )
 
 
 def _feed(rest: str) -> Meaning | tuple[str, str]:
@@ -150,7 +156,11 @@ def _feed(rest: str) -> Meaning | tuple[str, str]:
     if len(numbers) != 1 or not 0.0 < numbers[0] < np.inf:
         return rest, say("FEDRAT needs one feed above 0")
     turn = next((part for part in parts if part in words.PER_TURN), None)
-    own = words.PER_TURN[turn] if turn else next((words.FEED_UNITS[part] for part in parts if part in words.FEED_UNITS), None)
+    own = (
+        words.PER_TURN[turn]
+        if turn
+        else next((words.FEED_UNITS[part] for part in parts if part in words.FEED_UNITS), None)
+    )
     return Meaning(Kind.FEED, numbers[0], np.nan if own is None else own, turn=turn is not None)
 
 
@@ -183,18 +193,23 @@ def _cutter(rest: str) -> Meaning:
 
 
 def _sizes(kind: Kind, rest: str) -> Meaning:
-    """This program's marks: diameter and upper end of a lollipop's neck; radius and length of a barrel's flank. Anything else
-    behind them is text."""
+    """This program's marks: diameter and upper end of a lollipop's neck; radius and length of a barrel's
+    flank. Anything else behind them is text."""
     numbers = words.numbers_of(rest)
     return Meaning(kind, more=tuple(numbers)) if len(numbers) == 2 else Meaning(Kind.NOTHING)
 
 
 def _number_of_tool(rest: str) -> Meaning:
-    return _tool(rest)._replace(kind=Kind.TOOLNO) if words.NUMBER.fullmatch(rest.partition(",")[0]) else Meaning(Kind.NOTHING)
+    return (
+        _tool(rest)._replace(kind=Kind.TOOLNO)
+        if words.NUMBER.fullmatch(rest.partition(",")[0])
+        else Meaning(Kind.NOTHING)
+    )
 
 
 def _data(rest: str) -> Meaning:
-    """NX: ``TLDATA/MILL, diameter, corner, length, taper, tip angle`` as the CUTTER statement of it; of a drill its diameter."""
+    """NX: ``TLDATA/MILL, diameter, corner, length, taper, tip angle`` as the CUTTER statement of it; of a
+    drill its diameter."""
     parts = rest.split(",")
     numbers = words.numbers_of(rest)
     if not numbers or parts[0] not in ("MILL", "DRILL"):
@@ -215,12 +230,17 @@ def _axis(rest: str) -> Meaning:
 
 
 def _work_plane(rest: str) -> Meaning:
-    """CAMWorks: the rows of a matrix; its third column is the axis of the moves that follow, whose points it leaves alone."""
+    """CAMWorks: the rows of a matrix; its third column is the axis of the moves that follow, whose points it
+    leaves alone."""
     parts = rest.split(",")
     if len(parts) != 12 or not all(words.NUMBER.fullmatch(part) for part in parts):
         return Meaning(Kind.UNKNOWN)
     i, j, k = (float(parts[at]) for at in (2, 6, 10))
-    return Meaning(Kind.AXIS, more=(i, j, k)) if 0.0 < np.linalg.norm([i, j, k]) < np.inf else Meaning(Kind.UNKNOWN)
+    return (
+        Meaning(Kind.AXIS, more=(i, j, k))
+        if 0.0 < np.linalg.norm([i, j, k]) < np.inf
+        else Meaning(Kind.UNKNOWN)
+    )
 
 
 def _circle(rest: str) -> Meaning:
@@ -245,7 +265,9 @@ def _cycle(rest: str) -> Meaning:
 
 def _compensation(rest: str) -> Meaning:
     side = rest.partition(",")[0]
-    return Meaning(Kind.NOTHING if side == "OFF" else Kind.CUTCOM if side in ("LEFT", "RIGHT") else Kind.UNKNOWN)
+    return Meaning(
+        Kind.NOTHING if side == "OFF" else Kind.CUTCOM if side in ("LEFT", "RIGHT") else Kind.UNKNOWN
+    )
 
 
 READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
@@ -272,7 +294,8 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
 
 
 def head_of(statements: Statements, source_scale: Floats) -> ClHead:
-    """The first tool, speed and cutter, and whether coolant is ever on; ``source_scale`` mm of the unit at each statement."""
+    """The first tool, speed and cutter, and whether coolant is ever on; ``source_scale`` mm of the unit at
+    each statement."""
     tool, cutter = statements.first(statements.of(Kind.TOOL)), statements.of(Kind.CUTTER)
     speeds = statements.value(statements.of(Kind.SPINDLE))
     on = speeds[np.nan_to_num(speeds) > 0.0]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tools of a CL file: which of them each move is made with, and the moves of one of them.
 
-number    LOADTL/ n, LOAD/ TOOL, n or TOOLNO/ n. Where these tell fewer tools apart than the names of NX (TOOL PATH/ ..., TOOL,
-          name) or than TLDATA, the tools are numbered as they come: 1, 2, ...
-change    All that stands between the last move of one tool and the word that names the next belongs to the next: CUTTER and
-          TLDATA stand before LOADTL.
+number    LOADTL/ n, LOAD/ TOOL, n or TOOLNO/ n. Where these tell fewer tools apart than the names of NX (TOOL
+          PATH/ ..., TOOL, name) or than TLDATA, the tools are numbered as they come: 1, 2, ...
+change    All that stands between the last move of one tool and the word that names the next belongs to the
+          next: CUTTER and TLDATA stand before LOADTL.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ CARRIED = (Kind.UNITS, Kind.FEED, Kind.SPINDLE, Kind.COOLANT, Kind.MULTAX)
 
 @dataclass(frozen=True, eq=False)
 class Tools:
-    """``of`` (n,) the tool's number of each move; ``names`` of the numbers; ``second`` the line where it first changes,
-    0: never."""
+    """``of`` (n,) the tool's number of each move; ``names`` of the numbers; ``second`` the line where it
+    first changes, 0: never."""
 
     of: Ints
     names: dict[int, str]
@@ -58,13 +58,22 @@ def tools_of(source: Source, statements: Statements) -> Tools:
 
 
 def _by_number(source: Source, statements: Statements, at: Ints) -> Tools:
-    return _held(source, statements, at, np.clip(statements.value(at), -words.LARGEST, words.LARGEST).astype(np.int64), {})
+    return _held(
+        source,
+        statements,
+        at,
+        np.clip(statements.value(at), -words.LARGEST, words.LARGEST).astype(np.int64),
+        {},
+    )
 
 
 def _by_name(source: Source, statements: Statements, names: list[str]) -> Tools:
-    """Tools by name: ``names`` of each text of ``statements``, empty where it has none; numbered in the order of their moves."""
+    """Tools by name: ``names`` of each text of ``statements``, empty where it has none; numbered in the order
+    of their moves."""
     at = np.flatnonzero(np.array([bool(name) for name in names] or [False])[statements.which])
-    order = {name: k for k, name in enumerate(dict.fromkeys(names[which] for which in statements.which[at]), 1)}
+    order = {
+        name: k for k, name in enumerate(dict.fromkeys(names[which] for which in statements.which[at]), 1)
+    }
     number = np.array([order[names[which]] for which in statements.which[at]], np.int64)
     return _held(source, statements, at, number, {k: name for name, k in order.items()})
 
@@ -80,7 +89,11 @@ def _held(source: Source, statements: Statements, at: Ints, number: Ints, names:
     change = np.flatnonzero(of[1:] != of[:-1])
     second = 0
     if len(change):
-        second = int(source.line[statements.statement[at[np.searchsorted(statements.row[at], change[0] + 1, side="right") - 1]]])
+        second = int(
+            source.line[
+                statements.statement[at[np.searchsorted(statements.row[at], change[0] + 1, side="right") - 1]]
+            ]
+        )
     return Tools(of, {k: names.get(k, "") for k in dict.fromkeys(of.tolist())}, second)
 
 
@@ -98,8 +111,8 @@ def _name_of_data(text: str) -> str:
 
 
 def only(source: Source, statements: Statements, tools: Tools, tool: int) -> Bools:
-    """Which statements (s,) are those of one tool, with what earlier ones say for it too. Raises ProgramError where there is no
-    such tool."""
+    """Which statements (s,) are those of one tool, with what earlier ones say for it too. Raises ProgramError
+    where there is no such tool."""
     if tool not in tools.names:
         raise ProgramError(_no_such_tool(tools, tool), tool)
     kept = np.zeros(len(source.begin), np.bool_)
@@ -123,7 +136,8 @@ def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
     count = float(len(tools.names))
     if chosen is None:
         text = say(
-            "The file changes tools ({listed}), the program does not: it cuts all of it with one. Write one file for each tool, "
+            "The file changes tools ({listed}), the program does not: it cuts all of it with one. Write one "
+            "file for each tool, "
             "or choose one: {option}.",
             listed=tools.listed,
             option=Option("cl_tool"),

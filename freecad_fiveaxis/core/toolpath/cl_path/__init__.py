@@ -4,4 +4,13 @@
 from .linking import SAFE_MARGIN, keepout, tool_keepout, way_out
 from .path import CLPath, LinkOptions, Motion, link_passes
 
-__all__ = ["SAFE_MARGIN", "CLPath", "LinkOptions", "Motion", "keepout", "link_passes", "tool_keepout", "way_out"]
+__all__ = [
+    "SAFE_MARGIN",
+    "CLPath",
+    "LinkOptions",
+    "Motion",
+    "keepout",
+    "link_passes",
+    "tool_keepout",
+    "way_out",
+]

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The chords of an offset polyline, one by one, with their lines and planes.
 
-chord      a straight piece of an offset polyline: the offset of a facet segment, or one of the k + 1 pieces of an arc. Each
-           lies in a plane of its own: the offset plane of the facet, or a plane that touches the ball about the arc's contact.
-ghost      a piece of an arc about the end of an open polyline, a quarter turn away from the part. The tool does not go there;
-           it keeps the ball off the border when the segment at the border is used up.
+chord      a straight piece of an offset polyline: the offset of a facet segment, or one of the k + 1 pieces
+           of an arc. Each lies in a plane of its own: the offset plane of the facet, or a plane that touches
+           the ball about the arc's contact.
+ghost      a piece of an arc about the end of an open polyline, a quarter turn away from the part. The tool
+           does not go there; it keeps the ball off the border when the segment at the border is used up.
 """
 
 from __future__ import annotations
@@ -24,14 +25,16 @@ SPREAD = np.uint64(0x9E3779B97F4A7C15)
 
 @dataclass(eq=False)
 class Chords:
-    """Chords in the order of the path; ``low`` to ``high`` (c,) mm is the chord on its line ``origin`` + t ``along`` (3, c).
+    """Chords in the order of the path; ``low`` to ``high`` (c,) mm is the chord on its line ``origin`` + t
+    ``along`` (3, c).
 
-    ``normal`` (3, c) of its plane; ``at`` (c,) its position among the live segments; ``real`` False for the pieces of an arc,
-    which stand at ``angle`` (c,) from the normal of the segment; ``final`` True for the last piece of an arc between two
-    segments; ``ghost``. ``before`` and ``after`` (c,) its neighbours, -1 for none; ``crosses`` True where it is trimmed
-    against the one after it; ``start`` and ``stop`` (c,) what the trims leave of it; ``alive``; ``heir`` the chord before it
-    when it was dropped (itself till then); ``stuck`` True where it should have been dropped and was not; ``tie`` decides
-    between equals. ``radius`` mm of the ball.
+    ``normal`` (3, c) of its plane; ``at`` (c,) its position among the live segments; ``real`` False for the
+    pieces of an arc, which stand at ``angle`` (c,) from the normal of the segment; ``final`` True for the
+    last piece of an arc between two segments; ``ghost``. ``before`` and ``after`` (c,) its neighbours, -1 for
+    none; ``crosses`` True where it is trimmed against the one after it; ``start`` and ``stop`` (c,) what the
+    trims leave of it; ``alive``; ``heir`` the chord before it when it was dropped (itself till then);
+    ``stuck`` True where it should have been dropped and was not; ``tie`` decides between equals. ``radius``
+    mm of the ball.
     """
 
     origin: Floats
@@ -57,7 +60,8 @@ class Chords:
 
 
 def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: float, quarter: int) -> Chords:
-    """All chords: of each segment a ghost arc before it (open beginnings), its own, and the arc after it (convex, open ends)."""
+    """All chords: of each segment a ghost arc before it (open beginnings), its own, and the arc after it
+    (convex, open ends)."""
     kind, first = junctions.kind[at], np.diff(segments.line[at], prepend=-1) != 0
     opened = first & (junctions.kind[segments.last[segments.line[at]]] == END)
     ahead = np.where(opened, quarter + 1, 0)
@@ -66,7 +70,9 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     head = np.cumsum(count) - count
     owner = run_ids(count)
     where = at.take(owner)
-    step = np.arange(len(where)) - (head + ahead).take(owner)  # 0: the segment itself; else the pieces of its arcs
+    step = np.arange(len(where)) - (head + ahead).take(
+        owner
+    )  # 0: the segment itself; else the pieces of its arcs
     arcs = np.where((step > 0) & (junctions.kind[where] == CONVEX), junctions.arcs[where], quarter)
     piece = np.where(step > 0, step - 1, step + quarter + 1)  # 0 to k
     real, ghost = step == 0, (step < 0) | ((step > 0) & (junctions.kind[where] == END))
@@ -81,14 +87,19 @@ def make_chords(segments: Segments, junctions: Junctions, at: Ints, radius: floa
     crosses, final = real & (junctions.kind[where] == CONCAVE), ~real & ~ghost & (piece == arcs)
     row = np.arange(len(where))
     start = np.flatnonzero(np.diff(segments.line[where], prepend=-1))
-    tie = ((row - np.repeat(start, np.diff(start, append=len(row)))).astype(np.uint64) * SPREAD).astype(np.int64)
+    tie = ((row - np.repeat(start, np.diff(start, append=len(row)))).astype(np.uint64) * SPREAD).astype(
+        np.int64
+    )
     return Chords(
-        origin + radius * normal, along, normal, low, high, where, real, angle, final, ghost, before, after, crosses,
+        origin + radius * normal, along, normal, low, high, where, real, angle, final, ghost, before, after,
+        crosses,
         low.copy(), high.copy(), np.ones(len(row), bool), row, np.zeros(len(row), bool), tie, radius,
     )  # fmt: skip
 
 
-def _frames(segments: Segments, where: Ints, step: Ints, theta: Floats, angle: Floats) -> tuple[Floats, Floats, Floats]:
+def _frames(
+    segments: Segments, where: Ints, step: Ints, theta: Floats, angle: Floats
+) -> tuple[Floats, Floats, Floats]:
     """Contact, normal and direction of each chord, (3, c) each."""
     segment, nxt = segments.live[where], segments.following[where]
     along, normal = direction(segments, segment), segments.normal.take(2 * segment, axis=1)
@@ -97,7 +108,9 @@ def _frames(segments: Segments, where: Ints, step: Ints, theta: Floats, angle: F
     far = segments.normal.take(2 * segments.live[np.where(nxt < 0, where, nxt)[arc]], axis=1)
     one, two = normal.take(arc, axis=1), along.take(arc, axis=1)
     normal[:, arc] = _mix(arc_weights(theta[arc], angle[arc]), one, far, two)
-    along[:, arc] = _mix(arc_weights(theta[arc], angle[arc] + 0.5 * np.pi), one, far, two)  # the normal turns that way
+    along[:, arc] = _mix(
+        arc_weights(theta[arc], angle[arc] + 0.5 * np.pi), one, far, two
+    )  # the normal turns that way
     return origin, normal, along
 
 

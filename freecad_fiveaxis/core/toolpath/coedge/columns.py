@@ -25,21 +25,33 @@ class Columns:
         n = self.start[-1]
         self.vectors = {name: np.empty((3, n)) for name in ("point", "centre", "normal", "before", "after")}
         self.lengths = {name: np.empty(n) for name in ("step_before", "step_after")}
-        self.labels = {name: np.empty(n, np.int64) for name in ("face", "coedge", "segment", "polyline", "pass_")}
+        self.labels = {
+            name: np.empty(n, np.int64) for name in ("face", "coedge", "segment", "polyline", "pass_")
+        }
         self.fill = np.empty(n, bool)
-        self.lines = np.cumsum([0, *(0 if part.begins is None else np.count_nonzero(part.begins) for part in parts)]).tolist()
+        self.lines = np.cumsum(
+            [0, *(0 if part.begins is None else np.count_nonzero(part.begins) for part in parts)]
+        ).tolist()
 
     @property
     def values(self) -> dict[str, Any]:
         """All columns by name."""
-        return {name: vector.T for name, vector in self.vectors.items()} | self.lengths | self.labels | {"fill": self.fill}
+        return (
+            {name: vector.T for name, vector in self.vectors.items()}
+            | self.lengths
+            | self.labels
+            | {"fill": self.fill}
+        )
 
     @property
     def walls(self) -> dict[str, Any]:
         """The rows at which the ball also touches a facet that is not cut, and its normal."""
         beside = [part.beside + start for part, start in zip(self.parts, self.start, strict=False)]
         wall = [self.segments.normal.take(2 * part.wall, axis=1) for part in self.parts]
-        return {"beside": np.concatenate([NO_ROWS, *beside]), "wall": np.concatenate([np.empty((3, 0)), *wall], axis=1).T}
+        return {
+            "beside": np.concatenate([NO_ROWS, *beside]),
+            "wall": np.concatenate([np.empty((3, 0)), *wall], axis=1).T,
+        }
 
     def write(self, number: int) -> None:
         """Work out part ``number`` and put it in its place."""
@@ -98,7 +110,8 @@ class Columns:
 
 
 def _gathered(table: Floats, index: Ints, out: Floats) -> Floats:
-    """Columns ``index`` (k,) of ``table`` (3, n) into ``out`` (3, k), row by row: numpy copies an ``out`` with gaps twice."""
+    """Columns ``index`` (k,) of ``table`` (3, n) into ``out`` (3, k), row by row: numpy copies an ``out``
+    with gaps twice."""
     for row, target in zip(table, out, strict=True):
         row.take(index, out=target, mode="clip")
     return out

@@ -2,8 +2,10 @@
 """Closes the gaps that offsetting leaves at co-edges (Lin & Ye, II.D and Fig. 6, 7).
 
 offset    the path of the ball's centre: the contact moved out along a normal by the radius r (eq. 3).
-gap       what opens between the offsets of two facets at a convex co-edge; a straight line across it would cut the edge.
-R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the offset planes of both facets meet.
+gap       what opens between the offsets of two facets at a convex co-edge; a straight line across it would
+          cut the edge.
+R         length of the co-edge normal, r / cos(theta / 2) (eq. 4), at which the offset planes of both facets
+          meet.
 """
 
 from __future__ import annotations
@@ -32,7 +34,8 @@ NOTABLE = 0.01
 
 
 ROW_COLUMNS = {
-    "point": "f3", "centre": "f3", "normal": "f3", "before": "f3", "after": "f3", "step_before": "f", "step_after": "f",
+    "point": "f3", "centre": "f3", "normal": "f3", "before": "f3", "after": "f3", "step_before": "f",
+    "step_after": "f",
     "face": "i", "coedge": "i", "segment": "i", "polyline": "i", "pass_": "i", "fill": "b",
 }  # fmt: skip
 """What every row of an offset path has, and its form."""
@@ -42,13 +45,14 @@ ROW_COLUMNS = {
 class OffsetPath:
     """Contact points with the ball centres that belong to them, gaps closed; one row a cutter location.
 
-    ``point`` (n, 3) contact, mm; ``centre`` (n, 3) of the ball, mm; ``normal`` (n, 3) unit, of the offset at this row
-    (facet normal or co-edge normal); ``before`` and ``after`` (n, 3) the facet normals on either side of the contact point
-    (equal inside a facet); ``step_before`` and ``step_after`` (n,) lengths of the contact segments on either side, mm
-    (S1 and S2 of eqs. 9 and 10; equal at the ends of an open polyline); ``face``, ``coedge``, ``segment``, ``polyline``,
-    ``pass_`` (n,) as in ContactPath; ``fill`` (n,) True where the move that arrives here closes a gap and cuts no facet.
-    ``beside`` (b,) rows at which the ball also touches a facet that is not cut, ``wall`` (b, 3) that facet's normal: until the
-    tool axes have been held against them.
+    ``point`` (n, 3) contact, mm; ``centre`` (n, 3) of the ball, mm; ``normal`` (n, 3) unit, of the offset at
+    this row (facet normal or co-edge normal); ``before`` and ``after`` (n, 3) the facet normals on either
+    side of the contact point (equal inside a facet); ``step_before`` and ``step_after`` (n,) lengths of the
+    contact segments on either side, mm (S1 and S2 of eqs. 9 and 10; equal at the ends of an open polyline);
+    ``face``, ``coedge``, ``segment``, ``polyline``, ``pass_`` (n,) as in ContactPath; ``fill`` (n,) True
+    where the move that arrives here closes a gap and cuts no facet. ``beside`` (b,) rows at which the ball
+    also touches a facet that is not cut, ``wall`` (b, 3) that facet's normal: until the tool axes have been
+    held against them.
     """
 
     point: Floats
@@ -81,10 +85,17 @@ def lasting_rows(path: OffsetPath, rows: Ints) -> Ints:
 
 
 def take_path_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
-    """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins a new one."""
+    """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins
+    a new one."""
     begins = row_begins(rows, path.polyline[rows])
-    columns = {name: getattr(path, name)[rows] for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")}
-    columns |= {name: take_rows(getattr(path, name), rows) for name in ("point", "centre", "normal", "before", "after")}
+    columns = {
+        name: getattr(path, name)[rows]
+        for name in ("face", "coedge", "segment", "pass_", "step_before", "step_after")
+    }
+    columns |= {
+        name: take_rows(getattr(path, name), rows)
+        for name in ("point", "centre", "normal", "before", "after")
+    }
     columns |= {"polyline": np.cumsum(begins) - 1, "fill": path.fill[rows] & ~begins}
     return OffsetPath(**columns, findings=path.findings)
 
@@ -98,23 +109,33 @@ def break_polylines(path: OffsetPath, breaks: Bools) -> OffsetPath:
 
 
 def close_gaps(
-    contact: ContactPath, mesh: Mesh, radius: float, tolerance: float, keep: Bools | None = None, progress: Progress = silent
+    contact: ContactPath,
+    mesh: Mesh,
+    radius: float,
+    tolerance: float,
+    keep: Bools | None = None,
+    progress: Progress = silent,
 ) -> OffsetPath:
-    """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to 5, Fig. 7).
+    """Offset the contact path by the ball's ``radius`` mm and close it at every co-edge (Lin & Ye, eqs. 3 to
+    5, Fig. 7).
 
-    ``mesh`` is the part that the path was cut from; its normals travel with the path, so nothing is read from it here.
-    ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over them is left out after
-    the trimming, so that no ball enters a wall that is not cut itself.
+    ``mesh`` is the part that the path was cut from; its normals travel with the path, so nothing is read from
+    it here. ``keep`` (f,): facets to cut. The others only limit how near the ball may come: what stands over
+    them is left out after the trimming, so that no ball enters a wall that is not cut itself.
 
-    Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R - r is more
-    than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets trimmed where they cross.
-    Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no length are left out;
-    those under which the ball does not fit are dropped, with a finding where more than NOTABLE of material stays or is cut into.
-    A closed polyline ends where it began. Raises SettingsError for a radius or tolerance that is not above 0.
+    Convex: the arithmetic-mean normal of length R = r / cos(theta / 2) between the two facet normals; where R
+    - r is more than ``tolerance`` mm, as many equal steps of theta as keep it within. Concave: both offsets
+      trimmed where they cross.
+    Chords keep off the two facets of their co-edge by r, on a convex part off all of it. Segments of no
+    length are left out; those under which the ball does not fit are dropped, with a finding where more than
+    NOTABLE of material stays or is cut into. A closed polyline ends where it began. Raises SettingsError for
+    a radius or tolerance that is not above 0.
     """
     for name, value in ((say("cutter radius"), radius), (say("co-edge tolerance"), tolerance)):
         if not 0.0 < value < np.inf:
-            raise SettingsError(say("{name} is {value}; give a length above 0", name=name, value=Length(value)), value)
+            raise SettingsError(
+                say("{name} is {value}; give a length above 0", name=name, value=Length(value)), value
+            )
     progress("closing co-edges", 0.0)
     cut = None if keep is None else keep[contact.face[::2]]  # which segments lie in facets that are kept
     segments = find_segments(contact)
@@ -132,8 +153,8 @@ def close_gaps(
 def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> tuple[Finding, ...]:
     """Where the ball cuts into facets, and where it leaves material, by more than NOTABLE.
 
-    Neither depth nor height is told: both are measured to the facets that were dropped, along their own pass, and may be
-    less than what is found elsewhere.
+    Neither depth nor height is told: both are measured to the facets that were dropped, along their own pass,
+    and may be less than what is found elsewhere.
     """
     found = []
     trimmed = [part.trimmed for part in parts if part.trimmed]
@@ -142,10 +163,13 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
     if deep:
         text = plural(
             deep.number,
-            "At 1 place the surface curls tighter than the cutter, which cuts into it; how deep is not known here. Have the path "
+            "At 1 place the surface curls tighter than the cutter, which cuts into it; how deep is not known "
+            "here. Have the path "
             "checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
-            "At {count} places the surface curls tighter than the cutter, which cuts into it; how deep is not known here. Have "
-            "the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
+            "At {count} places the surface curls tighter than the cutter, which cuts into it; how deep is "
+            "not known here. Have "
+            "the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller "
+            "cutter.",
             report=Choice("gouge", ("report",)),
             lift=Choice("gouge", ("lift",)),
         )
@@ -156,12 +180,14 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
         much = say("a whole stretch of the surface stays uncut")
         if np.isfinite(high.worst):
             much = say(
-                "how much stays is not known here, the map of what is left ({left}) tells it", left=Choice("rest", ("on",))
+                "how much stays is not known here, the map of what is left ({left}) tells it",
+                left=Choice("rest", ("on",)),
             )
         text = plural(
             high.number,
             "At 1 place an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.",
-            "At {count} places an inside corner is tighter than the cutter; {much}. Use a smaller cutter there.",
+            "At {count} places an inside corner is tighter than the cutter; {much}. Use a smaller cutter "
+            "there.",
             much=much,
         )
         found.append(report_finding(Code.CORNER_NOT_REACHED, text, place=_place(contact, high.segment)))

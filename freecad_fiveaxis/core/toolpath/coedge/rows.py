@@ -21,9 +21,9 @@ NO_ROWS = np.empty(0, np.int64)
 
 
 class Closed(NamedTuple):
-    """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept; ``trimmed`` the tight
-    polylines, None where there are none. In rows ``beside`` (b,) the ball also touches the segment ``wall`` (b,), which is not
-    cut."""
+    """``rows`` in their order; ``begins`` (n,) where a polyline begins, None where all rows are kept;
+    ``trimmed`` the tight polylines, None where there are none. In rows ``beside`` (b,) the ball also touches
+    the segment ``wall`` (b,), which is not cut."""
 
     rows: Rows
     begins: Bools | None
@@ -41,8 +41,8 @@ class _Numbered(NamedTuple):
 
 
 def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
-    """The rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of the others no row stays,
-    nor a row that has no neighbour left."""
+    """The rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of the
+    others no row stays, nor a row that has no neighbour left."""
     junctions = find_junctions(segments, radius, tolerance, cut)
     tight = find_used_up(segments, junctions)
     if not len(tight):
@@ -67,8 +67,8 @@ def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools 
 
 
 def _places(segments: Segments, count: Ints, tight: Bools | None = None, line: Ints | None = None) -> Ints:
-    """The number (m + 1,) of the first row of each position, ``count`` (m,) rows each and one where a polyline begins; all rows
-    of a ``tight`` (p,) polyline stand at its first position, ``line`` of each."""
+    """The number (m + 1,) of the first row of each position, ``count`` (m,) rows each and one where a
+    polyline begins; all rows of a ``tight`` (p,) polyline stand at its first position, ``line`` of each."""
     place = np.zeros(len(count) + 1, np.int64)
     place[1:] = count
     place[1 + segments.first] += 1
@@ -85,9 +85,11 @@ def _near(segments: Segments, tight: Bools | None, cut: Bools | None) -> Ints:
     return np.flatnonzero(near if tight is None else near & ~tight)
 
 
-def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float, more: int) -> _Numbered:
-    """The rows of junctions at positions ``at`` (k,), and room for ``more`` after them; step -1 is the row where a polyline
-    begins: its first contact, or the last row of its seam."""
+def _easy(
+    segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float, more: int
+) -> _Numbered:
+    """The rows of junctions at positions ``at`` (k,), and room for ``more`` after them; step -1 is the row
+    where a polyline begins: its first contact, or the last row of its seam."""
     last = np.full(len(segments.live), -1, dtype=np.int64)
     last[segments.first] = segments.last
     low = place[at]
@@ -109,7 +111,13 @@ def _easy(segments: Segments, junctions: Junctions, at: Ints, place: Ints, radiu
         _put(rows, part, junction_rows(segments, junctions, at[part], step[part], radius))
     rows.fill[begin] = False
     opened, segment = begin[~closed], segments.live[first[~closed]]
-    for column, value in ((rows.w1, 1.0), (rows.w2, 0.0), (rows.w3, 0.0), (rows.reach, radius), (rows.shift, 0.0)):
+    for column, value in (
+        (rows.w1, 1.0),
+        (rows.w2, 0.0),
+        (rows.w3, 0.0),
+        (rows.reach, radius),
+        (rows.shift, 0.0),
+    ):
         column[opened] = value
     rows.base[opened], rows.left[opened], rows.right[opened] = 2 * segment, segment, segment
     return found
@@ -119,7 +127,9 @@ def _room(count: int) -> _Numbered:
     """Columns of so many rows, yet to be filled."""
     whole, real = np.empty((6, count), np.int64), np.empty((5, count))
     number, line, *places = whole
-    return _Numbered(number, line, Rows._make([*places, *real, np.empty(count, bool), NO_ROWS, np.empty((3, 0))]))
+    return _Numbered(
+        number, line, Rows._make([*places, *real, np.empty(count, bool), NO_ROWS, np.empty((3, 0))])
+    )
 
 
 def _put(rows: Rows, where: slice, new: Rows) -> None:
@@ -136,7 +146,9 @@ def _with_tight(easy: _Numbered, segments: Segments, place: Ints, trimmed: Trimm
     easy.number[rest] = np.arange(len(line)) + np.repeat(shift, np.diff(start, append=len(line)))
     easy.line[rest] = line
     _put(easy.rows, rest, trimmed.rows)
-    return easy._replace(rows=easy.rows._replace(lifted=trimmed.rows.lifted + rest.start, centre=trimmed.rows.centre))
+    return easy._replace(
+        rows=easy.rows._replace(lifted=trimmed.rows.lifted + rest.start, centre=trimmed.rows.centre)
+    )
 
 
 def _picked(rows: Rows, index: Ints) -> Rows:
@@ -151,13 +163,15 @@ def _picked(rows: Rows, index: Ints) -> Rows:
 
 
 def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools, Ints, Ints]:
-    """The rows, in that ``order``, that stand over what is cut and have a neighbour, and which of them begin a polyline. The
-    segments on their sides become ones that are cut. Then ``beside`` and ``wall`` of Closed: rows that were trimmed against a
-    segment that is not cut."""
+    """The rows, in that ``order``, that stand over what is cut and have a neighbour, and which of them begin
+    a polyline. The segments on their sides become ones that are cut. Then ``beside`` and ``wall`` of Closed:
+    rows that were trimmed against a segment that is not cut."""
     rows = found.rows
     left, right = cut.take(rows.left), cut.take(rows.right)
     border, stays = np.flatnonzero(left != right), cut.take(rows.base >> 1)
-    stays[border[(rows.w2[border] != 0.0) | (rows.w3[border] != 0.0)]] = False  # on its way round an edge to a left-out facet
+    stays[border[(rows.w2[border] != 0.0) | (rows.w3[border] != 0.0)]] = (
+        False  # on its way round an edge to a left-out facet
+    )
     kept = order[stays.take(order)]
     begins = row_begins(found.number.take(kept), found.line.take(kept))
     size = np.diff(np.flatnonzero(begins), append=len(kept))

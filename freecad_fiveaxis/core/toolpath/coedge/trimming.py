@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Offset polylines where the trims of concave junctions use up whole segments.
 
-crossing   where the line of one chord meets the plane of the other, both ways; both points lie on the line in which the two
-           planes cross, so the path between them keeps off both facets.
-used up    a chord whose trims from its two ends overlap. It is dropped and its neighbours are trimmed against each other:
-           the ball never touches what lay under it, because it already touches both sides.
+crossing   where the line of one chord meets the plane of the other, both ways; both points lie on the line in
+           which the two planes cross, so the path between them keeps off both facets.
+used up    a chord whose trims from its two ends overlap. It is dropped and its neighbours are trimmed against
+           each other: the ball never touches what lay under it, because it already touches both sides.
 
-Of neighbouring used-up chords the one that a smaller ball would use up first is dropped first, as the offset of a polygon
-shrinks; all that do not disturb each other are dropped in one round.
+Of neighbouring used-up chords the one that a smaller ball would use up first is dropped first, as the offset
+of a polygon shrinks; all that do not disturb each other are dropped in one round.
 """
 
 from __future__ import annotations
@@ -34,12 +34,14 @@ from .junction import (
 )
 
 ROUNDS = 1000
-"""A run of used-up chords is halved in most rounds; only one that tightens steadily needs a round for each chord."""
+"""A run of used-up chords is halved in most rounds; only one that tightens steadily needs a round for each
+chord."""
 
 
 class Trimmed(NamedTuple):
-    """``rows`` of the offset path in short form, each of polyline ``line``; segments that the ball may ``cut_into`` and
-    ``depth`` mm, above 0 where it does; segments that it does not reach, ``missed``, and ``height`` mm by which it stays off.
+    """``rows`` of the offset path in short form, each of polyline ``line``; segments that the ball may
+    ``cut_into`` and ``depth`` mm, above 0 where it does; segments that it does not reach, ``missed``, and
+    ``height`` mm by which it stays off.
     """
 
     rows: Rows
@@ -60,10 +62,16 @@ def find_used_up(segments: Segments, junctions: Junctions) -> Ints:
 
 
 def trim_polylines(
-    segments: Segments, junctions: Junctions, at: Ints, radius: float, tolerance: float, cut: Bools | None = None
+    segments: Segments,
+    junctions: Junctions,
+    at: Ints,
+    radius: float,
+    tolerance: float,
+    cut: Bools | None = None,
 ) -> Trimmed:
-    """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up. ``cut``: which
-    segments of the contact path are cut, None: all; where chords of one that is and one that is not meet, each has a row."""
+    """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up.
+    ``cut``: which segments of the contact path are cut, None: all; where chords of one that is and one that
+    is not meet, each has a row."""
     quarter = int(arcs_needed(np.array([0.5 * np.pi]), radius, tolerance)[0])
     chords = make_chords(segments, junctions, at, radius, quarter)
     _drop_used_up(chords)
@@ -72,7 +80,8 @@ def trim_polylines(
 
 
 def _drop_used_up(chords: Chords) -> None:
-    """Drop used-up chords, in rounds, until there are none; marks those that are left after all rounds as ``stuck``."""
+    """Drop used-up chords, in rounds, until there are none; marks those that are left after all rounds as
+    ``stuck``."""
     fresh, waiting = np.flatnonzero(chords.crosses & (chords.after >= 0)), np.empty(0, np.int64)
     marked = np.zeros(len(chords.at), bool)
     for _ in range(ROUNDS):
@@ -97,9 +106,9 @@ def _cross(chords: Chords, one: Ints) -> None:
 
 
 def _meets(chords: Chords, one: Ints, two: Ints, end: Floats, sense: float) -> Floats:
-    """Where line ``one`` goes below plane ``two`` when followed in ``sense`` towards its ``end``: the end itself where that
-    lies on the plane or above, or where the line comes up to it; nowhere (infinite) where the two planes face each other and
-    the line stays below."""
+    """Where line ``one`` goes below plane ``two`` when followed in ``sense`` towards its ``end``: the end
+    itself where that lies on the plane or above, or where the line comes up to it; nowhere (infinite) where
+    the two planes face each other and the line stays below."""
     tip = place_on(chords, one, end)
     height = dot(chords.normal.take(two, axis=1), tip - chords.origin.take(two, axis=1))
     falls = -sense * dot(chords.along.take(one, axis=1), chords.normal.take(two, axis=1))
@@ -112,16 +121,20 @@ def _meets(chords: Chords, one: Ints, two: Ints, end: Floats, sense: float) -> F
 def _first_to_go(chords: Chords, used: Ints) -> Ints:
     """Of the used-up chords those that go before any used-up neighbour.
 
-    Of two neighbours goes first the one that a smaller ball uses up; but where each is trimmed on one side only, as where
-    two arcs meet over a slot, the one that lies deeper below the plane of the other.
+    Of two neighbours goes first the one that a smaller ball uses up; but where each is trimmed on one side
+    only, as where two arcs meet over a slot, the one that lies deeper below the plane of the other.
     """
     trims = (chords.start[used] - chords.low[used]) + (chords.high[used] - chords.stop[used])
-    share = (chords.high[used] - chords.low[used]) / trims  # the part of the radius at which the chord is just used up
+    share = (
+        chords.high[used] - chords.low[used]
+    ) / trims  # the part of the radius at which the chord is just used up
     rank = np.full(len(chords.at), -1)
     rank[used[np.lexsort((chords.tie[used], share))]] = np.arange(len(used))
     one = used[(chords.after[used] >= 0) & (rank[chords.after[used]] >= 0)]
     two = chords.after[one]
-    single = ~(chords.crosses[chords.before[one]] & (chords.before[one] >= 0)) & ~(chords.crosses[two] & (chords.after[two] >= 0))
+    single = ~(chords.crosses[chords.before[one]] & (chords.before[one] >= 0)) & ~(
+        chords.crosses[two] & (chords.after[two] >= 0)
+    )
     single &= np.isfinite(chords.start[one]) & np.isfinite(chords.stop[two])
     gone = rank[one] < rank[two]
     one_high = height_above(chords, two, place_on(chords, one, np.where(single, chords.start[one], 0.0)))
@@ -135,7 +148,8 @@ def _first_to_go(chords: Chords, used: Ints) -> Ints:
 def _drop(chords: Chords, gone: Ints) -> Ints:
     """Take chords out; returns the chords that must now be trimmed against the one after them.
 
-    Beyond an open end nothing remains to trim against: the neighbour keeps the trim that the dropped chord gave it.
+    Beyond an open end nothing remains to trim against: the neighbour keeps the trim that the dropped chord
+    gave it.
     """
     before, after = chords.before[gone], chords.after[gone]
     chords.alive[gone] = False
@@ -150,9 +164,10 @@ def _drop(chords: Chords, gone: Ints) -> Ints:
 
 
 class _Spot(NamedTuple):
-    """Places on chords: ``t`` mm along ``chord``; ``ending`` True where the chord ends there; ``flat`` True where two offsets
-    that meet share one point; ``left`` and ``right`` segments on either side; ``fill`` as in OffsetPath; ``lift`` the chord
-    to whose start the path goes from here over a point above both planes, -1 for none."""
+    """Places on chords: ``t`` mm along ``chord``; ``ending`` True where the chord ends there; ``flat`` True
+    where two offsets that meet share one point; ``left`` and ``right`` segments on either side; ``fill`` as
+    in OffsetPath; ``lift`` the chord to whose start the path goes from here over a point above both planes,
+    -1 for none."""
 
     chord: Ints
     t: Floats
@@ -184,7 +199,8 @@ def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools |
 
 
 def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None) -> _Spot:
-    """Where each polyline begins, and for each chord: its end, a lifted point, and the start of the next, where needed."""
+    """Where each polyline begins, and for each chord: its end, a lifted point, and the start of the next,
+    where needed."""
     one = np.flatnonzero(chords.alive & ~chords.ghost)
     two = chords.after[one]
     opened = (two < 0) | chords.ghost[two]
@@ -210,7 +226,9 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
     used[first, 0] = True
     seam = [np.where(apart[last], b[last], a[last]) for a, b in zip(end, start, strict=True)]
     begin = _Spot(one, chords.start[one], ~yes, ~yes, left, left, ~yes, none)
-    head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(fill=~yes[first])
+    head = _Spot(*(np.where(opened[last], a[first], b) for a, b in zip(begin, seam, strict=True)))._replace(
+        fill=~yes[first]
+    )
     place = np.cumsum(used).reshape(used.shape) - 1
     over, on = np.flatnonzero(used[:, 2]), np.flatnonzero(apart)
     interleaved: list[Any] = []
@@ -223,8 +241,8 @@ def _spots(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools 
 
 
 def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
-    """Half-way from the end of chord ``one`` to the start of chord ``two``, moved out along the mean normal until it is
-    above the planes of both (between the two ends of a convex junction: the paper's p + R m)."""
+    """Half-way from the end of chord ``one`` to the start of chord ``two``, moved out along the mean normal
+    until it is above the planes of both (between the two ends of a convex junction: the paper's p + R m)."""
     middle = 0.5 * (place_on(chords, one, chords.stop[one]) + place_on(chords, two, chords.start[two]))
     mean = chords.normal.take(one, axis=1) + chords.normal.take(two, axis=1)
     mean /= np.sqrt(dot(mean, mean))
@@ -233,13 +251,16 @@ def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
 
 
 def _real_sides(chords: Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
-    """The nearest segments that are left before and after the end of each chord, round a seam, else the chord's own."""
+    """The nearest segments that are left before and after the end of each chord, round a seam, else the
+    chord's own."""
     n, row, real = len(one), np.arange(len(one)), chords.real[one]
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     size = np.diff(first, append=n)
     low, high = np.repeat(first, size), np.repeat(first + size - 1, size)
     before = np.maximum.accumulate(np.where(real, row, -1))
-    onward = np.append(np.minimum.accumulate(np.where(real, row, n)[::-1])[::-1], n)  # the first one from here
+    onward = np.append(
+        np.minimum.accumulate(np.where(real, row, n)[::-1])[::-1], n
+    )  # the first one from here
     after = onward[1:]
     closed = ~opened[high]
     before = np.where((before < low) & closed, before[high], before)
@@ -252,11 +273,12 @@ def _real_sides(chords: Chords, segments: Segments, one: Ints, opened: Bools) ->
 
 
 def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Ints, Floats]:
-    """Segments that the ball cuts into and how deep, mm; segments that were dropped and how far from each it stays, mm.
+    """Segments that the ball cuts into and how deep, mm; segments that were dropped and how far from each it
+    stays, mm.
 
-    Measured where two chords that did not meet before are trimmed against each other: from there to the nearest point of
-    their segments and of the segments dropped between them, and to the further end of the latter (infinite where nothing is
-    left of the polyline).
+    Measured where two chords that did not meet before are trimmed against each other: from there to the
+    nearest point of their segments and of the segments dropped between them, and to the further end of the
+    latter (infinite where nothing is left of the polyline).
     """
     gone = np.flatnonzero(~chords.alive & chords.real)
     heir = chords.heir
@@ -270,7 +292,10 @@ def _what_is_left(chords: Chords, segments: Segments) -> tuple[Ints, Floats, Int
     onward = np.where(head | (chords.after[heir] < 0), heir, chords.after[heir])
     stop = place_on(chords, heir, np.where(head, chords.start[heir], chords.stop[heir]))
     go = np.where(onward == heir, stop, place_on(chords, onward, chords.start[onward]))
-    near = [_to_segment(chords, segments, *pair) for pair in ((gone, stop), (gone, go), (onward, stop), (heir, go))]
+    near = [
+        _to_segment(chords, segments, *pair)
+        for pair in ((gone, stop), (gone, go), (onward, stop), (heir, go))
+    ]
     ends = [segments.point.take(2 * segments.live[chords.at[gone]] + side, axis=1) for side in (0, 1)]
     near += [_to_chord(chords, chord, end) for chord in (heir, onward) for end in ends]
     depth = chords.radius - np.min(near, axis=0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies from what is selected in the user's documents: what carries them, where the machine's zero lies, and how fine they are.
+"""Bodies from what is selected in the user's documents: what carries them, where the machine's zero lies, and
+how fine they are.
 
 own       the editor's empty document, in which nothing can be selected.
 before    the document that was active before it: the one whose solids are meant, as a rule.
@@ -25,7 +26,8 @@ from .table import show_items
 
 
 class AttachFields(QtCore.QObject):
-    """``group`` is what to show. ``found`` gives labels and meshes (mm, machine frame), ``refused`` what to do instead."""
+    """``group`` is what to show. ``found`` gives labels and meshes (mm, machine frame), ``refused`` what to
+    do instead."""
 
     found = QtCore.Signal(object)
     refused = QtCore.Signal(str)
@@ -33,7 +35,9 @@ class AttachFields(QtCore.QObject):
     def __init__(self) -> None:
         super().__init__()
         self.own = self.before = ""
-        self.group = FoldingGroup("attach", translate("FiveAxis", "From a document"), "machine-editor_attach", False)
+        self.group = FoldingGroup(
+            "attach", translate("FiveAxis", "From a document"), "machine-editor_attach", False
+        )
         self.fields: dict[str, Field] = {field.name: field for field in _fields()}
         self.button = QtWidgets.QPushButton(translate("FiveAxis", "Attach the selected solid"))
         self.button.setObjectName("attach")
@@ -49,13 +53,15 @@ class AttachFields(QtCore.QObject):
         return str(self.fields["attach_carrier"].value() or BASE)
 
     def show_carriers(self, items: Sequence[tuple[str, str]]) -> None:
-        """Offer these carriers, value and text; the one that is chosen stays so while there is one of its name."""
+        """Offer these carriers, value and text; the one that is chosen stays so while there is one of its
+        name."""
         chosen = self.carrier
         show_items(self.fields["attach_carrier"], items)
         self.fields["attach_carrier"].show_value(chosen if chosen in dict(items) else BASE)
 
     def stand_beside(self, own: str, before: str) -> None:
-        """Name the editor's document, and the one that was active before; points may be picked in documents opened later, too."""
+        """Name the editor's document, and the one that was active before; points may be picked in documents
+        opened later, too."""
         self.own, self.before = own, before
         button = self.fields["machine_zero"].button
         button.setEnabled(True)
@@ -87,12 +93,14 @@ class AttachFields(QtCore.QObject):
         if not documents:
             return str(translate(
                 "FiveAxis",
-                "No document of yours is open: open the one that holds the solid, select it there, and press this again.",
+                "No document of yours is open: open the one that holds the solid, select it there, and press "
+                "this again.",
             ))  # fmt: skip
         doc = documents.get(self.before) or next(iter(documents.values()))
         text = translate(
             "FiveAxis",
-            "Nothing is selected: select solids, meshes, parts or links of “{}” in the tree or a view, then press this again.",
+            "Nothing is selected: select solids, meshes, parts or links of “{}” in the tree or a view, then "
+            "press this again.",
         )
         return str(text.format(doc.Label))
 
@@ -104,7 +112,8 @@ class AttachFields(QtCore.QObject):
 def _hint() -> Any:
     label = QtWidgets.QLabel(translate(
         "FiveAxis",
-        "Select solids, meshes, parts or links in any document. Its coordinates are taken for the machine's, with all axes at "
+        "Select solids, meshes, parts or links in any document. Its coordinates are taken for the machine's, "
+        "with all axes at "
         "zero. Saving writes them as STL files beside the machine's file.",
     ))  # fmt: skip
     label.setObjectName("attach_hint")
@@ -114,10 +123,13 @@ def _hint() -> Any:
 
 def _fields() -> list[Field]:
     deviation = QuantityField("attach_deviation", "length", translate(
-        "FiveAxis", "About how far facets may lie beside the solid; a clearance makes up for it"))  # fmt: skip
+        "FiveAxis",
+        "About how far facets may lie beside the solid; a clearance makes up for it"))  # fmt: skip
     deviation.show_value(0.1)
     return [
-        ChoiceField("attach_carrier", [], translate("FiveAxis", "The axis that moves what is attached, or the spindle")),
-        PointField("machine_zero", translate("FiveAxis", "The point of the document that is the machine's zero")),
+        ChoiceField("attach_carrier", [], translate("FiveAxis", "The axis that moves what is attached, or "
+            "the spindle")),
+        PointField("machine_zero", translate("FiveAxis", "The point of the document that is the machine's "
+            "zero")),
         deviation,
     ]  # fmt: skip

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The axes of a draft: a table of all from the work to the tool, and the fields of the one that is chosen there."""
+"""The axes of a draft: a table of all from the work to the tool, and the fields of the one that is chosen
+there."""
 
 from __future__ import annotations
 
@@ -26,14 +27,16 @@ from .table import Table, buttons_row, show_items, tool_button
 
 LETTERS = ("X", "Y", "Z", "A", "B", "C")
 CHANGES = {
-    "axis_letter": "letter", "axis_side": "side", "axis_direction": "direction", "axis_point": "point", "axis_low": "low",
+    "axis_letter": "letter", "axis_side": "side", "axis_direction": "direction", "axis_point": "point",
+    "axis_low": "low",
     "axis_high": "high", "axis_rate": "max_rate",
 }  # fmt: skip
 """What each field is of an axis."""
 
 
 class AxesEditor(QtCore.QObject):
-    """``group`` is what to show; ``draft`` the machine as it stands. ``edited`` tells that the user changed it."""
+    """``group`` is what to show; ``draft`` the machine as it stands. ``edited`` tells that the user changed
+    it."""
 
     edited = QtCore.Signal()
 
@@ -79,7 +82,11 @@ class AxesEditor(QtCore.QObject):
     @property
     def axis(self) -> AxisDraft | None:
         """The chosen axis."""
-        return self.draft.axes[self.at] if self.draft is not None and 0 <= self.at < len(self.draft.axes) else None
+        return (
+            self.draft.axes[self.at]
+            if self.draft is not None and 0 <= self.at < len(self.draft.axes)
+            else None
+        )
 
     def show_draft(self, draft: MachineDraft, at: int | None = None) -> None:
         """Show a draft, its axis ``at`` chosen; None: the same row as before."""
@@ -111,7 +118,9 @@ class AxesEditor(QtCore.QObject):
         draft = self.draft
         self.buttons["remove"].setEnabled(axis is not None)
         for name, step in (("up", -1), ("down", 1)):
-            self.buttons[name].setEnabled(axis is not None and draft is not None and move_axis(draft, self.at, step) != draft)
+            self.buttons[name].setEnabled(
+                axis is not None and draft is not None and move_axis(draft, self.at, step) != draft
+            )
 
     def _show(self, axis: AxisDraft) -> None:
         fields, kind = self.fields, "angle" if axis.rotary else "length"
@@ -181,7 +190,13 @@ def _cells(axis: AxisDraft) -> tuple[str, ...]:
     rate = translate("FiveAxis", "not given")
     if axis.max_rate is not None:
         rate = f"{axis.max_rate:g}{TURNS_A_MINUTE}" if axis.rotary else feed_text(axis.max_rate)
-    return axis.letter, side_label(axis.side), measure_text(axis.low, axis.rotary), measure_text(axis.high, axis.rotary), rate
+    return (
+        axis.letter,
+        side_label(axis.side),
+        measure_text(axis.low, axis.rotary),
+        measure_text(axis.high, axis.rotary),
+        rate,
+    )
 
 
 def _buttons() -> dict[str, Any]:
@@ -189,7 +204,8 @@ def _buttons() -> dict[str, Any]:
     add.setPopupMode(QtWidgets.QToolButton.InstantPopup)
     return {
         "add": add,
-        "remove": tool_button("axis_remove", translate("FiveAxis", "Remove"), translate("FiveAxis", "Remove the chosen axis")),
+        "remove": tool_button("axis_remove", translate("FiveAxis", "Remove"),
+            translate("FiveAxis", "Remove the chosen axis")),
         "up": tool_button(
             "axis_up", "↑", translate("FiveAxis", "Nearer to the work, past its neighbour on the same side")
         ),
@@ -210,7 +226,8 @@ def _fields() -> list[Field]:
         ChoiceField("axis_letter", [], translate("FiveAxis", "X, Y and Z are linear, A, B and C rotary")),
         ChoiceField("axis_side", sides, translate("FiveAxis", "What the axis moves")),
         DirectionField("axis_direction", translate(
-            "FiveAxis", "Along or about which a positive word moves the tool relative to the work (ISO 841)")),
+            "FiveAxis",
+            "Along or about which a positive word moves the tool relative to the work (ISO 841)")),
         TripleField("axis_point", "point", translate(
             "FiveAxis", "Any point of the rotary axis's line in machine coordinates, with all axes at zero")),
         OpenField("axis_low", none, -math.inf, limit),

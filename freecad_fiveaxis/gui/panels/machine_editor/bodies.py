@@ -10,7 +10,18 @@ from freecad_fiveaxis.app import wording
 from freecad_fiveaxis.core.base.errors import FiveAxisError
 from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Vector
-from freecad_fiveaxis.core.machine.bodies import BASE, BOX, CONE, CYLINDER, FILE, POINTS, RADII, SPHERE, SPINDLE, MachineBody
+from freecad_fiveaxis.core.machine.bodies import (
+    BASE,
+    BOX,
+    CONE,
+    CYLINDER,
+    FILE,
+    POINTS,
+    RADII,
+    SPHERE,
+    SPINDLE,
+    MachineBody,
+)
 from freecad_fiveaxis.core.machine.editing import AttachedMeshes, MachineDraft, attach_bodies
 from freecad_fiveaxis.gui.panels.fields import ChoiceField, Field, QuantityField, TextField
 from freecad_fiveaxis.gui.panels.files import FileField, all_files
@@ -27,8 +38,8 @@ HALF, TALL = 50.0, 50.0
 
 
 class BodiesEditor(QtCore.QObject):
-    """``group`` is what to show; ``draft`` the machine as it stands, with the meshes ``attached``. ``edited`` tells that the user
-    changed it, ``refused`` why that cannot be."""
+    """``group`` is what to show; ``draft`` the machine as it stands, with the meshes ``attached``. ``edited``
+    tells that the user changed it, ``refused`` why that cannot be."""
 
     edited = QtCore.Signal()
     refused = QtCore.Signal(str)
@@ -39,10 +50,16 @@ class BodiesEditor(QtCore.QObject):
         self.draft: MachineDraft | None = None
         self.filling = False
         self.group = FoldingGroup("bodies", translate("FiveAxis", "Bodies"), "machine-editor_bodies", False)
-        heads = (translate("FiveAxis", "Name"), translate("FiveAxis", "Carried by"), translate("FiveAxis", "Shape"))
+        heads = (
+            translate("FiveAxis", "Name"),
+            translate("FiveAxis", "Carried by"),
+            translate("FiveAxis", "Shape"),
+        )
         self.table = Table("bodies_table", translate("FiveAxis", "Bodies that the tool must not hit"), heads)
         self.add = tool_button("body_add", translate("FiveAxis", "Add"), translate("FiveAxis", "Add a body"))
-        self.remove = tool_button("body_remove", translate("FiveAxis", "Remove"), translate("FiveAxis", "Remove the chosen body"))
+        self.remove = tool_button(
+            "body_remove", translate("FiveAxis", "Remove"), translate("FiveAxis", "Remove the chosen body")
+        )
         self.fields: dict[str, Field] = {field.name: field for field in _fields()}
         self.group.body.add_wide(self.table)
         self.group.body.add_wide(buttons_row(self.add, self.remove))
@@ -95,7 +112,9 @@ class BodiesEditor(QtCore.QObject):
         carriers = [(one, carrier_label(one)) for one in (BASE, *draft.letters(), SPINDLE)]
         show_items(self.fields["body_carrier"], carriers)
         self.attach.show_carriers(carriers)
-        shown = {"body_name", "body_carrier", "body_clearance"} | (self._sizes(body) if body is not None else set())
+        shown = {"body_name", "body_carrier", "body_clearance"} | (
+            self._sizes(body) if body is not None else set()
+        )
         for name, row in self.rows.items():
             for widget in row:
                 widget.setVisible(body is not None and name in shown)
@@ -155,7 +174,8 @@ def new_body(draft: MachineDraft, shape: str) -> MachineBody:
     top = draft.table or 0.0
     low, high = (x, y, top - TALL), (x, y, top)
     points: dict[str, tuple[Vector, ...]] = {
-        BOX: ((x - HALF, y - HALF, top - TALL), (x + HALF, y + HALF, top)), CYLINDER: (low, high), CONE: (low, high),
+        BOX: ((x - HALF, y - HALF, top - TALL), (x + HALF, y + HALF, top)), CYLINDER: (low, high),
+        CONE: (low, high),
         SPHERE: ((x, y, top - HALF),), FILE: (),
     }  # fmt: skip
     radii = {BOX: (), CYLINDER: (HALF,), CONE: (HALF, 0.5 * HALF), SPHERE: (HALF,), FILE: ()}
@@ -165,7 +185,8 @@ def new_body(draft: MachineDraft, shape: str) -> MachineBody:
 def shape_label(shape: str) -> str:
     """What a shape is called."""
     labels = {
-        BOX: translate("FiveAxis", "box"), CYLINDER: translate("FiveAxis", "cylinder"), CONE: translate("FiveAxis", "cone"),
+        BOX: translate("FiveAxis", "box"), CYLINDER: translate("FiveAxis", "cylinder"),
+        CONE: translate("FiveAxis", "cone"),
         SPHERE: translate("FiveAxis", "sphere"), FILE: translate("FiveAxis", "STL file"),
     }  # fmt: skip
     return str(labels[shape])
@@ -173,7 +194,10 @@ def shape_label(shape: str) -> str:
 
 def carrier_label(carrier: str) -> str:
     """What carries a body, in a word."""
-    labels = {BASE: translate("FiveAxis", "nothing, it stands still"), SPINDLE: translate("FiveAxis", "the spindle")}
+    labels = {
+        BASE: translate("FiveAxis", "nothing, it stands still"),
+        SPINDLE: translate("FiveAxis", "the spindle"),
+    }
     return str(labels.get(carrier, carrier))
 
 
@@ -198,10 +222,16 @@ def _changed(body: MachineBody, name: str, value: Any) -> MachineBody:
     points, radii = POINTS.get(body.shape, ()), RADII.get(body.shape, ())
     if key in points:
         return replace(
-            body, points=tuple(tuple(value) if key == one else old for one, old in zip(points, body.points, strict=True))
+            body,
+            points=tuple(
+                tuple(value) if key == one else old for one, old in zip(points, body.points, strict=True)
+            ),
         )
     if key in radii:
-        return replace(body, radii=tuple(value if key == one else old for one, old in zip(radii, body.radii, strict=True)))
+        return replace(
+            body,
+            radii=tuple(value if key == one else old for one, old in zip(radii, body.radii, strict=True)),
+        )
     return replace(body, **{key: value})
 
 
@@ -210,7 +240,8 @@ def _fields() -> list[Field]:
     stl = ";;".join([translate("FiveAxis", "Meshes (*.stl)"), all_files()])
     return [
         TextField("body_name", translate("FiveAxis", "What findings call the body")),
-        ChoiceField("body_carrier", [], translate("FiveAxis", "The axis of the table that it moves with, or the spindle")),
+        ChoiceField("body_carrier", [], translate("FiveAxis", "The axis of the table that it moves with, or "
+            "the spindle")),
         TripleField("body_low", "point", place),
         TripleField("body_high", "point", place),
         TripleField("body_centre", "point", place),
@@ -219,5 +250,6 @@ def _fields() -> list[Field]:
         QuantityField("body_high_radius", "length"),
         FileField("body_file", translate("FiveAxis", "Choose the mesh of the body"), stl,
                   translate("FiveAxis", "An STL in mm, in machine coordinates with all axes at zero")),
-        QuantityField("body_clearance", "length", translate("FiveAxis", "What comes nearer to it than this is told; 0: nothing")),
+        QuantityField("body_clearance", "length", translate("FiveAxis", "What comes nearer to it than this "
+            "is told; 0: nothing")),
     ]  # fmt: skip

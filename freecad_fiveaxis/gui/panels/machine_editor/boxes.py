@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fields of the machine editor: a measure that may be left open, a rate of either kind of axis, a direction."""
+"""Fields of the machine editor: a measure that may be left open, a rate of either kind of axis, a
+direction."""
 
 from __future__ import annotations
 
@@ -16,7 +17,8 @@ TURNS_A_MINUTE = " °/min"
 
 
 class OpenBox(MeasureBox):
-    """A measure, or a ``word`` for none: beyond UNLIMITED mm or degrees, on the side of ``sign``, as machine files write it."""
+    """A measure, or a ``word`` for none: beyond UNLIMITED mm or degrees, on the side of ``sign``, as machine
+    files write it."""
 
     word, sign = "", 1.0  # Qt asks what it shows before they are given
 
@@ -46,11 +48,14 @@ class OpenBox(MeasureBox):
 
 
 class OpenField(Field):
-    """A length (mm) or an angle (degrees) that may be left open: ``opened`` then, None or an infinity. ``word``: what says so."""
+    """A length (mm) or an angle (degrees) that may be left open: ``opened`` then, None or an infinity.
+    ``word``: what says so."""
 
     def __init__(self, name: str, word: str, opened: float | None, hint: str) -> None:
         self.opened = opened
-        super().__init__(name, OpenBox("length", word, math.copysign(1.0, -1.0 if opened is None else opened)), hint)
+        super().__init__(
+            name, OpenBox("length", word, math.copysign(1.0, -1.0 if opened is None else opened)), hint
+        )
         self._given, self._shown = 0.0, 0.0
         self.editor.valueChanged.connect(self._changed)
 
@@ -109,8 +114,12 @@ class DirectionField(TripleField):
     def value(self) -> list[float]:
         """Three numbers."""
         numbers = [part.editor.value() for part in self.parts]
-        rounded = [round(one, part.editor.decimals()) for one, part in zip(self._given, self.parts, strict=True)]
-        return [old if new == near else new for old, new, near in zip(self._given, numbers, rounded, strict=True)]
+        rounded = [
+            round(one, part.editor.decimals()) for one, part in zip(self._given, self.parts, strict=True)
+        ]
+        return [
+            old if new == near else new for old, new, near in zip(self._given, numbers, rounded, strict=True)
+        ]
 
     def show_value(self, value: Sequence[float] | None) -> None:
         """Three numbers."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a draft says of the machine as a whole: its name, its controller, and where gauge point, work zero and table are."""
+"""What a draft says of the machine as a whole: its name, its controller, and where gauge point, work zero and
+table are."""
 
 from __future__ import annotations
 
@@ -58,16 +59,20 @@ class GeneralFields(QtCore.QObject):
 
 
 def _fields() -> list[Field]:
-    controller = controller_field("machine_controller", translate("FiveAxis", "The controller that its programs are for"))
+    controller = controller_field(
+        "machine_controller", translate("FiveAxis", "The controller that its programs are for")
+    )
     controller.editor.setItemText(0, translate("FiveAxis", "not given"))
     return [
         TextField("machine_name", translate("FiveAxis", "What the lists call the machine")),
         TextField("machine_description", translate("FiveAxis", "A line about it")),
         controller,
         TripleField("gauge_point", "point", translate(
-            "FiveAxis", "Where the spindle's gauge point, from which tools are measured, is with all axes at zero")),
+            "FiveAxis",
+            "Where the spindle's gauge point, from which tools are measured, is with all axes at zero")),
         TripleField("machine_origin", "point", translate(
             "FiveAxis", "Where the work zero usually lies, in machine coordinates with all axes at zero")),
         OpenField("table_height", translate("FiveAxis", "not known"), None, translate(
-            "FiveAxis", "Z of the face that parts are clamped on, in machine coordinates with all axes at zero")),
+            "FiveAxis",
+            "Z of the face that parts are clamped on, in machine coordinates with all axes at zero")),
     ]  # fmt: skip

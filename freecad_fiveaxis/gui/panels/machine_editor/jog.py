@@ -19,7 +19,8 @@ TURN, TRAVEL = 360.0, 500.0
 
 
 class JogSliders(QtCore.QObject):
-    """``group`` is what to show; ``joints``: where the axes stand, mm and degrees by their letters. ``moved`` tells of a move."""
+    """``group`` is what to show; ``joints``: where the axes stand, mm and degrees by their letters. ``moved``
+    tells of a move."""
 
     moved = QtCore.Signal()
 
@@ -43,7 +44,10 @@ class JogSliders(QtCore.QObject):
         known = {axis.letter: axis for axis in draft.axes}
         self.ends = {letter: _ends(axis) for letter, axis in known.items()}
         self.rotary = {letter: axis.rotary for letter, axis in known.items()}
-        self.joints = {letter: min(max(self.joints.get(letter, 0.0), low), high) for letter, (low, high) in self.ends.items()}
+        self.joints = {
+            letter: min(max(self.joints.get(letter, 0.0), low), high)
+            for letter, (low, high) in self.ends.items()
+        }
         for letter, row in self.rows.items():
             row.widget.setVisible(letter in known)
             if letter in known:
@@ -76,7 +80,11 @@ class _Row:
     """The letter, the slider and where the axis stands."""
 
     def __init__(self, letter: str) -> None:
-        self.widget, self.slider, self.text = QtWidgets.QWidget(), QtWidgets.QSlider(QtCore.Qt.Horizontal), QtWidgets.QLabel()
+        self.widget, self.slider, self.text = (
+            QtWidgets.QWidget(),
+            QtWidgets.QSlider(QtCore.Qt.Horizontal),
+            QtWidgets.QLabel(),
+        )
         self.slider.setObjectName(f"jog_{letter}")
         self.slider.setAccessibleName(translate("FiveAxis", "Axis {letter}").format(letter=letter))
         self.slider.setRange(0, STEPS)

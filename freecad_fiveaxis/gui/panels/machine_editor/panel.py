@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of the machine editor: what to start from, the machine, its axes and bodies, and the file that it is written to.
+"""The panel of the machine editor: what to start from, the machine, its axes and bodies, and the file that it
+is written to.
 
 picture   the machine as it stood when it last was right, in a 3D view of its own; the sliders move it.
-draft     the machine as the fields say it, right or wrong. What is wrong with it is shown as soon as the typing pauses.
-kept      the draft as it was opened or written last: only what differs from it is asked about before the panel closes.
+draft     the machine as the fields say it, right or wrong. What is wrong with it is shown as soon as the
+          typing pauses.
+kept      the draft as it was opened or written last: only what differs from it is asked about before the
+          panel closes.
 document  an empty one that is open only while the panel is. The user's own documents are never touched.
 """
 
@@ -40,11 +43,13 @@ COLOURS = {Severity.ERROR: "#d0342c", Severity.WARNING: "#b06000", Severity.NOTE
 
 
 class EditorPanel:
-    """A task panel. ``draft`` and ``kept`` as at the head of the module; ``machine``: what the draft makes, None while it makes
-    none; ``written``: the file that was written last."""
+    """A task panel. ``draft`` and ``kept`` as at the head of the module; ``machine``: what the draft makes,
+    None while it makes none; ``written``: the file that was written last."""
 
     def __init__(self, machine: str) -> None:
-        self.start = MachineField("start_from", translate("FiveAxis", "The machine whose values are changed; it stays as it is"))
+        self.start = MachineField(
+            "start_from", translate("FiveAxis", "The machine whose values are changed; it stays as it is")
+        )
         self.attached = AttachedMeshes()
         self.general, self.axes, self.bodies = GeneralFields(), AxesEditor(), BodiesEditor(self.attached)
         self.jog, self.target = JogSliders(), new_machine()
@@ -126,7 +131,9 @@ class EditorPanel:
     def _start_elsewhere(self) -> None:
         machine = self.start.value()
         if not self.filling and machine != self.opened:
-            later(lambda: self._start_from(machine))  # a question must not stand in the way of the list that closes
+            later(
+                lambda: self._start_from(machine)
+            )  # a question must not stand in the way of the list that closes
 
     def _start_from(self, machine: str) -> None:
         if not self.changed or self._agreed():
@@ -179,7 +186,8 @@ class EditorPanel:
             self.picture.move(self.jog.joints)
 
     def _come_to_front(self) -> None:
-        """Show the machine's picture again, behind which the user's document came when something was selected there."""
+        """Show the machine's picture again, behind which the user's document came when something was selected
+        there."""
         if self.document in FreeCAD.listDocuments():
             FreeCADGui.setActiveDocument(self.document)
 
@@ -187,7 +195,7 @@ class EditorPanel:
         if self.document:
             later(lambda: fit(self.document))
 
-    # ------------------------------------------------------------------------------------------ what is wrong with it
+    # ---------------------------------------------------------------------------------- what is wrong with it
 
     def judge(self) -> None:
         """Say what is wrong with the machine and what it leaves open."""
@@ -195,8 +203,12 @@ class EditorPanel:
         self.machine, problems = editing.check(self.draft, self.names)
         lines = [(COLOURS[one.severity], wording.localize(one.text)) for one in problems]
         if self.written and not self.changed:
-            lines.insert(0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written)))
-        self._write(lines or [(COLOURS[Severity.NOTE], translate("FiveAxis", "Nothing is wrong with this machine."))])
+            lines.insert(
+                0, (COLOURS[Severity.NOTE], translate("FiveAxis", "Written: {}").format(self.written))
+            )
+        self._write(
+            lines or [(COLOURS[Severity.NOTE], translate("FiveAxis", "Nothing is wrong with this machine."))]
+        )
         self._enable()
         self.jog.show_draft(self.draft)
         self._draw()
@@ -205,7 +217,9 @@ class EditorPanel:
         self._write([(COLOURS[Severity.ERROR], text)])
 
     def _write(self, lines: list[tuple[str, str]]) -> None:
-        self.findings.setText("<br>".join(f'<span style="color: {colour}">{html.escape(text)}</span>' for colour, text in lines))
+        self.findings.setText(
+            "<br>".join(f'<span style="color: {colour}">{html.escape(text)}</span>' for colour, text in lines)
+        )
         self.findings_area.updateGeometry()
 
     def _enable(self) -> None:
@@ -221,7 +235,7 @@ class EditorPanel:
             return False
         return True
 
-    # ------------------------------------------------------------------------------------------ what the user does
+    # ------------------------------------------------------------------------------------- what the user does
 
     def save(self) -> bool:
         """Write the machine as a new file; whether that went well."""
@@ -293,7 +307,8 @@ def _button(name: str, text: str) -> Any:
 
 
 def create() -> EditorPanel:
-    """Open the panel; it starts from the machine of the preferences, or from a shipped one where that cannot be read."""
+    """Open the panel; it starts from the machine of the preferences, or from a shipped one where that cannot
+    be read."""
     from freecad_fiveaxis.app import preferences
     from freecad_fiveaxis.core.machine import shipped_machines
 

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine of a draft in a 3D view: its bodies, a sketch of what has none, and its axes, moved by the joints.
+"""The machine of a draft in a 3D view: its bodies, a sketch of what has none, and its axes, moved by the
+joints.
 
-part, tool   a cube on the table and a plain cutter, made up: they show what moves, and are as large as the machine has room for.
-lines        a rotary axis is drawn through its point, a linear one from the tip; the letter stands at the positive end.
+part, tool   a cube on the table and a plain cutter, made up: they show what moves, and are as large as the
+             machine has room for.
+lines        a rotary axis is drawn through its point, a linear one from the tip; the letter stands at the
+             positive end.
 """
 
 from __future__ import annotations
@@ -27,7 +30,8 @@ from freecad_fiveaxis.gui.scene import nodes
 from freecad_fiveaxis.gui.scene.on_screen import Label, Labels
 
 USUAL_HEIGHT, LEAST, MOST = 150.0, 10.0, 100.0
-"""mm: from the table to the gauge point where that is not known; the smallest and the largest part and tool."""
+"""mm: from the table to the gauge point where that is not known; the smallest and the largest part and
+tool."""
 SLIM = 0.08
 """Radius of the tool, in lengths of it."""
 REACH = 2.5
@@ -42,7 +46,8 @@ DASHES = 0x3FF3
 
 
 class MachinePicture:
-    """Nodes in a view's scene ``graph``. ``shown``: the machine that is drawn, None as long as none could be."""
+    """Nodes in a view's scene ``graph``. ``shown``: the machine that is drawn, None as long as none could
+    be."""
 
     def __init__(self, graph: Any) -> None:
         self.root = nodes.separate(nodes.unpickable())
@@ -54,8 +59,8 @@ class MachinePicture:
         graph.addChild(self.root)
 
     def show(self, machine: Machine, joints: Mapping[str, float]) -> None:
-        """Draw a machine whose axes stand at ``joints``, mm and degrees by their letters. Raises FiveAxisError for a body whose
-        file is no mesh; then the picture stays."""
+        """Draw a machine whose axes stand at ``joints``, mm and degrees by their letters. Raises
+        FiveAxisError for a body whose file is no mesh; then the picture stays."""
         model = _Model(machine)
         self.root.removeAllChildren()
         self.root.addChild(nodes.unpickable())
@@ -80,7 +85,8 @@ class MachinePicture:
 
 
 class _Model:
-    """One machine's nodes below ``root``. ``zero`` (5,): the words at which all joints are at zero, mm and degrees."""
+    """One machine's nodes below ``root``. ``zero`` (5,): the words at which all joints are at zero, mm and
+    degrees."""
 
     def __init__(self, machine: Machine) -> None:
         room = USUAL_HEIGHT if machine.table is None else machine.gauge_point[2] - machine.table
@@ -91,7 +97,10 @@ class _Model:
         self.zero = zero_words(machine, setup, self.kinematics)
         table = None if machine.table is None else machine.table - machine.origin[2]
         foot = np.array([0.0, 0.0, table or 0.0])
-        self.low, self.high = foot - self.size * np.array([0.5, 0.5, 0.0]), foot + self.size * np.array([0.5, 0.5, 0.6])
+        self.low, self.high = (
+            foot - self.size * np.array([0.5, 0.5, 0.0]),
+            foot + self.size * np.array([0.5, 0.5, 0.6]),
+        )
         standing = stand_bodies(machine, setup, self.kinematics, setup.tool_length)
         tool = ToolRoom(setup.tool_length, SLIM * setup.tool_length)
         sketched = sketch(self.kinematics, self.low, self.high, tool, table)
@@ -134,14 +143,17 @@ class _Model:
         self.labels.move(ends[:, 1])
 
     def _ends(self, placed: Mapping[str, np.ndarray]) -> np.ndarray:
-        """Both ends (n, 2, 3) of the line of each axis: of a rotary one on either side of where it is nearest to the part."""
+        """Both ends (n, 2, 3) of the line of each axis: of a rotary one on either side of where it is nearest
+        to the part."""
         tip = placed["machine_from_tool"][:3, 3]
         work = placed["machine_from_work"]
         part = work[:3, :3] @ (0.5 * (self.low + self.high)) + work[:3, 3]
         along, point = placed["line_direction"], placed["line_point"]
         middle = point + ((part - point) * along).sum(axis=1, keepdims=True) * along
         reach = REACH * self.size
-        linear = np.stack([np.broadcast_to(tip, (3, 3)), tip + 0.5 * reach * self.kinematics.direction[:3]], axis=1)
+        linear = np.stack(
+            [np.broadcast_to(tip, (3, 3)), tip + 0.5 * reach * self.kinematics.direction[:3]], axis=1
+        )
         rotary = np.stack([middle - reach * along, middle + reach * along], axis=1)
         return np.concatenate([linear, rotary])[: len(self.letters)]
 

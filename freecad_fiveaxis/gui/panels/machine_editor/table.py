@@ -63,7 +63,9 @@ class Table(QtWidgets.QTableWidget):
     def _fit(self) -> None:
         self.resizeColumnsToContents()
         shown = min(max(self.rowCount(), 1), ROWS)
-        height = self.horizontalHeader().sizeHint().height() + shown * self.verticalHeader().defaultSectionSize()
+        height = (
+            self.horizontalHeader().sizeHint().height() + shown * self.verticalHeader().defaultSectionSize()
+        )
         self.setFixedHeight(height + self.horizontalScrollBar().sizeHint().height() + 2 * self.frameWidth())
 
 
@@ -90,7 +92,8 @@ def buttons_row(*buttons: Any) -> Any:
 
 
 def show_items(field: Any, items: Sequence[tuple[str, str]]) -> None:
-    """Give a ChoiceField these items, value and text, and no others; whoever calls shows the value, and hears of it himself."""
+    """Give a ChoiceField these items, value and text, and no others; whoever calls shows the value, and hears
+    of it himself."""
     field.editor.clear()
     for value, text in items:
         field.editor.addItem(text, value)
