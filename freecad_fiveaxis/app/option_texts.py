@@ -26,26 +26,22 @@ TEXTS = {
     "from_": QT_TRANSLATE_NOOP(
         "App::Property",
         "Where constant-scallop and morph passes begin: border (of the region), X,Y,Z of a point, or a CSV "
-        "file with the "
-        "points of a curve (or these, a ; between two)",
+        "file with the points of a curve (or these, a ; between two)",
     ),
     "to": QT_TRANSLATE_NOOP(
         "App::Property",
         "Where morph passes end: border (of the region), X,Y,Z of a point, or a CSV file with the points of "
-        "a curve (or these, "
-        "a ; between two)",
+        "a curve (or these, a ; between two)",
     ),
     "pass_centre": QT_TRANSLATE_NOOP(
         "App::Property",
         "Point of the axis that radial passes radiate from and rotary ones turn about: X,Y,Z, or middle (of "
-        "what is cut; rotary: "
-        "of the machine's only rotary axis, else of the part)",
+        "what is cut; rotary: of the machine's only rotary axis, else of the part)",
     ),
     "pass_axis": QT_TRANSLATE_NOOP(
         "App::Property",
         "Direction I, J, K of the axis of radial and rotary passes; 0, 0, 0: Z; rotary: the machine's only "
-        "rotary axis, else the "
-        "part's longest side",
+        "rotary axis, else the part's longest side",
     ),
     "rotary_by": QT_TRANSLATE_NOOP(
         "App::Property", "Rings around the rotary axis, which spiral passes make one helix, or lines along it"
@@ -57,8 +53,7 @@ TEXTS = {
     "boundary": QT_TRANSLATE_NOOP(
         "App::Property",
         "CSV file of closed curves at which the passes end: X,Y,Z in mm a line, in the frame of the work "
-        "zero, a blank line "
-        "between two (or the lines themselves, a ; between two)",
+        "zero, a blank line between two (or the lines themselves, a ; between two)",
     ),
     "boundary_axis": QT_TRANSLATE_NOOP("App::Property", "Direction I, J, K along which the boundary is seen"),
     "boundary_by": QT_TRANSLATE_NOOP("App::Property", "What stays inside the boundary: the contact, or the "
@@ -85,14 +80,12 @@ TEXTS = {
     "steep_shallow": QT_TRANSLATE_NOOP(
         "App::Property",
         "Where the surface is steeper than this from the horizontal, level planes are cut instead of the "
-        "passes chosen; "
-        "0: nowhere",
+        "passes chosen; 0: nowhere",
     ),
     "max_axis_angle": QT_TRANSLATE_NOOP(
         "App::Property",
         "Surfaces steeper than this are not machined; with auto no tool axis leans more. 0: 90 deg; with "
-        "auto all that the "
-        "machine reaches above its table",
+        "auto all that the machine reaches above its table",
     ),
     "cutter": QT_TRANSLATE_NOOP("App::Property", "Shape and sizes of the cutter"),
     "coedge_tolerance": QT_TRANSLATE_NOOP(
@@ -147,8 +140,7 @@ TEXTS = {
     "rtcp": QT_TRANSLATE_NOOP(
         "App::Property",
         "Tool centre point control (RTCP, TCPM, TRAORI): the controller guides the tip itself; off: the "
-        "program gives the "
-        "positions of all axes",
+        "program gives the positions of all axes",
     ),
     "high_speed": QT_TRANSLATE_NOOP(
         "App::Property", "High-speed mode of the controller, with the tolerance given as corner rounding"
@@ -165,8 +157,7 @@ TEXTS = {
     "rapids": QT_TRANSLATE_NOOP(
         "App::Property",
         "How the controller drives its axes in a rapid: all together, each at its own rate, or unknown; "
-        "machine: as the machine "
-        "file says",
+        "machine: as the machine file says",
     ),
     "control_point": QT_TRANSLATE_NOOP(
         "App::Property",
@@ -239,17 +230,14 @@ EDITOR = {
     "passes": QT_TRANSLATE_NOOP(
         "App::Property",
         "Pass strategy. planes: parallel planes; zlevel: level planes; scallop: constant scallop; morph: "
-        "from "
-        "one guide curve to another; radial: about an axis; rotary: around or along an axis about which the "
-        "part turns; "
-        "frames: constant scallop in few positions of locked rotary axes"
+        "from one guide curve to another; radial: about an axis; rotary: around or along an axis about "
+        "which the part turns; frames: constant scallop in few positions of locked rotary axes"
     ),
     "tool_axis": QT_TRANSLATE_NOOP(
         "App::Property",
-        "How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: normal "
-        "weighted by the "
-        "step; minimax: least deviation; auto: free of the part; fixed: one axis everywhere; "
-        "from_axis: square to the rotary axis and pointing at it",
+        "How the tool axis is found at each contact point. facet_mean: surface normal; step_weighted: "
+        "normal weighted by the step; minimax: least deviation; auto: free of the part; fixed: one axis "
+        "everywhere; from_axis: square to the rotary axis and pointing at it",
     ),
     "order": QT_TRANSLATE_NOOP(
         "App::Property", "Cut pattern. zigzag: in both directions; one_way: in one direction only"

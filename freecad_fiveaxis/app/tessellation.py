@@ -137,8 +137,7 @@ def _find_avoided(obj: Any) -> list[int]:
     if mesh.CountFacets != obj.Mesh.CountFacets or runs != list(obj.FacetRuns):
         text = say(
             "{label} was made by an earlier version, which did not keep where the faces to be left alone "
-            "are: recompute it, that "
-            "is mark it to recompute in the tree and recompute the document.",
+            "are: recompute it, that is mark it to recompute in the tree and recompute the document.",
             label=obj.Label,
         )  # fmt: skip
         raise selection.SelectionError(text, obj.Label)

@@ -289,8 +289,7 @@ def _metavar(leaf: Any) -> str | None:
 
 CUTTERS = (
     "KIND:SIZES, as ball:10, flat:0.5in, bull:10:2 (corner), taperball:6:5deg, taperbull:10:2:5deg, "
-    "lollipop:10:6 (neck) or "
-    "barrel:10:85:2 (flank, tip); :LENGTH may follow"
+    "lollipop:10:6 (neck) or barrel:10:85:2 (flank, tip); :LENGTH may follow"
 )
 
 

@@ -254,15 +254,13 @@ def test_another_process_reads_the_file(path, tmp_path):
     nc = results.nc_of(path)
     path.Document.saveAs(str(tmp_path / "part.FCStd"))
     script = (
-        "import sys, os, FreeCAD\n"
-        "try:\n"
+        "import sys, os, FreeCAD\ntry:\n"
         f"    sys.path.insert(0, {str(ROOT)!r})\n"
         "    from freecad_fiveaxis.app import results\n"
         f"    doc = FreeCAD.openDocument({str(tmp_path / 'part.FCStd')!r})\n"
         "    assert results.out_of_date(doc.Toolpath) == '', results.out_of_date(doc.Toolpath)\n"
         f"    open({str(tmp_path / 'again.ngc')!r}, 'wb').write(results.nc_of(doc.Toolpath))\n"
-        "finally:\n"
-        "    os._exit(0)\n"
+        "finally:\n    os._exit(0)\n"
     )
     (tmp_path / "again.py").write_text(script)
     done = subprocess.run(

@@ -89,11 +89,10 @@ def test_without_freecad_it_says_that_it_skipped(tmp_path):
 
 def test_what_freecad_says_by_itself_is_no_error_of_ours():
     code = (
-        "import sys; sys.path.insert(0, sys.argv[1]); from sitting import wrong\n"
-        "assert wrong('Addon Manager Warning: ImportError, no QtWebEngine') == []\n"
-        "assert wrong('all is well') == []\n"
-        "assert wrong('a\\nRuntimeError: Internal C++ object already deleted\\nb') != []\n"
-        "assert wrong('QMainWindow::resizeDocks: all sizes need to be larger than 0') != []\n"
+        "import sys; sys.path.insert(0, sys.argv[1]); from sitting import wrong\nassert wrong('Addon "
+        "Manager Warning: ImportError, no QtWebEngine') == []\nassert wrong('all is well') == []\nassert "
+        "wrong('a\\nRuntimeError: Internal C++ object already deleted\\nb') != []\nassert "
+        "wrong('QMainWindow::resizeDocks: all sizes need to be larger than 0') != []\n"
     )
     python = "/usr/bin/python3" if os.path.exists("/usr/bin/python3") else sys.executable
     if subprocess.run([python, "-c", "import gi"], check=False, capture_output=True).returncode:

@@ -247,8 +247,7 @@ def _findings(
     if between.any():
         text = say(
             "leave the CL path between their ends, which lie on it: the axes' even motion carries the tip "
-            "off. Divide blocks "
-            "({linearize}).",
+            "off. Divide blocks ({linearize}).",
             linearize=Choice("linearize", ("on",)),
         )
         found.append(
@@ -297,8 +296,7 @@ def _place_finding(
     whole = plural(
         len(at),
         "1 feed block: {count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} "
-        "allowed); first "
-        "NC line {first}.",
+        "allowed); first NC line {first}.",
         "{count} of {all} feed blocks {what} Worst is NC line {line}, {off} off ({tolerance} allowed); first "
         "NC line {first}.",
         all=len(against.block),

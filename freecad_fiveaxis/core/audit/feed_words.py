@@ -61,11 +61,9 @@ def _over(
     text = plural(
         len(rows),
         "NC line {line} has F{feed}, and {name} takes F{most} at most under {mode}: it refuses the line. "
-        "Post the program with "
-        "longer blocks, or with a lower F.",
-        "{count} NC lines have an F above {most}, the largest that {name} takes under {mode}, the largest in "
-        "line {line}, "
-        "F{feed}: it refuses them. Post the program with longer blocks, or with a lower F.",
+        "Post the program with longer blocks, or with a lower F.",
+        "{count} NC lines have an F above {most}, the largest that {name} takes under {mode}, the largest "
+        "in line {line}, F{feed}: it refuses them. Post the program with longer blocks, or with a lower F.",
         line=line, feed=Number(float(feed[worst]), ".10g"), name=dialect.name, most=Number(largest, ".10g"),
         mode=mode or unit,
     )  # fmt: skip

@@ -107,9 +107,8 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
         unit = "mm/min" if k < 3 else "deg/min"
         text = say(
             "{blocks} more of {letter} than it can: at most NC line {line}, {commanded_rate}, {share} times "
-            "its "
-            "maximum of {most}; first NC line {first}. The control slows down there, or stops with a fault. "
-            "Give a lower F there, or inverse time (G93) made for this machine, as {post} does.",
+            "its maximum of {most}; first NC line {first}. The control slows down there, or stops with a "
+            "fault. Give a lower F there, or inverse time (G93) made for this machine, as {post} does.",
             post=Task("post"),
             blocks=_blocks(rows),
             letter=letter,

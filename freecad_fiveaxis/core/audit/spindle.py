@@ -33,9 +33,8 @@ def spindle_findings(text: bytes, program: Program) -> tuple[Finding, ...]:
     if START.search(REMARK.sub(b"", before)) or not END.search(REMARK.sub(b"", text[-TAIL:])):
         return ()
     found = say(
-        "The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 with "
-        "S before the tool "
-        "gets to the part.",
+        "The spindle stays off: nothing before NC line {line}, the first that feeds, starts it. Give M3 "
+        "with S before the tool gets to the part.",
         line=line,
     )
     return (report_finding(Code.SPINDLE_OFF, found, line=line),)

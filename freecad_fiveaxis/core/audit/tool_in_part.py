@@ -26,8 +26,7 @@ from .against_part import AgainstPart, against_part
 
 REMEDY = say(
     "Are {cutter}, {origin} and the machine those of the program, and does the STL stand at the work zero? "
-    "If they are, the part "
-    "is spoilt.",
+    "If they are, the part is spoilt.",
     cutter=Option("cutter"),
     origin=Option("origin"),
 )

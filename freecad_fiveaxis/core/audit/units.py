@@ -96,9 +96,8 @@ def _apart(size: float, of_path: float) -> tuple[Finding, ...]:
 def _two_sizes(size: float, other: float, name: str) -> Finding:
     text = say(
         "The program goes over {size} where {name} goes over {other}, {times} times: one of them is read in "
-        "inches and means "
-        "mm, or the other way round. Give {option} where the file does not say its unit, else set right what "
-        "it says.",
+        "inches and means mm, or the other way round. Give {option} where the file does not say its unit, "
+        "else set right what it says.",
         size=Length(size, ".4g"),
         name=name,
         other=Length(other, ".4g"),
@@ -126,8 +125,7 @@ def _radians_by_way(kinematics: Chain, program: Program) -> tuple[Finding, ...]:
         return ()
     text = say(
         "All rotary words lie within {most}, and read as radians the tip goes {radians} instead of "
-        "{degrees}: they seem to be "
-        "radians, where controllers take degrees. Have the post write degrees.",
+        "{degrees}: they seem to be radians, where controllers take degrees. Have the post write degrees.",
         most=Number(HALF_TURN, ".3g"),
         radians=Length(radians, ".4g"),
         degrees=Length(degrees, ".4g"),
@@ -155,8 +153,7 @@ def radians_by_axis(program: Program, path: CLPath) -> tuple[Finding, ...]:
         return ()
     text = say(
         "The tool axis of the CL path turns by {wanted}, the rotary words by {turned} in all: no degrees, "
-        "but radians would do. "
-        "Have the post write degrees.",
+        "but radians would do. Have the post write degrees.",
         wanted=Angle(wanted, ".4g"),
         turned=Number(turned, ".4g"),
     )
@@ -181,8 +178,7 @@ def _travels(text: bytes, kinematics: Chain, program: Program) -> tuple[Finding,
     k = int((goes / has).argmax())
     found = say(
         "The program says inches, and by that {letter} goes over {goes}, where the machine has {has}: its "
-        "numbers seem to be mm "
-        "({mm}). Set right what the program says of its unit.",
+        "numbers seem to be mm ({mm}). Set right what the program says of its unit.",
         letter=program.letters[k],
         goes=Length(goes[k], ".4g"),
         has=Length(has[k], ".4g"),

@@ -72,8 +72,7 @@ def find_freecad() -> str:
     if program is None:
         text = say(
             "a part that is no STL needs FreeCAD, and {given} is no program here; install FreeCAD, name its "
-            "freecadcmd in "
-            "{variable}, or give the part as STL",
+            "freecadcmd in {variable}, or give the part as STL",
             given=given or NAMES[0], variable=PROGRAM,
         )  # fmt: skip
         raise SettingsError(text, given)

@@ -115,8 +115,7 @@ def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
         names = "; ".join(f"{one.name}, {other.name}" for one, other in pairs)
         text = say(
             "These touch each other with all axes at zero, so they are taken for neighbours and were not "
-            "looked at against each "
-            "other: {names}.",
+            "looked at against each other: {names}.",
             names=names,
         )
         yield report_finding(Code.MACHINE_TOUCHING, text, float(len(pairs)))
@@ -249,8 +248,7 @@ def _unproven(given: PairCheck, pair: CarriedPair, blocks: Ints) -> Finding:
     row, line, _ = _where(given, int(blocks[0]))
     text = say(
         "In {count} blocks it is not proven that the {part} stays out of the {name}, the first in NC line "
-        "{line}. Drive one "
-        "group of axes after the other, or place the part otherwise on the table.",
+        "{line}. Drive one group of axes after the other, or place the part otherwise on the table.",
         count=len(blocks), part=pair.enters.name, name=pair.entered.name, line=line,
     )  # fmt: skip
     return report_finding(Code.MACHINE_UNPROVEN, text, block=row, line=line)

@@ -48,13 +48,11 @@ WITH_REMEDY = {
     Code.OVERCUT: Template("The cutter goes {depth} too deep into the part at {at}."),
     Code.RAPID_COLLISION: Template(
         "The cutter goes {depth} into the part at {at} on its way between passes. Use a larger clearance; "
-        "where the part is "
-        "over the tool, let it be lifted there or leave such places out ({lift})."
+        "where the part is over the tool, let it be lifted there or leave such places out ({lift})."
     ),
     Code.HOLDER_COLLISION: Template(
         "The {part} goes {depth} into the part at {at}. Let the tool be tilted free or leave these places "
-        "out ({tilt}), "
-        "use a longer tool, or more lead or tilt."
+        "out ({tilt}), use a longer tool, or more lead or tilt."
     ),
 }
 
@@ -67,8 +65,7 @@ PLAIN = {
 
 CURES = say(
     "Let the tool be lifted there or leave such places out ({lift}), or use a smaller cutter; where the "
-    "machine "
-    "leaves the path by as much, let blocks be divided ({divide}).",
+    "machine leaves the path by as much, let blocks be divided ({divide}).",
     lift=LIFT,
     divide=DIVIDE,
 )

@@ -118,8 +118,7 @@ def _none(name: str, tolerance: float, opposite: bool) -> Sentence:
         )
     return say(
         "no facet of the part lies on {name} within {tolerance}; export the faces in the part's own place "
-        "and units, or raise "
-        "the tolerance",
+        "and units, or raise the tolerance",
         name=name,
         tolerance=Length(tolerance),
     )
@@ -140,8 +139,7 @@ def _report_area(mesh: Mesh, faces: Mesh, chosen: Bools, name: str, machined: bo
     if area < (1.0 - MISSED) * wanted:
         text = say(
             "{name} has {wanted}, but only {area} of the part lie on it. Export the faces from the same "
-            "solid, "
-            "with as fine facets, or raise the tolerance.",
+            "solid, with as fine facets, or raise the tolerance.",
             name=name,
             wanted=Area(wanted, ".6g"),
             area=Area(area, ".6g"),

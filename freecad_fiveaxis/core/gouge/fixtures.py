@@ -125,9 +125,8 @@ def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
         )
     else:
         text = say(
-            "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and the "
-            "units of the "
-            "fixture.",
+            "In {count} blocks the whole cutter is inside the fixture {fixture}. Check the work zero and "
+            "the units of the fixture.",
             count=count, fixture=fixture.name,
         )  # fmt: skip
         yield report_finding(Code.FIXTURE_COLLISION, text, float(count), 0.0, row, line, unit="1", hit=hit)
@@ -139,10 +138,9 @@ def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
     if found is None:
         return
     text = say(
-        "In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way of "
-        "independent axes, "
-        "the first in NC line {line}; it enters by no more than {bound}. Drive one group of axes after the "
-        "other.",
+        "In {count} rapids it is not proven that the tool stays out of the fixture {fixture} on every way "
+        "of independent axes, the first in NC line {line}; it enters by no more than {bound}. Drive one "
+        "group of axes after the other.",
         count=found.rapids, fixture=fixture.name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
     yield report_finding(Code.FIXTURE_UNPROVEN, text, found.bound, tolerance, found.row, found.line)

@@ -118,8 +118,7 @@ class _Without:
             if self.allowance is not None:
                 return say(
                     "on its way out along its axis the tool would come nearer to the faces to avoid {where} "
-                    "than {allowance}, as "
-                    "at {place}",
+                    "than {allowance}, as at {place}",
                     where=where, allowance=Length(self.allowance), place=Point((x, y, z)),
                 )  # fmt: skip
             return say(

@@ -65,9 +65,8 @@ def check_machine(
         return ()
     if program.guided is not None:
         text = say(
-            "The controller guides the tip, so where the axes stand between the ends of blocks is not known: "
-            "the machine's "
-            "bodies were not looked at."
+            "The controller guides the tip, so where the axes stand between the ends of blocks is not "
+            "known: the machine's bodies were not looked at."
         )
         return (report_finding(Code.MACHINE_UNPROVEN, text, severity=Severity.NOTE),)
     return (
@@ -84,8 +83,7 @@ def _unplaced(given: InMachine) -> Iterator[Finding]:
     if given.length is None and missing:
         text = say(
             "Where the spindle is over the tip is not known without the tool's length: {names} were not "
-            "looked at. Give it "
-            "({option}).",
+            "looked at. Give it ({option}).",
             names=", ".join(missing),
             option=Option("tool_length"),
         )
@@ -229,9 +227,8 @@ def _unproven(name: str, check: GougeCheck, program: Program, tolerance: float) 
         return
     text = say(
         "In {count} rapids it is not proven that tool and spindle stay out of the {name} on every way of "
-        "independent axes, the "
-        "first in NC line {line}; they enter by no more than {bound}. Drive one group of axes after the "
-        "other.",
+        "independent axes, the first in NC line {line}; they enter by no more than {bound}. Drive one group "
+        "of axes after the other.",
         count=found.rapids, name=name, line=found.line, bound=Length(found.bound, ".3g"),
     )  # fmt: skip
     yield report_finding(Code.MACHINE_UNPROVEN, text, found.bound, tolerance, found.row, found.line)

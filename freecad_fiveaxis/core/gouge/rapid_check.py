@@ -29,8 +29,7 @@ from .spots import MOST_SPOTS, spots
 ENTERS = {
     INDEPENDENT: Template(
         "The {part} goes at least {depth} into the part at {at} in a rapid whose axes run independently; it "
-        "is clear only if "
-        "they are interpolated."
+        "is clear only if they are interpolated."
     ),
     UNKNOWN: Template(
         "The {part} goes at least {depth} into the part at {at} if the axes of this rapid run independently; "
@@ -40,8 +39,7 @@ ENTERS = {
 }
 REMEDY = say(
     "Drive one group of axes after the other, or, where the controller interpolates rapids, say so in the "
-    "machine file or by "
-    "{rapids}.",
+    "machine file or by {rapids}.",
     rapids=Choice("rapids", (INTERPOLATED,), flag=True),
 )
 
@@ -102,8 +100,7 @@ def _unproven(ways: WayEntries, program: Program, tolerance: float) -> tuple[Fin
     line, bound = int(program.line[rows[0] + 1]), float(ways.bound[rows].max())
     text = say(
         "In {count} rapids it is not proven that the tool stays out of the part on every way of independent "
-        "axes, the first in "
-        "NC line {line}; it enters by no more than {bound}.",
+        "axes, the first in NC line {line}; it enters by no more than {bound}.",
         count=len(rows), line=line, bound=Length(bound, ".3g"),
     )  # fmt: skip
     text = joined((text, REMEDY))

@@ -84,8 +84,7 @@ def _below(entries: Entries | WayEntries, program: Program, tolerance: float) ->
     )
     text = say(
         "The {part} goes at least {depth} below the table's face at {at}, deepest of {count} blocks. Clamp "
-        "the part higher, use "
-        "a longer tool, or lean it less ({max_axis_angle}).",
+        "the part higher, use a longer tool, or lean it less ({max_axis_angle}).",
         part=PARTS[int(entries.part[block])], depth=Length(depth, ".4g"), at=Point((x, y, z)), count=count,
         max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip

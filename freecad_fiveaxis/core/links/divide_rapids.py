@@ -212,8 +212,7 @@ def _moved(finding: Finding, at: Ints) -> Finding:
 def _divided_finding(rapids: int, rows: int, dialect: Dialect) -> Finding:
     text = say(
         "{count} rapids are divided by {rows} more blocks, so that the tool stays clear of the part on "
-        "whichever way {name} "
-        "drives the axes between their ends.",
+        "whichever way {name} drives the axes between their ends.",
         count=rapids, rows=rows, name=dialect.name,
     )  # fmt: skip
     return report_finding(Code.RAPIDS_DIVIDED, text, float(rows))

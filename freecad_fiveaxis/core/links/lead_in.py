@@ -263,11 +263,9 @@ def _findings(path: CLPath, ends: Ends, radius: Floats, wanted: float) -> tuple[
     text = plural(
         len(less),
         "{count} of {all} ends of passes has a smaller lead-in or lead-out than {radius}, or none, because "
-        "the tool would enter "
-        "the part or the table on it; a smaller radius fits in more places.",
+        "the tool would enter the part or the table on it; a smaller radius fits in more places.",
         "{count} of {all} ends of passes have a smaller lead-in or lead-out than {radius}, or none, because "
-        "the tool would enter "
-        "the part or the table on it; a smaller radius fits in more places.",
+        "the tool would enter the part or the table on it; a smaller radius fits in more places.",
         all=len(radius),
         radius=Length(wanted),
     )  # fmt: skip

@@ -41,8 +41,7 @@ def _checked(name: str) -> str:
         raise MachineError(
             say(
                 "no_motion: {name} is no function that can be passed over; write one each as M202, G05 "
-                "P10000, CYCL DEF 392 (300 "
-                "to 399, 500 to 599) or FUNCTION NAME",
+                "P10000, CYCL DEF 392 (300 to 399, 500 to 599) or FUNCTION NAME",
                 name=repr(name[:40]),
             ),
             name,

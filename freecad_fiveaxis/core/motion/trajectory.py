@@ -155,9 +155,8 @@ def checked_words(words: ArrayLike) -> Floats:
         value = float(rows[row, word])
         raise ProgramError(
             say(
-                "word {word} of row {row} is {value}; words are numbers up to {farthest_word} mm or degrees: "
-                "correct it, or the "
-                "unit of the file",
+                "word {word} of row {row} is {value}; words are numbers up to {farthest_word} mm or "
+                "degrees: correct it, or the unit of the file",
                 word=word + 1,
                 row=row,
                 value=Number(value),

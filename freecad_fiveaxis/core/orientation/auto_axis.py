@@ -292,10 +292,8 @@ def _findings(free: Ints, contacts: Contacts) -> tuple[Finding, ...]:
     x, y, z = contacts.point[int(held.argmax())].tolist()
     text = say(
         "At {count} of {all} contacts ({share} %), the first at {place}, no tool axis was found that the "
-        "machine can take up and "
-        "that keeps the tool out of the part; they are left out. Use a smaller cutter or holder, or a longer "
-        "tool, or turn the "
-        "part.",
+        "machine can take up and that keeps the tool out of the part; they are left out. Use a smaller "
+        "cutter or holder, or a longer tool, or turn the part.",
         count=count,
         all=len(free),
         share=Number(100.0 * count / len(free), ".3g"),
@@ -316,9 +314,8 @@ def report_no_way_out(path: OffsetPath, rows: Ints) -> tuple[Finding, ...]:
         return ()
     x, y, z = path.point[int(out.argmax())].tolist()
     text = say(
-        "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and it "
-        "could not get out "
-        "along its axis; they are left out. Turn the part, or use a smaller holder.",
+        "Over {length} of the passes, the first at {place}, the tool is free but the part is over it, and "
+        "it could not get out along its axis; they are left out. Turn the part, or use a smaller holder.",
         length=Length(length, ".4g"),
         place=Point((x, y, z)),
     )

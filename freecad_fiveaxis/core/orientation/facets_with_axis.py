@@ -178,8 +178,7 @@ def _looking_down(mesh: Mesh, down: Bools, most: float) -> tuple[Finding, ...]:
     lost, share, place = _area_of(mesh, down)
     text = say(
         "{area} ({share} % of the part) look down and are left out: no tool axis within {most} of Z gets "
-        "there. Turn the part "
-        "over, or raise the largest axis angle.",
+        "there. Turn the part over, or raise the largest axis angle.",
         area=Area(lost, ".6g"), share=share, most=Angle(math.degrees(most)),
     )  # fmt: skip
     return (report_finding(Code.FACETS_LOOKING_DOWN, text, lost, 0.0, place=place),)

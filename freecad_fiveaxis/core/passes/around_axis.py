@@ -67,8 +67,7 @@ def report_across(mesh: Mesh, across: Bools) -> Finding | None:
     x, y, z = (float(v) for v in mesh.vertex[mesh.face[rows[np.argmax(mesh.area[rows])]]].mean(axis=0))
     text = say(
         "{count} facets of {area} ({share} % of the part) lie across the axis of the passes or face it, and "
-        "are left out: a tool "
-        "square to that axis does not reach them. Cut them with other passes.",
+        "are left out: a tool square to that axis does not reach them. Cut them with other passes.",
         count=len(rows), area=Area(lost, ".6g"), share=Number(100.0 * lost / float(mesh.area.sum()), ".3g"),
     )  # fmt: skip
     return report_finding(Code.FACETS_ACROSS_AXIS, text, lost, place=(x, y, z))
@@ -79,8 +78,7 @@ def _nothing_left(mesh: Mesh, wanted: Bools, across: Bools, beyond: Bools) -> st
     shares = [Number(100.0 * float(mesh.area[mask].sum()) / whole, ".3g") for mask in (across, beyond)]
     return say(
         "no facet can be cut: {across} % of the area lie across the axis of the passes or face it, {beyond} "
-        "% need a tool axis "
-        "beyond the machine's rotary limits; give the axis about which the part is turned, or take another "
-        "machine",
+        "% need a tool axis beyond the machine's rotary limits; give the axis about which the part is "
+        "turned, or take another machine",
         across=shares[0], beyond=shares[1],
     )  # fmt: skip

@@ -114,8 +114,7 @@ def _read_curves(path: str, name: str) -> list[Floats]:
 def _unreadable(name: str) -> Sentence:
     return say(
         "boundary {name} holds no closed curves: give X,Y,Z in mm on a line each, a blank line between two "
-        "curves, at most "
-        "{most} points, none beyond {farthest}",
+        "curves, at most {most} points, none beyond {farthest}",
         name=name, most=MOST_POINTS, farthest=Length(1e6),
     )  # fmt: skip
 
@@ -177,9 +176,8 @@ def facets_within(
 def nothing_inside(boundary: Boundary) -> Sentence:
     """Say that no part of the surface lies inside."""
     return say(
-        "no part of the surface that is to be machined lies inside boundary {name}, which reaches from {low} "
-        "to {high}; "
-        "its points are in mm, in the frame of the part",
+        "no part of the surface that is to be machined lies inside boundary {name}, which reaches from "
+        "{low} to {high}; its points are in mm, in the frame of the part",
         name=boundary.name, low=Point(tuple(boundary.low.tolist()), ".6g"),
         high=Point(tuple(boundary.high.tolist()), ".6g"),
     )  # fmt: skip
@@ -190,9 +188,8 @@ def _report_outside(boundary: Boundary, mesh: Mesh, out: Bools, wanted: Bools) -
         return ()
     area, whole = float(mesh.area[out].sum()), float(mesh.area[wanted].sum())
     text = say(
-        "{count} facets of {area} ({share} % of what was to be machined) lie outside boundary {name} and are "
-        "not machined; "
-        "{gouge} keeps the tool out of them.",
+        "{count} facets of {area} ({share} % of what was to be machined) lie outside boundary {name} and "
+        "are not machined; {gouge} keeps the tool out of them.",
         count=int(out.sum()), area=Area(area, ".6g"), share=Number(100.0 * area / whole, ".3g"),
         name=boundary.name,
         gouge=Option("gouge"),

@@ -25,13 +25,11 @@ TOUCHING = 1e-6
 
 ON_STRIP = Template(
     "{area} ({share} % of the part) beside the faces to avoid are not cut, as at {place}: the cutter would "
-    "come nearer to these "
-    "than {allowance}. Cut them with a smaller cutter, or with a smaller allowance."
+    "come nearer to these than {allowance}. Cut them with a smaller cutter, or with a smaller allowance."
 )
 ON_FACETS = Template(
-    "{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to avoid "
-    "that they are left "
-    "out: the cutter would come nearer to these than {allowance}."
+    "{area} ({share} % of the part) on facets of their own, as at {place}, lie so near to the faces to "
+    "avoid that they are left out: the cutter would come nearer to these than {allowance}."
 )
 
 

@@ -64,8 +64,7 @@ def _refuse_without_border(region: Region, options: PassOptions) -> None:
     if BORDER in (options.source, options.target) and inside[inside.any(axis=1)].all():
         text = say(
             "the surface that is to be cut has no border to lead passes from or to; give two guides by "
-            "{from_} and {to}, "
-            "a point X,Y,Z or a file CURVE.csv each",
+            "{from_} and {to}, a point X,Y,Z or a file CURVE.csv each",
             from_=Option("from_"), to=Option("to"),
         )  # fmt: skip
         raise SettingsError(text, BORDER)

@@ -103,8 +103,7 @@ def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
     x, y, z = region.mesh.vertex[region.mesh.face[largest]].mean(axis=0).tolist()
     text = say(
         "Passes touch none of {count} facets of {area} that are to be cut: they lie along the passes or "
-        "between two of them. "
-        "Choose other passes, or a smaller stepover or scallop, for those.",
+        "between two of them. Choose other passes, or a smaller stepover or scallop, for those.",
         count=len(rows),
         area=Area(lost, ".4g"),
     )

@@ -202,8 +202,7 @@ def survey_region(region: Region, options: PassOptions) -> Ground:
     if squares > MOST_SQUARES:
         text = say(
             "passes so close would be {length} long, more than any job can want; give a larger stepover or "
-            "scallop, or check the "
-            "units of the part",
+            "scallop, or check the units of the part",
             length=Length(squares * flat, ".3g"),
         )
         raise SettingsError(text, squares * flat)

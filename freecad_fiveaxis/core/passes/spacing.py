@@ -84,8 +84,7 @@ INSIDE = 1e-3
 
 BOUND = Template(
     "On steep walls {count} of the passes stand no closer than {least}: scallops up to {height} stay where "
-    "{scallop} are "
-    "asked. Give a smaller {option}, or turn the passes along the walls."
+    "{scallop} are asked. Give a smaller {option}, or turn the passes along the walls."
 )
 BOUND_APART = Template(
     "On steep walls {count} of the passes stand no closer than {least}: material up to {height} high stays "
@@ -249,8 +248,7 @@ class _March:
             raise SettingsError(
                 say(
                     "scallop {value} needs about {samples} samples of its passes, more than {most}; give a "
-                    "larger scallop or"
-                    " check the units of the part",
+                    "larger scallop or check the units of the part",
                     value=Length(self._scallop),
                     samples=Number(samples, ".2g"),
                     most=MOST_SAMPLES,

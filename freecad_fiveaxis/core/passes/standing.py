@@ -41,8 +41,7 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
     x, y, z = mesh.vertex[mesh.face[facet]].mean(axis=0).tolist()
     text = say(
         "The underside at Z {height} is not machined: the part stands on these {area} ({share} %). Give "
-        "{max_axis_angle} to cut "
-        "them as well.",
+        "{max_axis_angle} to cut them as well.",
         height=Length(round(z, 3) + 0.0, bare=True), area=Area(area, ".6g"),
         share=Number(100.0 * area / float(mesh.area.sum()), ".3g"), max_axis_angle=Option("max_axis_angle"),
     )  # fmt: skip

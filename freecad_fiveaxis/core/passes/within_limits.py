@@ -50,18 +50,15 @@ NEARLY = 0.99
 
 _DOWN = Template(
     "{count} facets of {area} ({share} % of the part) face away from the spindle and are left out; turn the "
-    "part over to "
-    "cut them, or raise the largest axis angle."
+    "part over to cut them, or raise the largest axis angle."
 )
 _STEEP = Template(
     "{count} facets of {area} ({share} % of the part) lean more than {most} from Z and are left out; raise "
-    "the largest axis "
-    "angle to cut them."
+    "the largest axis angle to cut them."
 )
 _BEYOND = Template(
-    "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; turn "
-    "the part or take "
-    "another machine to cut them."
+    "{count} facets of {area} ({share} % of the part) need {limits} beyond its limits and are left out; "
+    "turn the part or take another machine to cut them."
 )
 
 
@@ -215,8 +212,7 @@ def _looking_down(mesh: Mesh, area: Floats, out: Bools) -> Finding | None:
     lost, share = float(area[out].sum()), 100.0 * float(area[out].sum() / area.sum())
     text = say(
         "The underside at Z {height} is not machined: {area} ({share} % of the part) face away from the "
-        "spindle. Turn the part "
-        "over to cut it.",
+        "spindle. Turn the part over to cut it.",
         height=Length(round(low, 3) + 0.0, bare=True),
         area=Area(lost, ".6g"),
         share=Number(share, ".3g"),

@@ -146,8 +146,7 @@ def check_keep_off(context: MillContext, program: Program) -> tuple[Finding, ...
         distance = max(keep_off.allowance - worst.depth, 0.0)
         text = say(
             "The {part} comes nearer than {distance} to the faces to avoid at {at}, nearest of {count} "
-            "blocks; {allowance} are "
-            "asked for. Let blocks be divided, or use a smaller cutter or holder.",
+            "blocks; {allowance} are asked for. Let blocks be divided, or use a smaller cutter or holder.",
             part=worst.part, distance=Length(distance, ".3g"), at=Point(worst.place), count=worst.blocks,
             allowance=Length(keep_off.allowance),
         )  # fmt: skip

@@ -61,15 +61,13 @@ def _task(settings: Settings, machine: Machine) -> tuple[str, object] | None:
     if settings.task == PROVE:
         return say(
             "machine {name} has fewer than two rotary axes: the proof of signs turns two; jog each axis and "
-            "compare with the "
-            "machine file",
+            "compare with the machine file",
             name=machine.name,
         ), machine.rotaries
     if settings.task == SETUP and not machine.rotaries:
         return say(
             "machine {name} has no rotary axis: its tip leaves no line wherever the part is clamped; put it "
-            "where the travel "
-            "reaches",
+            "where the travel reaches",
             name=machine.name,
         ), machine.rotaries
     return None

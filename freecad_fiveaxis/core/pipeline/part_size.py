@@ -24,8 +24,7 @@ def unit_suspected(mesh: Mesh, cutter: Cutter) -> tuple[Finding, ...]:
         return ()
     text = say(
         "The whole part is {size} long, less than the cutter's diameter of {diameter}: its file may be in "
-        "metres ({metres}) or "
-        "inches ({inches}). Export the part in mm, or scale it.",
+        "metres ({metres}) or inches ({inches}). Export the part in mm, or scale it.",
         size=Length(size, ".4g"),
         diameter=Length(cutter.diameter, ".4g"),
         metres=Length(METRE * size, ".4g"),

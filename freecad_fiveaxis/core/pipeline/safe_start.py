@@ -54,8 +54,7 @@ def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
         text = say(
             "Under {split} the program begins and ends at the reference point of Z, because before it no "
-            "tool "
-            "length is active. Set the machine file's safe_start to reference or machine.",
+            "tool length is active. Set the machine file's safe_start to reference or machine.",
             split=dialect.guide.on[0].split()[0],
         )
         found += (report_finding(Code.STARTS_AT_REFERENCE, text),)

@@ -39,29 +39,25 @@ GLOSSARY = {
     ),
     "Deviation of the ball's centre": (
         "The same of the centre of a ball: its way, not the tip's, makes the surface. Where the tool axis "
-        "swings, a tip that "
-        "runs straight makes the centre bulge. Where the centre is known it is judged, and the tip's "
-        "deviation is told beside it."
+        "swings, a tip that runs straight makes the centre bulge. Where the centre is known it is judged, "
+        "and the tip's deviation is told beside it."
     ),
     "Proven bound": "A number that the deviation cannot exceed anywhere in the block, by calculation and not "
     "by sampling.",
     "Line deviation": (
-        "The distance from the infinite line through both ends. It overlooks a tip that runs past an end, so "
-        "it can be "
-        "much smaller; it stands here for comparison with the literature (So et al. 2008)."
+        "The distance from the infinite line through both ends. It overlooks a tip that runs past an end, "
+        "so it can be much smaller; it stands here for comparison with the literature (So et al. 2008)."
     ),
     "Axis deviation": "How far the tool tilts out of the plane of its two end positions, in degrees.",
     "Feed block, rapid": "A feed block may touch the part. A rapid goes through the air and is not judged "
     "here.",
     "Near the pole": (
         "Where the tool stands almost along the first rotary axis, this axis must turn far to lean the tool "
-        "a little, as a "
-        "compass needle does near the pole of the earth. Textbooks call it a singularity."
+        "a little, as a compass needle does near the pole of the earth. Textbooks call it a singularity."
     ),
     "Feed over the part": (
         "Length of the tip's real path in a block over the time that the block's F word means: what the "
-        "cutter feels. Under G94 "
-        "F measures other things where rotary axes turn."
+        "cutter feels. Under G94 F measures other things where rotary axes turn."
     ),
     "u": "The share of a block's time that has passed: 0 at its start, 1 at its end.",
     "RTCP": "Rotation about the tool centre point: the controller itself guides the tip along the straight "

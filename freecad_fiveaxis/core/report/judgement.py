@@ -52,9 +52,8 @@ _SPLIT = say(
     linearize=Choice("linearize", ("on",)),
 )
 _AWAY = say(
-    "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), or "
-    "clamp the part in "
-    "another position ({setup} finds one), so that the tool keeps off the pole.",
+    "Let the tool axis be turned past the pole ({past}), lean the tool by a few degrees ({lead}, {tilt}), "
+    "or clamp the part in another position ({setup} finds one), so that the tool keeps off the pole.",
     past=Choice("singularity", ("deform",), alone=True),
     lead=Option("lead", flag=False),
     tilt=Option("tilt", flag=False),
@@ -66,8 +65,7 @@ _TIP_BENDS = say(
 )
 _BALL_BENDS = say(
     "While rotary axes turn, straight moves of the axes carry the ball's centre along a curve beside its "
-    "straight segment, and "
-    "the surface with it."
+    "straight segment, and the surface with it."
 )
 _GUIDE = say("A controller with tool tip control (RTCP) guides the tip along the segment itself.")
 
@@ -135,8 +133,7 @@ def _over_tolerance(
     def whole(row: int) -> Sentence:
         lead = say(
             "{blocks} the commanded path by more than {tolerance}; the worst, NC line {line}, by "
-            "{deviation}: there {turns} "
-            "within a step of {step}.",
+            "{deviation}: there {turns} within a step of {step}.",
             blocks=plural(len(rows), "1 feed block leaves", "{count} feed blocks leave"),
             tolerance=Length(tolerance),
             line=program.line[row],
@@ -169,8 +166,7 @@ def _unproven(program: Program, deviation: Deviation, tolerance: float, rows: In
     def whole(row: int) -> Sentence:
         lead = say(
             "{blocks} so near to the tolerance of {tolerance} that the proof does not reach: the deviation "
-            "is within it, its "
-            "proven upper bound is not (worst, NC line {line}: bound {bound}).",
+            "is within it, its proven upper bound is not (worst, NC line {line}: bound {bound}).",
             blocks=plural(len(rows), "1 feed block is", "{count} feed blocks are"),
             tolerance=Length(tolerance),
             line=program.line[row],
@@ -208,10 +204,9 @@ def _near_pole(
     def whole(row: int) -> Sentence:
         lead = say(
             "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} must turn far "
-            "to lean the tool "
-            "a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. The axis may be too "
-            "slow for the "
-            "programmed feed, the tool dwells, and marks or a deviation from the path may show.",
+            "to lean the tool a little. The worst is NC line {line}: {turns} to lean the tool by {lean}. "
+            "The axis may be too slow for the programmed feed, the tool dwells, and marks or a deviation "
+            "from the path may show.",
             blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
             letter=program.letters[3],
             line=program.line[row],
@@ -252,10 +247,8 @@ def _note_harmless(
     row = int(worst_first(rows, turned)[0])
     text = say(
         "{blocks} near the pole (the tool almost along the {letter} axis), where {letter} turns more than "
-        "the tool leans: most "
-        "in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the tolerance by proof, and "
-        "no rotary axis "
-        "comes to its maximum rate there.",
+        "the tool leans: most in NC line {line}, where {turns} to lean the tool by {lean}. Each holds the "
+        "tolerance by proof, and no rotary axis comes to its maximum rate there.",
         blocks=plural(len(rows), "1 feed block lies", "{count} feed blocks lie"),
         letter=program.letters[3],
         line=program.line[row],

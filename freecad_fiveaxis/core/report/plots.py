@@ -141,8 +141,7 @@ def _along(figure: Any, figures: Figures) -> PlotText:
     whose = "the tool tip" if figures.surface is None else "the ball's centre, which makes the surface,"
     caption = (
         f"One step for each feed block: how far {whose} leaves the straight segment that the program "
-        "commands. Nothing "
-        "leaves it by more than the proven bound. Rapids are left out."
+        "commands. Nothing leaves it by more than the proven bound. Rapids are left out."
     )
     return "along", "Deviation along the program", caption, alt
 
@@ -205,8 +204,7 @@ def _rates(figure: Any, figures: Figures) -> PlotText | None:
     _legend(axes)
     caption = (
         "Largest share in each stretch. At 100 % an axis runs as fast as it can, and the tool goes slower "
-        "over the part than "
-        "programmed."
+        "over the part than programmed."
     )
     return (
         "rates",

@@ -138,8 +138,7 @@ def _feeds_alone(figures: Figures) -> bool:
 def _assumed(figures: Figures, numbers: Mapping[str, Any]) -> Iterator[Sentence]:
     yield say(
         "the machine is as {machine} describes it: axes, their signs, centres of rotation ({signs} shows "
-        "it), and the part "
-        "stands where the program takes it to stand",
+        "it), and the part stands where the program takes it to stand",
         machine=figures.machine.name,
         signs=Task("prove-signs"),
     )

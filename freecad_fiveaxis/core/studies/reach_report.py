@@ -28,10 +28,9 @@ KEYS = {
 
 NOTE = (
     "Each place was tried with axes along the facet's normal and up to 80 deg from it. What is called "
-    "reachable is, with the "
-    "axis tried; what is not may still be, between those axes. Limits are those of the rotary axes; the "
-    "table counts where its "
-    "height is known, the machine where its file names bodies. A part of the tool may enter by the tolerance."
+    "reachable is, with the axis tried; what is not may still be, between those axes. Limits are those of "
+    "the rotary axes; the table counts where its height is known, the machine where its file names bodies. "
+    "A part of the tool may enter by the tolerance."
 )
 
 

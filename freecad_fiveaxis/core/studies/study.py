@@ -141,9 +141,8 @@ def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[F
     if table is None or lowest >= table - IN_TABLE:
         return table, ()
     text = say(
-        "The part's lowest place would be {depth} below the table: the table is not looked at. Give the work "
-        "zero with {origin}, "
-        "or the table's height with {table_height}.",
+        "The part's lowest place would be {depth} below the table: the table is not looked at. Give the "
+        "work zero with {origin}, or the table's height with {table_height}.",
         depth=Length(table - lowest), origin=Option("origin"), table_height=Option("table_height"),
     )  # fmt: skip
     return None, (report_finding(Code.PART_BELOW_TABLE, text, table - lowest),)

@@ -94,8 +94,7 @@ def check_flank(
     if not least <= corner < 0.5 * diameter:
         text = say(
             "cutter corner radius is {corner}; a barrel has a ball of {least} or more at its tip, of less "
-            "than {radius}, half "
-            "the diameter",
+            "than {radius}, half the diameter",
             corner=Length(corner),
             least=Length(least),
             radius=Length(0.5 * diameter),

@@ -244,10 +244,8 @@ def _report_off_flank(path: OffsetPath, axis: Floats, barrel: Flank) -> tuple[Fi
     x, y, z = path.point[int(off.argmax())].tolist()
     text = say(
         "Over {length} of the passes, the first at {place}, the barrel touches with the ball of {corner} at "
-        "its tip, not with "
-        "its flank, and scallops are as high as that ball leaves them. Let the axis lean by {begins} to "
-        "{most} from the normal, "
-        "as with {tilt} {middle}.",
+        "its tip, not with its flank, and scallops are as high as that ball leaves them. Let the axis lean "
+        "by {begins} to {most} from the normal, as with {tilt} {middle}.",
         length=Length(length, ".4g"), place=Point((x, y, z), "g"), corner=Length(barrel.corner),
         tilt=Option("tilt"),
         begins=Angle(math.degrees(barrel.begins), ".1f"), most=Angle(90.0, "g"),
@@ -266,11 +264,9 @@ def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) 
     worst = int(deep[depth[deep].argmax()])
     x, y, z = path.point[worst].tolist()
     text = say(
-        "In hollows along the passes the cutter's bottom stands in the part behind its contact or before it, "
-        "over {count} rows;"
-        " how deep is not known here. Give more lead, take a smaller cutter or a ball, or have the path "
-        "checked against the part"
-        " ({report}), or lifted out of it ({lift}).",
+        "In hollows along the passes the cutter's bottom stands in the part behind its contact or before "
+        "it, over {count} rows; how deep is not known here. Give more lead, take a smaller cutter or a "
+        "ball, or have the path checked against the part ({report}), or lifted out of it ({lift}).",
         count=len(deep),
         report=Choice("gouge", ("report",)),
         lift=Choice("gouge", ("lift",)),

@@ -31,18 +31,15 @@ LEAN = 1e-6
 
 _LEANING = Template(
     "The tool leans into the part over {length} of the passes, the first at {at}; they are left out. Choose "
-    "another tool "
-    "axis, lead or tilt, or cut these places in another set-up."
+    "another tool axis, lead or tilt, or cut these places in another set-up."
 )
 _FLANK = Template(
     "The flank of the tapered cutter leans into the part over {length} of the passes, the first at {at}; "
-    "they are left "
-    "out. Choose another tool axis, lead or tilt, or a cutter of less taper."
+    "they are left out. Choose another tool axis, lead or tilt, or a cutter of less taper."
 )
 _BEYOND = Template(
-    "The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are left "
-    "out. Use "
-    "less lead or tilt, clamp the part in another position, or take another machine."
+    "The tool axis is beyond the rotary limits over {length} of the passes, the first at {at}; they are "
+    "left out. Use less lead or tilt, clamp the part in another position, or take another machine."
 )
 
 

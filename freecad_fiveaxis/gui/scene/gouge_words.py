@@ -102,10 +102,8 @@ def _overcut(depth: float) -> tuple[str, str, str]:
         translate(
             "FiveAxis",
             "In the tool path's panel let the tool be lifted there, or leave such places out; or take a "
-            "smaller cutter. The "
-            "command What is left shows what then stays uncut. Where that is done already, the machine "
-            "leaves the path between "
-            "blocks: set Divide blocks to on.",
+            "smaller cutter. The command What is left shows what then stays uncut. Where that is done "
+            "already, the machine leaves the path between blocks: set Divide blocks to on.",
         ),
     )
 
@@ -156,8 +154,7 @@ def _independent(depth: float) -> tuple[str, str, str]:
         translate(
             "FiveAxis",
             "Drive one group of axes after the other. Where the control interpolates rapids, set Rapids to "
-            "interpolated, or say "
-            "so in the machine file.",
+            "interpolated, or say so in the machine file.",
         ),
     )
 

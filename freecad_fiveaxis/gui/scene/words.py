@@ -113,8 +113,7 @@ def _near_pole(spot: Spot) -> Explanation:
     what = translate(
         "FiveAxis",
         "{first} turns {first_turn} and {second} {second_turn} to lean the tool by {lean}. The axis may be "
-        "too slow for the "
-        "programmed feed: then the tool dwells and may leave a mark.",
+        "too slow for the programmed feed: then the tool dwells and may leave a mark.",
     )
     return what.format(**given), _POLE().format(**given), _AWAY()
 
@@ -176,14 +175,12 @@ def _CARRIED(ball: bool) -> str:
     tip = translate(
         "FiveAxis",
         "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes "
-        "turn, even moves of "
-        "the axes carry the tip along a curve beside the straight line.",
+        "turn, even moves of the axes carry the tip along a curve beside the straight line.",
     )
     centre = translate(
         "FiveAxis",
         "Within a step of {step}, {first} turns {first_turn} and {second} {second_turn}. While rotary axes "
-        "turn, even moves of "
-        "the axes carry the ball's centre along a curve beside the straight line.",
+        "turn, even moves of the axes carry the ball's centre along a curve beside the straight line.",
     )
     return centre if ball else tip
 
@@ -191,27 +188,24 @@ def _CARRIED(ball: bool) -> str:
 def _POLE() -> str:
     return translate(
         "FiveAxis",
-        "The block lies near the pole: the tool stands almost along the {first} axis, and there {first} must "
-        "turn far to lean "
-        "the tool a little.",
+        "The block lies near the pole: the tool stands almost along the {first} axis, and there {first} "
+        "must turn far to lean the tool a little.",
     )
 
 
 def _SPLIT() -> str:
     return translate(
         "FiveAxis",
-        "Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in the "
-        "group Safety of "
-        "the tool path's panel, makes as many of them as are needed.",
+        "Shorter blocks help: half the length leaves about a quarter of the deviation. Divide blocks, in "
+        "the group Safety of the tool path's panel, makes as many of them as are needed.",
     )
 
 
 def _AWAY() -> str:
     return translate(
         "FiveAxis",
-        "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp the "
-        "part in "
-        "another position.",
+        "Let the tool path's panel turn the axis past the pole, lean the tool by a few degrees, or clamp "
+        "the part in another position.",
     )
 
 

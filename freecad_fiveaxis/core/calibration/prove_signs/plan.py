@@ -253,8 +253,7 @@ def _first_stop(base: Floats, kinematics: Chain) -> Stop:
 def _mark_stop(low: Floats, wishes: Wishes) -> Stop:
     see = say(
         "The tip stands {gap} over the highest place of part and clamps (a gauge block fits). Draw a cross "
-        "on part or plate "
-        "straight below the tip: this is the mark.",
+        "on part or plate straight below the tip: this is the mark.",
         gap=Length(wishes.gap),
     )
     bad = say(
@@ -269,8 +268,7 @@ def _last_seen(kinematics: Chain, angles: Floats, distance: float) -> tuple[Sent
     first, second = (Angle(math.degrees(angle)) for angle in angles.tolist())
     see = say(
         "With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is "
-        "{distance} from it, measured "
-        "along the tool.",
+        "{distance} from it, measured along the tool.",
         letter=kinematics.letters[3],
         first=first,
         other=kinematics.letters[4],

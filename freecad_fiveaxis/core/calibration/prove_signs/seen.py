@@ -77,8 +77,7 @@ def rotary_seen(axis: Axis, other: str, angle: float) -> tuple[str, str]:
     )
     bad = say(
         "The {what} turns {wrong}, {opposite}: {letter} has the wrong sign. Another axis turns: it is not "
-        "{letter} (if it is "
-        "{other}, the two letters are exchanged).",
+        "{letter} (if it is {other}, the two letters are exchanged).",
         what=what,
         wrong=wrong,
         opposite=opposite,

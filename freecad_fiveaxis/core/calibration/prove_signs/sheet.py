@@ -30,8 +30,7 @@ VERSION = 1
 WIDTH = 100
 STAND = say(
     "Right is +X of the machine, back is +Y (away from you), up is +Z. If your machine's axes point "
-    "elsewhere, stand so that "
-    "they do."
+    "elsewhere, stand so that they do."
 )
 READY = (
     say("Spindle off and locked; no cutter that can hurt: a pointed rod of the tool's length."),

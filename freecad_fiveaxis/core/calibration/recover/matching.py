@@ -59,8 +59,7 @@ class Sequences:
         if len(rows) < LEAST:
             text = say(
                 "only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a "
-                "program that was posted "
-                "from this CL path",
+                "program that was posted from this CL path",
                 count=len(rows),
                 rows=len(self.row),
                 blocks=len(self.line),

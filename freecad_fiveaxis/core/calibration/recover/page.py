@@ -102,9 +102,8 @@ def recovery_html(found: Recovery, title: str = "") -> str:
 
 
 NOTE = (
-    "Certain within: the true value lies that near in 95 of 100 cases, by the rounding of the printed digits "
-    "and the residuals. "
-    "The last column: were the zeros of all words unknown too."
+    "Certain within: the true value lies that near in 95 of 100 cases, by the rounding of the printed "
+    "digits and the residuals. The last column: were the zeros of all words unknown too."
 )
 
 

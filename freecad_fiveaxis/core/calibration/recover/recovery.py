@@ -181,8 +181,7 @@ def _check(pairs: Pairs) -> None:
     if off < 10.0 * (pairs.steps.tip + pairs.steps.linear):
         text = say(
             "X Y Z are the tips of the CL path although the rotary axes turn: the program leaves the pivots "
-            "to the controller "
-            "(RTCP); post it without tool centre point control"
+            "to the controller (RTCP); post it without tool centre point control"
         )
         raise ProgramError(text, off)
 

@@ -61,8 +61,7 @@ def _layouts(found: Recovery) -> Iterator[Finding]:
         more = joined((describe(fit.layout) for fit in found.others[:3]), "; ")
         text = say(
             "{count} other layouts explain the rows as well: {more}. The plainest is written; give more "
-            "rows, "
-            "with larger turns of both rotary axes, or the machine with {machine}.",
+            "rows, with larger turns of both rotary axes, or the machine with {machine}.",
             count=len(found.others),
             more=more,
             machine=Option("machine"),
@@ -79,8 +78,7 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
         )
         text = say(
             "{count} of {all} rows do not fit and are left out (NC lines {lines}); their tips would be off "
-            "by "
-            "up to {miss}. Look at them: they are wrong in the CL path or in the program.",
+            "by up to {miss}. Look at them: they are wrong in the CL path or in the program.",
             count=len(wrong),
             all=len(fit.good),
             lines=lines,
@@ -91,10 +89,9 @@ def _residuals(found: Recovery, tolerance: float) -> Iterator[Finding]:
     lean = math.degrees(float(fit.lean[fit.good].max(initial=0.0)))
     if fit.scale > EQUAL and (worst > tolerance or lean > LEAST_LEAN):
         text = say(
-            "The rows are off by up to {worst} and {lean} from the best machine, {scale} times what rounding "
-            "explains. The program may come from another CL path, or its machine have directions or axes "
-            "that are"
-            " not tried here.",
+            "The rows are off by up to {worst} and {lean} from the best machine, {scale} times what "
+            "rounding explains. The program may come from another CL path, or its machine have directions "
+            "or axes that are not tried here.",
             worst=Length(worst, ".4g"),
             lean=Angle(lean, ".3g"),
             scale=Number(fit.scale, ".3g"),
@@ -163,8 +160,7 @@ def _zeros(fits: tuple[Parameter, ...]) -> Iterator[Finding]:
     if assumed:
         text = say(
             "The zeros of {assumed} are taken as right: these rows could not tell them apart from the "
-            "offsets. "
-            "Give rows with larger turns to have them proven too.",
+            "offsets. Give rows with larger turns to have them proven too.",
             assumed=", ".join(assumed),
         )
         yield report_finding(Code.ZEROS_ASSUMED, text)
@@ -184,8 +180,7 @@ def _shifted(zeros: list[Parameter]) -> Finding:
     shift = float(np.linalg.norm([one.value for one in zeros]))
     text = say(
         "The work zero is shifted: the program counts {axes} from {values} (within {certainty}), not from "
-        "the CL path's zero. A "
-        "machine file cannot hold that: correct the work offset, or the post.",
+        "the CL path's zero. A machine file cannot hold that: correct the work offset, or the post.",
         axes=", ".join(one.name[0] for one in zeros),
         values=", ".join(f"{one.value:.4f}" for one in zeros),
         certainty=Length(max(one.certainty for one in zeros), ".2g"),
@@ -198,8 +193,7 @@ def _signs(found: Recovery) -> Iterator[Finding]:
         if float(np.sum(axis.direction)) < 0.0:
             text = say(
                 "Positive {letter} words turn the tool, seen from the work, left-handed about {plus}, "
-                "against ISO "
-                "841; the direction in the file is reversed accordingly.",
+                "against ISO 841; the direction in the file is reversed accordingly.",
                 letter=axis.letter,
                 plus=_plus(axis),
             )
@@ -299,16 +293,14 @@ def _assumed(found: Recovery) -> Iterator[Finding]:
         of = say(" of {axes}", axes=", ".join(unknown)) if known else ""
         text = say(
             "Limits{of} are left open and maximum rates are assumed (10 m/min, 10 turns a minute): no row "
-            "tells "
-            "them. Correct them from the machine's data sheet.",
+            "tells them. Correct them from the machine's data sheet.",
             of=of,
         )
         yield report_finding(Code.LIMITS_UNKNOWN, text)
     if any(axis.side == "head" for axis in found.machine.rotary) and not found.setup.tool_length:
         text = say(
             "A head's pivot was found as its distance from the tip, tool included. Give {tool_length} to "
-            "have the"
-            " gauge point's written; else use the file with tool length 0.",
+            "have the gauge point's written; else use the file with tool length 0.",
             tool_length=Option("tool_length"),
         )
         yield report_finding(Code.TOOL_LENGTH_INCLUDED, text)

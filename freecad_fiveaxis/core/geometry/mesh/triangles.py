@@ -453,24 +453,21 @@ _EDGE_FINDINGS = (
         Code.OPEN_SHELL,
         Template(
             "{edges} edges leave the mesh open, the first at {at}; passes end there. Close the shell in CAD "
-            "if it is meant to be "
-            "solid."
+            "if it is meant to be solid."
         ),
     ),
     (
         Code.INCONSISTENT_WINDING,
         Template(
             "{edges} edges have two facets that run along them in the same sense, the first at {at}; passes "
-            "end there. Unify the "
-            "facet normals."
+            "end there. Unify the facet normals."
         ),
     ),
     (
         Code.NON_MANIFOLD_EDGES,
         Template(
-            "{edges} edges have more than two facets, the first at {at}; passes end there. Separate or unite "
-            "the bodies that "
-            "meet there."
+            "{edges} edges have more than two facets, the first at {at}; passes end there. Separate or "
+            "unite the bodies that meet there."
         ),
     ),
 )

@@ -51,9 +51,8 @@ def _head_over_table(given: Given) -> tuple[Turn, ...]:
 
 def _max_remarks(given: Given) -> tuple[Finding, ...]:
     forward = say(
-        "maxkins shows wrong positions where B and C are both off zero: its forward formula does not fit the "
-        "one that moves "
-        "the joints. The machine is that of the latter; home it with B or C at 0."
+        "maxkins shows wrong positions where B and C are both off zero: its forward formula does not fit "
+        "the one that moves the joints. The machine is that of the latter; home it with B or C at 0."
     )
     length = say(
         "maxkins turns the tool length with the head only where it is a W offset of the tool table; enter it "

@@ -88,8 +88,7 @@ def _of_freecad(path: str) -> tuple[Machine, tuple[Finding, ...]]:
     if is_older(data["machine"]["axes"]):
         text = say(
             "The file is of an older layout, which does not say what carries what; taken: X and Y move the "
-            "table, Z the head. "
-            "Limits are those beside each axis."
+            "table, Z the head. Limits are those beside each axis."
         )
         found.append(report_finding(Code.MACHINE_DEFAULT, text))
     if not extra:

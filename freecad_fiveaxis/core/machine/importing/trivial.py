@@ -64,9 +64,8 @@ def _remarks(given: Given) -> tuple[Finding, ...]:
         return ()
     text = say(
         "trivkins does not say where {letter} stands. Taken: it turns the table about the line through the "
-        "machine's zero along "
-        "{along}, with the sign of ISO 841. Correct what is otherwise in the machine file; prove the signs "
-        "before cutting.",
+        "machine's zero along {along}, with the sign of ISO 841. Correct what is otherwise in the machine "
+        "file; prove the signs before cutting.",
         letter=rotary[0],
         along="X" if rotary[0] == "A" else "Y",
     )

@@ -187,8 +187,7 @@ def _findings(
     named = ", ".join(f"{letter} {name}" for name, letter in letters.items())
     taken = say(
         "Taken of {name}: the axes {letters}; the gauge point {gauge} mm, the origin of {tool}; the usual "
-        "work zero {zero} mm, "
-        "that of {table}. Neither controller nor height of the table's face is known. "
+        "work zero {zero} mm, that of {table}. Neither controller nor height of the table's face is known. "
         "Correct what is otherwise in the machine file.",
         name=robot.name,
         letters=named,
@@ -199,8 +198,7 @@ def _findings(
     )
     signs = say(
         "A positive word is taken for a positive value of its joint, which moves table or tool along or "
-        "about its axis. "
-        "Prove the signs before cutting."
+        "about its axis. Prove the signs before cutting."
     )
     found = [report_finding(Code.MACHINE_DEFAULT, taken), report_finding(Code.SIGN_UNPROVEN, signs)]
     if not bodies:

@@ -211,8 +211,7 @@ def _reachable(kinematics: Chain, path: CLPath, angles: Floats, pole: Bools) -> 
         raise ReachError(
             say(
                 "{count} of {all} points need a tool axis that the rotary limits of {letters} do not allow, "
-                "the "
-                "first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another "
+                "the first is {axis} at {place}: widen the limits, lower {max_axis_angle} or take another "
                 "machine",
                 count=len(lost),
                 all=len(path.tip),
@@ -244,16 +243,14 @@ def _too_few_axes(letter: str, count: int, all_rows: int, tip: Floats, axis: Flo
     if letter:
         return say(
             "{count} of {all} points need a tool axis that {letter} alone does not reach within its limits, "
-            "the first is {axis} "
-            "at {place}: keep the tool axis along Z ({fixed}), widen the limits or take a machine with two "
-            "rotary axes",
+            "the first is {axis} at {place}: keep the tool axis along Z ({fixed}), widen the limits or take "
+            "a machine with two rotary axes",
             letter=letter,
             **given,
         )
     return say(
         "{count} of {all} points need a leaning tool, the first is {axis} at {place}, and this machine has "
-        "no rotary axis: keep "
-        "the tool axis along Z ({fixed}) or take another machine",
+        "no rotary axis: keep the tool axis along Z ({fixed}) or take another machine",
         **given,
     )
 
@@ -359,9 +356,8 @@ def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding
             if sign * (q[worst, axis] - limit) > LINEAR_SLACK:
                 count = int((sign * (q[:, axis] - limit) > LINEAR_SLACK).sum())
                 text = say(
-                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work "
-                    "zero "
-                    "({origin}) or take a larger machine.",
+                    "{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the "
+                    "work zero ({origin}) or take a larger machine.",
                     letter=kinematics.letters[axis],
                     word=Length(q[worst, axis], ".4f"),
                     limit=Length(limit, ".4f"),

@@ -313,9 +313,8 @@ def rewind_findings(
         before, after = np.degrees(given.angles[step : step + 2])
         axis = int(np.abs(after - before).argmax())
         text = say(
-            "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns above "
-            "the"
-            " part and re-engages, which may leave a mark. Wider limits or another setup avoid it.",
+            "{letter} has to turn back from {before} to {after} inside a cut: the tool retracts, turns "
+            "above the part and re-engages, which may leave a mark. Wider limits or another setup avoid it.",
             letter=kinematics.letters[3 + axis],
             before=Angle(before[axis], ".3f", bare=True),
             after=Angle(after[axis], ".3f"),
@@ -336,8 +335,7 @@ def rewind_findings(
         worst = int(uncut.argmax())
         text = say(
             "{length} of the path stay uncut at {count} rewinds: on neither side of them do the rotary "
-            "limits "
-            "allow the tool axis that is needed. Wider limits or another setup avoid it.",
+            "limits allow the tool axis that is needed. Wider limits or another setup avoid it.",
             length=Length(uncut.sum(), ".4f"),
             count=int((uncut > 0.0).sum()),
         )

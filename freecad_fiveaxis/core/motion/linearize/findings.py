@@ -61,10 +61,8 @@ def found(
     if even.any():
         text = say(
             "In {count} divided blocks the rotary axes turn evenly, because the straight swing of the tool "
-            "axis "
-            "would need another branch or winding; its axis deviation stays as it was. Lead the tool round "
-            "the "
-            "pole to avoid it.",
+            "axis would need another branch or winding; its axis deviation stays as it was. Lead the tool "
+            "round the pole to avoid it.",
             count=even.sum(),
         )
         reports.append(
@@ -75,10 +73,8 @@ def found(
         worst = rows[coarse][np.argmax(outcome.held[coarse]) :]
         text = say(
             "{count} blocks cannot be held within {tolerance}: words of {linear} and {rotary} decimals put "
-            "the "
-            "tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. Allow "
-            "more, "
-            "or use a controller with finer words.",
+            "the tip up to {most_off} off. The worst, which leads to {spot}, is proven to hold {value}. "
+            "Allow more, or use a controller with finer words.",
             count=coarse.sum(),
             tolerance=Length(tolerance),
             linear=steps.linear,
@@ -91,10 +87,8 @@ def found(
     if whole.any():
         text = say(
             "{count} blocks are over {tolerance} and were left whole (the first leads to {spot}): no number "
-            "of "
-            "blocks holds it there, because the linear axes turn into one plane on the way. Turn the part on "
-            "the "
-            "table, or take another machine.",
+            "of blocks holds it there, because the linear axes turn into one plane on the way. Turn the "
+            "part on the table, or take another machine.",
             count=whole.sum(),
             tolerance=Length(tolerance),
             spot=_spot(kinematics, words[rows[whole][0]]),

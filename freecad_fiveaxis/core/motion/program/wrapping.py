@@ -66,9 +66,8 @@ def by_the_shorter_way(
         if rotary[k] != wrap[k]:
             text = say(
                 "{name} does not take the shorter way to a word of 0 to 360, as the machine file says of "
-                "{letter} "
-                "(modulo): the words count their turns on. Set the control accordingly, or wrap_strategy to "
-                "unwound.",
+                "{letter} (modulo): the words count their turns on. Set the control accordingly, or "
+                "wrap_strategy to unwound.",
                 name=dialect.name,
                 letter=letter,
             )
@@ -89,8 +88,7 @@ def _other_way(letter: str, blocks: Ints, feeding: Bools) -> Finding:
     text = say(
         "{count} blocks would turn {letter} by more than half a turn ({cutting} of them feed blocks); the "
         "control takes the shorter way there (wrap_strategy modulo), and so do the words here. Divide "
-        "blocks, or "
-        "set wrap_strategy to unwound.",
+        "blocks, or set wrap_strategy to unwound.",
         count=len(blocks),
         letter=letter,
         cutting=cutting,

@@ -341,17 +341,15 @@ def _findings(cycles: CycleMoves, lines: Lines, controller: str) -> list[Finding
     if controller in WAYS and len(pecks) and cycles.moves:
         text = say(
             "Between pecks the tool stays {back} off the depth reached here; on this control a setting says "
-            "how far. "
-            "No other place hangs on it.",
+            "how far. No other place hangs on it.",
             back=Length(WAYS[controller].peck),
         )
         found.append(report_finding(Code.PECK_CLEARANCE, text, line=int(pecks[0])))
     fine = np.flatnonzero(lines.any_of((FINE,)))
     if controller in WAYS and len(fine) and cycles.moves:
         text = say(
-            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before the "
-            "tool rises, "
-            "and comes back above."
+            "G76 is read without its shift: at the bottom the control leaves the wall by I J or Q before "
+            "the tool rises, and comes back above."
         )
         found.append(report_finding(Code.BORING_SHIFT, text, line=int(fine[0])))
     return found

@@ -146,8 +146,7 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
         return []
     text = say(
         "{count} lines by their angle (,A, ANG=) are not worked out, first NC line {line}: it takes one "
-        "coordinate of the end, "
-        "or a next line with an angle and both. Post the places of their ends.",
+        "coordinate of the end, or a next line with an angle and both. Post the places of their ends.",
         count=len(lost),
         line=int(line[lost[0]]),
     )

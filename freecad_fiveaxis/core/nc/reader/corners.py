@@ -274,9 +274,8 @@ def _findings(lost: list[int], line: Ints) -> list[Finding]:
         return []
     text = say(
         "{count} corners (,R ,C, RND=, RNDM=, CHR=, CHF=) are left sharp, first NC line {line}: they stand "
-        "between other moves "
-        "than lines (of a rounding, arcs) in the working plane, or these are too short. Post their arcs and "
-        "lines.",
+        "between other moves than lines (of a rounding, arcs) in the working plane, or these are too short. "
+        "Post their arcs and lines.",
         count=len(lost),
         line=int(line[lost[0]]),
     )

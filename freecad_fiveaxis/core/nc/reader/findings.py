@@ -38,13 +38,11 @@ UNITS_TAKEN = Template(
 )
 UNITS_DOUBTED = Template(
     "The program says {units}; taken as mm, but its size ({size}) and F (up to {feed}) are rather those of "
-    "inches. "
-    "Give {option}, mm or inch."
+    "inches. Give {option}, mm or inch."
 )
 POINTS = Template(
     "{count} words have no decimal point; taken as they stand: {word} is {value}. If the control counts its "
-    "least "
-    "increment, it is {small} there: give {option}."
+    "least increment, it is {small} there: give {option}."
 )
 COUNTED_ON = Template(
     "The words of {letter} count their turns on, and {count} blocks turn by more than half a turn; the "
@@ -57,8 +55,7 @@ IF_SET = Template(
 )
 WITHIN_A_TURN = Template(
     "{count} feed blocks turn {letter} by nearly a whole turn, and all its words lie within one: they seem "
-    "meant by the shorter "
-    "way. If the control takes it, set wrap_strategy to modulo."
+    "meant by the shorter way. If the control takes it, set wrap_strategy to modulo."
 )
 
 
@@ -84,8 +81,7 @@ def shift_finding(name: str, reason: str, row: int) -> Finding:
     """An error: the shift of the zero ``name`` in line ``row`` is not interpreted."""
     text = say(
         "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they "
-        "were before: "
-        "{reason}. Post without it.",
+        "were before: {reason}. Post without it.",
         name=name,
         reason=reason,
     )
@@ -243,8 +239,7 @@ def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Find
         return []
     text = say(
         "{count} blocks stand under G500 after a work offset: where they lead only the machine knows, and "
-        "they are not right "
-        "here. Post them under the offset, or as machine positions (SUPA).",
+        "they are not right here. Post them under the offset, or as machine positions (SUPA).",
         count=len(rows),
     )
     return [
@@ -334,8 +329,7 @@ def guide_findings(program: Program, motions: Moves) -> tuple[Finding, ...]:
         text = say(
             "In {count} blocks the controller guides the tip (RTCP): that it keeps to the segment is the "
             "controller's affair, and neither measured nor proven here. Limits and rates are those of the "
-            "axes "
-            "that this machine file needs for it.",
+            "axes that this machine file needs for it.",
             count=count,
         )
         found.append(

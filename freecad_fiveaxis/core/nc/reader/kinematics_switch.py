@@ -64,9 +64,8 @@ def switch_findings(lines: Lines, grammar: Grammar) -> list[Finding]:
 def _taken(row: int) -> Finding:
     text = say(
         "G12.1 P0 is taken as the kinematics of the tip (M428), G12.1 P1 as that of the axes (M429), as "
-        "LinuxCNC's trt modules "
-        "and 5axiskins count them. If the machine's module counts otherwise, the path is another: look into "
-        "its HAL file."
+        "LinuxCNC's trt modules and 5axiskins count them. If the machine's module counts otherwise, the "
+        "path is another: look into its HAL file."
     )
     return report_finding(Code.KINEMATICS_NUMBER, text, line=row)
 
@@ -74,8 +73,7 @@ def _taken(row: int) -> Finding:
 def _unknown(row: int, number: float, count: int) -> Finding:
     text = say(
         "{count} lines select a kinematics that is not known here (the first: G12.1 P{number}); the words "
-        "after them are taken "
-        "as those of the axes. Post with G12.1 P0 and G13.1.",
+        "after them are taken as those of the axes. Post with G12.1 P0 and G13.1.",
         count=count,
         number=f"{number:g}",
     )

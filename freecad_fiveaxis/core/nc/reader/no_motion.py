@@ -60,9 +60,8 @@ def _without_brackets(text: bytes, findings: list[Finding]) -> bytes:
     for name, places in at.items():
         shown = name.replace(b" ", b"").decode()
         sentence = say(
-            "{name}(...) stands in {count} lines and is not known; what it does is missing here. If it moves "
-            "nothing, name it "
-            "under no_motion in the machine file.",
+            "{name}(...) stands in {count} lines and is not known; what it does is missing here. If it "
+            "moves nothing, name it under no_motion in the machine file.",
             name=shown,
             count=len(places),
         )

@@ -25,8 +25,7 @@ from .siemens_cycles import Drill
 
 NOT_RUN = Template(
     "The lines with variables, expressions or jumps are not interpreted, because of this one: {reason}. "
-    "Their words are missing "
-    "here; post without them."
+    "Their words are missing here; post without them."
 )
 BEHIND_A_CALL = re.compile(b"[%c%c][0-9]+ +[0-9.]" % (ord(codes.PLANE), ord(codes.DRILL)))
 

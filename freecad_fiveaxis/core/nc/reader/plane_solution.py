@@ -126,8 +126,7 @@ def taken(kinematics: Chain, tilt: Tilt, angles: Floats, line: int) -> Finding:
     first, second = letters[0] + f"{angles[0]:.4f}", letters[1] + f"{angles[1]:.4f}"
     text = say(
         "Tilted planes: of the ways to stand the one that {control} takes by its manual is taken, at first "
-        "{first} {second}; a "
-        "setting of the machine may choose another. Compare with the control.",
+        "{first} {second}; a setting of the machine may choose another. Compare with the control.",
         control=tilt.rule.capitalize(),
         first=first,
         second=second,

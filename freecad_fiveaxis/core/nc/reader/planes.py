@@ -228,8 +228,7 @@ def refused(name: str, reason: str, row: int) -> Finding:
     """What is not interpreted, in the line of index ``row``."""
     text = say(
         "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were "
-        "before: {reason}. "
-        "Post it another way, or post without planes.",
+        "before: {reason}. Post it another way, or post without planes.",
         name=name,
         reason=reason,
     )

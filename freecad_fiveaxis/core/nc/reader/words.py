@@ -74,8 +74,7 @@ LETTERS_TO_BLANKS = bytes.maketrans(bytes(range(65, 91)) + bytes(range(97, 123))
 SKIPPED = Template("{count} lines begin with a slash (block skip); they are read as if the switch were off.")
 MACROS = Template(
     "{count} lines hold variables, expressions or jumps, which are not interpreted; their words are missing "
-    "here. Post without "
-    "them. The first: {shown}."
+    "here. Post without them. The first: {shown}."
 )
 NOT_CALLED = Template(
     "Subprograms are not interpreted, because of this line: {reason}. Post one program without them."

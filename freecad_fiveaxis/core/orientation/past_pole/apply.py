@@ -84,8 +84,7 @@ def _findings(
         )
         text = say(
             "{count} passes are turned past the pole: {letter} turns at most {after} instead of {before} on "
-            "them, "
-            "and {turns} instead of {turned} in all, for an axis changed by up to {most}.",
+            "them, and {turns} instead of {turned} in all, for an axis changed by up to {most}.",
             count=int(found.rerouted.sum()),
             letter=letter,
             after=Turn(after, ".3g", bare=True),

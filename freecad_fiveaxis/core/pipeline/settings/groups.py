@@ -113,8 +113,7 @@ class PassSettings:
     steep_shallow: float | None = option(
         None, "angle",
         "level planes where the surface is steeper than this from the horizontal, the passes only where it "
-        "is not "
-        "[the passes everywhere]",
+        "is not [the passes everywhere]",
         above=0, most=math.pi / 2,
     )  # fmt: skip
     max_axis_angle: float | None = option(
@@ -150,8 +149,7 @@ class BoundarySettings:
         None,
         "curve",
         "a CSV file of closed curves, X,Y,Z in mm on each line, a blank line between two (or the lines "
-        "themselves, a ; between "
-        "two, and ;; between two curves): passes end at them [none]",
+        "themselves, a ; between two, and ;; between two curves): passes end at them [none]",
         (*FROM_SOLID, REACH),
     )
     boundary_axis: Vector = option(
@@ -344,8 +342,7 @@ class MachineSettings:
     rapids: str = option(
         AS_MACHINE, "choice",
         "how the controller drives its axes in a rapid: together (interpolated), each at its own rate "
-        "(independent), or unknown; "
-        "machine: as the machine file says, else the controller",
+        "(independent), or unknown; machine: as the machine file says, else the controller",
         (MILL, AUDIT), choices=(AS_MACHINE, *RAPIDS),
     )  # fmt: skip
     control_point: Literal["tip", "centre"] = option(
@@ -388,8 +385,7 @@ class GougeSettings:
     gouge: str = option(
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free "
-        "within max-tilt and "
-        "lift where the cutter still enters; off: no check",
+        "within max-tilt and lift where the cutter still enters; off: no check",
         (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
@@ -450,8 +446,7 @@ class SetupSettings:
     region: Vector = option(
         USUAL_REGION, "lengths",
         "X,Y,Z: so far to either side the work zero may move from where it is; 0: it stays, as Z does where "
-        "nobody says how high "
-        "the table is",
+        "nobody says how high the table is",
         (SETUP,), least=0, most=FARTHEST,
     )  # fmt: skip
     grid: Vector | None = option(

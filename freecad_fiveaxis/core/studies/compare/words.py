@@ -63,13 +63,11 @@ def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None =
 
 
 NOTE = (
-    "Tip guided: the controller has tool-centre control (RTCP, TCPM, G43.4). Deviation: the largest distance "
-    "of the tip's real "
-    "path from the segment that a block commands, of all blocks at feed, as rounded; a guided tip stays on "
-    "it. Axis: how far the "
-    "tool leaves the plane of a block's two end axes. Rates are the peaks within feed blocks, at the "
-    "programmed feed where no "
-    "axis is too slow for it. Time includes rapids."
+    "Tip guided: the controller has tool-centre control (RTCP, TCPM, G43.4). Deviation: the largest "
+    "distance of the tip's real path from the segment that a block commands, of all blocks at feed, as "
+    "rounded; a guided tip stays on it. Axis: how far the tool leaves the plane of a block's two end axes. "
+    "Rates are the peaks within feed blocks, at the programmed feed where no axis is too slow for it. Time "
+    "includes rapids."
 )
 
 

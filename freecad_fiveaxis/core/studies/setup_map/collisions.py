@@ -85,11 +85,9 @@ def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iter
         text = plural(
             len(passed),
             "1 setup that was tried is passed over, because tool or spindle hit the machine there: with the "
-            "work zero at "
-            "{origin} the {name} by {depth}.",
+            "work zero at {origin} the {name} by {depth}.",
             "{count} setups that were tried are passed over, because tool or spindle hit the machine there: "
-            "with the work zero "
-            "at {origin} the {name} by {depth}.",
+            "with the work zero at {origin} the {name} by {depth}.",
             origin=Point(tuple(origin[row].tolist()), ".6g"),
             **_hit(passed[row]),
         )
@@ -104,8 +102,7 @@ def _none_free(origin: Floats, hits: Floats, seen: dict[int, tuple[Finding, ...]
     text = plural(
         len(hit),
         "In the one setup that was tried tool or spindle hit the machine, with the work zero at {origin}: "
-        "the {name} by {depth}. "
-        "Move the region ({option}), clamp the part higher, or use a longer tool.",
+        "the {name} by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",
         "In all {count} setups that were tried tool or spindle hit the machine, least with the work zero at "
         "{origin}: the {name} "
         "by {depth}. Move the region ({option}), clamp the part higher, or use a longer tool.",

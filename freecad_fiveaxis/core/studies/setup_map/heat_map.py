@@ -117,9 +117,8 @@ def _heat(figure: Any, chart: SetupMap, across: int, up: int) -> PlotText:
     names = f"{'XYZ'[across]} and {'XYZ'[up]}"
     caption = (
         f"Each cell is the program as posted with the work zero there, at {_where(chart, axes)}. Star: "
-        "recommended; cross: "
-        "present. Hatched: an axis would leave its limits, the part would reach below the table, or the tool "
-        "hit the machine."
+        "recommended; cross: present. Hatched: an axis would leave its limits, the part would reach below "
+        "the table, or the tool hit the machine."
     )
     alt = f"Largest deviation over the work zero along {names}: from {low:.4g} to {high:.4g} mm."
     return (

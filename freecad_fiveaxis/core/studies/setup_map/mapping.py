@@ -177,8 +177,7 @@ def _findings(region: Region, origin: Floats, best: int | None, found: list[Foun
         over = min(one.over for one in found)
         text = say(
             "No work zero of the setup region keeps the linear axes within their limits: they are exceeded "
-            "by "
-            "{over} at least. Widen the region, turn the part, or take a larger machine.",
+            "by {over} at least. Widen the region, turn the part, or take a larger machine.",
             over=Length(over, ".4g"),
         )
         yield report_finding(Code.NO_SETUP_WITHIN_LIMITS, text, over, 0.0)
@@ -207,9 +206,8 @@ def _table_findings(stand: _Stand, stands: Bools) -> Iterator[Finding]:
         yield report_finding(Code.TABLE_UNKNOWN, text)
     elif not stands[0]:
         text = say(
-            "In the present setup the part reaches below the table: its work zero must stand at Z {least} or "
-            "higher. Give "
-            "another {origin}.",
+            "In the present setup the part reaches below the table: its work zero must stand at Z {least} "
+            "or higher. Give another {origin}.",
             least=Length(stand.least),
             origin=Option("origin"),
         )

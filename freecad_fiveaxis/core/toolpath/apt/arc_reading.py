@@ -96,9 +96,8 @@ def arc_findings(
             "last one, or before "
             "another arc, or its direction points to its centre. The path goes straight there.",
             "{count} arcs lack their start or their end (first line {line}): they stand before the first "
-            "move, after the last "
-            "one, or before another arc, or their direction points to their centre. The path goes straight "
-            "there.",
+            "move, after the last one, or before another arc, or their direction points to their centre. "
+            "The path goes straight there.",
             line=line,
         )
         yield report_finding(Code.ARC_DOES_NOT_FIT, text, float(len(lost)), line=line, unit="")
@@ -137,11 +136,9 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
     text = plural(
         int(back.sum()),
         "An arc runs back against the straight moves beside it (line {line}): does the CAM system mean its "
-        "circles the other way "
-        "round? Have curves written as points.",
+        "circles the other way round? Have curves written as points.",
         "{count} arcs run back against the straight moves beside them (first line {line}): does the CAM "
-        "system mean its circles "
-        "the other way round? Have curves written as points.",
+        "system mean its circles the other way round? Have curves written as points.",
         line=line,
     )
     return report_finding(Code.ARC_RUNS_BACK, text, float(back.sum()), line=line, severity=Severity.ERROR)
@@ -154,11 +151,9 @@ def _cusps(source: Source, arcs: Arcs, back: Bools, on: int) -> Finding:
     text = plural(
         int(back.sum()),
         "An arc turns back where a straight move meets it (line {line}), as in a corner beside an island; "
-        "{on} others of the "
-        "file run on as read.",
+        "{on} others of the file run on as read.",
         "{count} arcs turn back where straight moves meet them (first line {line}), as in corners beside "
-        "islands; {on} others of "
-        "the file run on as read.",
+        "islands; {on} others of the file run on as read.",
         line=line,
         on=on,
     )
@@ -172,12 +167,10 @@ def _ambiguous(source: Source, arcs: Arcs, spans: ArcSpans, either: Bools) -> Fi
     taken = say("a whole turn") if last > np.pi else say("the short way")
     text = plural(
         int(either.sum()),
-        "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn or "
-        "next to nothing; "
-        "{taken} is taken, as its direction says.",
+        "The ends of an arc are as near as the printed digits allow (line {line}): it may be a whole turn "
+        "or next to nothing; {taken} is taken, as its direction says.",
         "The ends of {count} arcs are as near as the printed digits allow (first line {line}): they may be "
-        "whole turns or next "
-        "to nothing; there {taken} is taken, as its direction says.",
+        "whole turns or next to nothing; there {taken} is taken, as its direction says.",
         line=line,
         taken=taken,
     )

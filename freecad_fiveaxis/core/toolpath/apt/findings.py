@@ -152,8 +152,7 @@ def units_findings(source: Source, statements: Statements, units: str) -> tuple[
     line = int(source.line[statements.statement[at[0]]])
     text = say(
         "The CL file does not say its unit; mm is taken, but line {line} says {statement}, as files in "
-        "inches do. Give {option}, "
-        "mm or inch.",
+        "inches do. Give {option}, mm or inch.",
         line=line,
         statement=statements.texts[statements.which[at[0]]][:40],
         option=Option("units"),

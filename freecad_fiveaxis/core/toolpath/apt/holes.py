@@ -163,11 +163,9 @@ def _findings(
         text = plural(
             len(whole),
             "A drilling cycle with pecks says no STEP (line {line}): its holes are drilled in one go. Say "
-            "the step, if the chips "
-            "are to come out.",
+            "the step, if the chips are to come out.",
             "{count} drilling cycles with pecks say no STEP (first line {line}): their holes are drilled in "
-            "one go. Say the "
-            "step, if the chips are to come out.",
+            "one go. Say the step, if the chips are to come out.",
             line=line,
         )
         yield report_finding(Code.CYCLE_STEP_NOT_SAID, text, float(len(whole)), line=line)

@@ -137,8 +137,7 @@ def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
     if chosen is None:
         text = say(
             "The file changes tools ({listed}), the program does not: it cuts all of it with one. Write one "
-            "file for each tool, "
-            "or choose one: {option}.",
+            "file for each tool, or choose one: {option}.",
             listed=tools.listed,
             option=Option("cl_tool"),
         )

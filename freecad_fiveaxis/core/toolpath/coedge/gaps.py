@@ -167,9 +167,8 @@ def _findings(contact: ContactPath, parts: list[Closed], cut: Bools | None) -> t
             "here. Have the path "
             "checked against the part ({report}), or lifted out of it ({lift}), or use a smaller cutter.",
             "At {count} places the surface curls tighter than the cutter, which cuts into it; how deep is "
-            "not known here. Have "
-            "the path checked against the part ({report}), or lifted out of it ({lift}), or use a smaller "
-            "cutter.",
+            "not known here. Have the path checked against the part ({report}), or lifted out of it "
+            "({lift}), or use a smaller cutter.",
             report=Choice("gouge", ("report",)),
             lift=Choice("gouge", ("lift",)),
         )

@@ -112,9 +112,8 @@ class AttachFields(QtCore.QObject):
 def _hint() -> Any:
     label = QtWidgets.QLabel(translate(
         "FiveAxis",
-        "Select solids, meshes, parts or links in any document. Its coordinates are taken for the machine's, "
-        "with all axes at "
-        "zero. Saving writes them as STL files beside the machine's file.",
+        "Select solids, meshes, parts or links in any document. Its coordinates are taken for the "
+        "machine's, with all axes at zero. Saving writes them as STL files beside the machine's file.",
     ))  # fmt: skip
     label.setObjectName("attach_hint")
     label.setWordWrap(True)
