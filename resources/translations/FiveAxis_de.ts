@@ -5520,6 +5520,10 @@
         <translation>ein Tonnenfräser berührt mit der Kugel an seiner Spitze, nicht mit seiner Flanke</translation>
     </message>
     <message>
+        <source>a barrel leans {angle} from the surface, which machine {name} cannot follow with one rotary axis: choose {fixed} for upright walls, or a ball cutter</source>
+        <translation>ein Tonnenfräser neigt sich um {angle} von der Oberfläche, und dem kann die Maschine {name} mit einer Drehachse nicht folgen: {fixed} für senkrechte Wände wählen, oder einen Kugelfräser</translation>
+    </message>
+    <message>
         <source>a block asks more of an axis than its maximum rate</source>
         <translation>ein Satz verlangt von einer Achse mehr als ihre größte Geschwindigkeit</translation>
     </message>

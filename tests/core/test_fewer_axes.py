@@ -291,6 +291,14 @@ def test_what_needs_a_leaning_tool_is_refused_with_the_remedy(parts, files, opti
         )
 
 
+def test_a_barrel_is_not_leaned_about_one_rotary_axis(parts, files):
+    options = {"machine": str(files / "table_a.fcm"), "cutter": "barrel:10:85:2", "stepover": 5}
+    with pytest.raises(SettingsError, match=r"leans 82 deg .* choose --tool-axis fixed for upright walls"):
+        job.run(build_settings("mill", str(parts / "dome.stl"), options))
+    upright = job.make(build_settings("mill", str(parts / "dome.stl"), {**options, "tool_axis": "fixed"}))
+    assert (upright.path.axis == (0.0, 0.0, 1.0)).all()
+
+
 @pytest.mark.parametrize(
     ("name", "strategy"), [("three", "fixed"), ("table_a", "facet_mean"), ("trunnion_ac", "auto")]
 )

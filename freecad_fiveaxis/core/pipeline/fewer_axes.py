@@ -9,11 +9,13 @@ only made for two is refused.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from freecad_fiveaxis.core.base.errors import SettingsError
-from freecad_fiveaxis.core.base.sentences import Choice, Option, say
+from freecad_fiveaxis.core.base.sentences import Angle, Choice, Option, say
 from freecad_fiveaxis.core.machine import Machine
+from freecad_fiveaxis.core.orientation.strategies import FOLLOWING
 
 from .settings import COMPARE, FRAMES, MILL, POST, PROVE, SETUP, Settings
 from .settings.tree import ROTARY
@@ -47,6 +49,7 @@ def what_needs_more_axes(settings: Settings, machine: Machine) -> SettingsError 
         _task(settings, machine),
         _cures(settings, machine),
         _leaning(settings, machine),
+        _flank(settings, machine),
         _guided(settings, machine),
     )
     return next((SettingsError(*one) for one in refused if one), None)
@@ -122,6 +125,22 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
             gouge=Choice("gouge", ("lift", "leave-out", "report"), flag=True),
         ), settings.gouge.gouge
     return None
+
+
+def _flank(settings: Settings, machine: Machine) -> tuple[str, object] | None:
+    """A barrel that has to lean from the surface, which one rotary axis can only do in one plane."""
+    tool, barrel = settings.tool_axis, settings.cutter.cutter.barrel
+    if settings.task not in (MILL, COMPARE) or barrel is None or machine.rotaries != 1:
+        return None
+    if tool.lead or tool.tilt or tool.tool_axis not in FOLLOWING:
+        return None
+    return say(
+        "a barrel leans {angle} from the surface, which machine {name} cannot follow with one rotary axis: "
+        "choose {fixed} for upright walls, or a ball cutter",
+        angle=Angle(math.degrees(barrel.middle), ".0f"),
+        name=machine.name,
+        fixed=Choice("tool_axis", (FIXED,), flag=True),
+    ), machine.rotaries
 
 
 def _guided(settings: Settings, machine: Machine) -> tuple[str, object] | None:
