@@ -43,7 +43,7 @@ def skin(body, step=3.0):
     """Points (k, 3) mm of the tool's skin about z, tip at 0: of every piece the rims, the side and both
     ends."""
     points = []
-    for low, low_radius, high, high_radius, corner, _ in body.pieces:
+    for low, low_radius, high, high_radius, corner, *_ in body.pieces:
         up = np.linspace(0.0, 1.0, int(np.ceil((high - low) / step)) + 2)
         outline = [
             np.column_stack([low_radius + up * (high_radius - low_radius) + corner, low + up * (high - low)])
