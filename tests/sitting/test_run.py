@@ -22,7 +22,7 @@ PARTS = ("freecad_fiveaxis", "resources", "scripts", "tests/sitting", "Init.py",
 BROKEN = {
     "a slot raises": (
         "freecad_fiveaxis/gui/panels/path_panel.py",
-        '        """Compute what the form says and show the summary; whether that went well. Otherwise the document is as before."""\n',
+        'whether that went well. Otherwise the document is\n        as before."""\n',
         "        raise RuntimeError('broken on purpose')\n",
         "Esc while it works|Calculate",
         "broken on purpose",
@@ -36,7 +36,7 @@ BROKEN = {
     ),
     "the window sleeps": (
         "freecad_fiveaxis/gui/panels/path_panel.py",
-        '        """Compute what the form says and show the summary; whether that went well. Otherwise the document is as before."""\n',
+        'whether that went well. Otherwise the document is\n        as before."""\n',
         "        import time\n        time.sleep(8)\n",
         "Esc while it works|Calculate",
         r"silent for [5-9]\.\d\d s",
