@@ -102,8 +102,7 @@ class Audit(Proxy):
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Another part is remembered by its name. That it is deleted looks here as if it was taken out of the
-        property: only
-        :func:`compare_with` takes it out for good."""
+        property: only :func:`compare_with` takes it out for good."""
         super().onChanged(obj, name)
         if self.whole and name == PART.name and obj.Part is not None and not is_restored(obj):
             obj.PartLabel = obj.Part.Label

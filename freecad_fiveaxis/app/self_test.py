@@ -3,9 +3,8 @@
 freecad_fiveaxis.app.self_test``.
 
 ``Init.py`` names this module in ``FreeCAD.__unit_test__``; nothing of it is loaded before somebody asks for
-it. The tests in
-:class:`SelfTest` need nothing but the add-on. Those of ``tests/app`` come along, one case a file, where
-FreeCAD's Python has pytest and FreeCAD has no window, for which they are not made.
+it. The tests in :class:`SelfTest` need nothing but the add-on. Those of ``tests/app`` come along, one case a
+file, where FreeCAD's Python has pytest and FreeCAD has no window, for which they are not made.
 """
 
 from __future__ import annotations

@@ -11,8 +11,7 @@ name      of a setting, of choices of one, of a task: in the words of the comman
           its own labels.
 
 The templates are found in the source by ``scripts/translations``: the texts of :func:`say`, :func:`plural`
-and
-:class:`Template` are therefore written out as literals.
+and :class:`Template` are therefore written out as literals.
 """
 
 from __future__ import annotations

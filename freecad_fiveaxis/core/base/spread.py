@@ -10,8 +10,7 @@ weight    how long a task takes, in any unit: for the progress only.
 
 A worker keeps to one thread, for the others have the other processors. Tasks that were not begun are
 cancelled where the work is stopped. Those that run hear of it at their next step in threads of any pool; in
-processes where they are those of a
-:class:`~freecad_fiveaxis.core.base.crew.Crew` that is told to stop, as in
+processes where they are those of a :class:`~freecad_fiveaxis.core.base.crew.Crew` that is told to stop, as in
 :func:`~freecad_fiveaxis.core.base.crew.at_work`.
 """
 

@@ -4,8 +4,8 @@ goes.
 
 Pairs whose carriers move against each other are looked at, each with the joints between its carriers alone:
 blocks in which these stand, or which repeat others, cost nothing. What tool and spindle hit of the bodies of
-table and base is found in
-:mod:`.machine_check`; here the tool is looked at against bodies that other axes of its own head carry.
+table and base is found in :mod:`.machine_check`; here the tool is looked at against bodies that other axes of
+its own head carry.
 """
 
 from __future__ import annotations

@@ -145,8 +145,7 @@ def check_program(
     remedy: str = CURES, rapids: str = INTERPOLATED,
 ) -> GougeCheck:  # fmt: skip
     """Check every block of a program, along the way that the machine really goes; see :func:`check_motion`
-    and
-    :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run
+    and :func:`program_motion`. ``rapids``: one of :data:`~.base.rapids.RAPIDS`; where the axes may run
     independently, rapids are checked on every way between their ends, too."""
     swept = program_motion(kinematics, program, back)
 

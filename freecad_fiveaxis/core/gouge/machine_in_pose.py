@@ -4,9 +4,8 @@ and a branch.
 
 free      on one branch within the rotary limits no body of table or base is in cutter, shank, holder or what
           the spindle carries, no body in another one, in the part or in a fixture, and the spindle in neither
-          of these: all that
-          :mod:`.machine_check` looks for, in this one pose. Without the tool's length what depends on it is
-          not asked, as there.
+          of these: all that :mod:`.machine_check` looks for, in this one pose. Without the tool's length what
+          depends on it is not asked, as there.
 pole      where any first rotary word will do, the tool has to be free on all of SAMPLES: its neighbours
           decide which one it gets.
 parted    a piece of the stack and a body, where along one of WAYS the one ends before the other begins: that

@@ -131,8 +131,7 @@ class Nodes:
 @dataclass(frozen=True, eq=False)
 class Freedom:
     """``direction`` (d, 3) unit; ``free`` (n, d) at each node; ``upright`` (n,) whether its own normal is
-    free; ``met`` (n,) of
-    :class:`Obstacle`: what is in the way of the direction that gets farthest."""
+    free; ``met`` (n,) of :class:`Obstacle`: what is in the way of the direction that gets farthest."""
 
     direction: Floats
     free: Bools

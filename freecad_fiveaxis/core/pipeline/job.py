@@ -4,8 +4,8 @@
 Three ways in: ``mill`` starts at the STL, ``post`` at a CL file, ``audit`` at a finished NC file; all three
 end at the same proof of the rounded words, because that is what the machine gets. ``run`` makes and proves;
 :mod:`.outputs` writes. What the settings ask for in the terms of the packages is in :mod:`.options`, the
-stages of ``mill`` are in :mod:`.milling` and
-:mod:`.driving`, what keeps the tool out of the part in :mod:`.collision_avoidance`.
+stages of ``mill`` are in :mod:`.milling` and :mod:`.driving`, what keeps the tool out of the part in
+:mod:`.collision_avoidance`.
 """
 
 from __future__ import annotations

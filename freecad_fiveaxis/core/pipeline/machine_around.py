@@ -27,9 +27,8 @@ def bodies_in_pose(
     margin: float = 0.0,
 ) -> MachineInPose | None:
     """Prepare the bodies of a machine with part and fixtures on it, ``kinematics`` with the limits that
-    count, ``margin`` as of
-    :class:`MachineInPose`; None where its file names none. Raises FiveAxisError for the file of a body that
-    cannot be used."""
+    count, ``margin`` as of :class:`MachineInPose`; None where its file names none. Raises FiveAxisError for
+    the file of a body that cannot be used."""
     if not machine.bodies:
         return None
     _, setup, _ = resolve_setup(settings, machine)

@@ -169,8 +169,7 @@ def cutter_from_apt(
     numbers: Sequence[float], scale: float = 1.0, neck: Sequence[float] = (), flank: Sequence[float] = ()
 ) -> Cutter | None:
     """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit, ``neck``
-    as of
-    :func:`neck_numbers`, ``flank`` as of :func:`flank_numbers`, in that unit too.
+    as of :func:`neck_numbers`, ``flank`` as of :func:`flank_numbers`, in that unit too.
 
     None where d is all that is said, for then the shape is not; and for shapes that are not on offer: a
     bottom that is no plane (a), a corner circle that does not touch it (f), a flank that narrows upwards (b),

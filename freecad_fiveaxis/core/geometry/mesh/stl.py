@@ -74,8 +74,7 @@ def read_stl(path: str | os.PathLike[str], progress: Progress = silent) -> Mesh:
 
 def read_corners(path: str | os.PathLike[str], progress: Progress = silent) -> Floats:
     """Read the facets (f, 3, 3) of an STL file as they stand in it, in whatever unit: nothing is welded.
-    Raises as
-    :func:`read_stl` for a file that is no STL."""
+    Raises as :func:`read_stl` for a file that is no STL."""
     try:
         return np.asarray(_columns(path, progress).T, dtype=np.float64)
     except MeshError as problem:

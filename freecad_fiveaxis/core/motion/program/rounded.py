@@ -50,9 +50,9 @@ class Program:
 
     ``words`` (m, 5) mm and **degrees**, as rounded for the controller, turns not folded; ``feed`` (m,) the F
     word (mm/min, or 1/min where ``inverse_time``; 0 for rapids); ``inverse_time`` (m,) True under G93;
-    ``motion`` (m,) of
-    :class:`~freecad_fiveaxis.core.toolpath.cl_path.Motion`; ``seconds`` (m,) the time that the block is meant
-    to take (0 for row 0); ``row`` (m,) row of the JointPath and of the CL path in it, -1 where there is none;
+    ``motion`` (m,) of :class:`~freecad_fiveaxis.core.toolpath.cl_path.Motion`; ``seconds`` (m,) the time that
+    the block is meant to take (0 for row 0); ``row`` (m,) row of the JointPath and of the CL path in it, -1
+    where there is none;
     ``line`` (m,) line of the NC file, counted from 1. ``guided``: what the NC file says where the controller
     guides the tip; ``words`` are then where the axes stand at the blocks' ends, worked out from that.
     ``wrap``: how the controller takes each rotary word of the NC file.
