@@ -20,7 +20,7 @@ TARGET = 10.0
 
 
 def big(lines: int) -> bytes:
-    """A CL file as chatty as they come: a feed and a remark of its own at every place."""
+    """Return a CL file as chatty as they come: a feed and a remark of its own at every place."""
     numbers = np.random.default_rng(1).uniform(-100, 100, (lines // 3, 3))
     rows = [
         f"PPRINT MOVE {k}\nFEDRAT/{500 + k % 7},MMPM\nGOTO/{x:.4f},{y:.4f},{z:.4f},0,0.6,0.8"
@@ -30,7 +30,7 @@ def big(lines: int) -> bytes:
 
 
 def in_plain_python(text: bytes) -> Floats:
-    """The positions, and nothing else, of a file of GOTO lines."""
+    """Return the positions, and nothing else, of a file of GOTO lines."""
     rows = [
         [float(part) for part in line[5:].split(b",")]
         for line in text.split(b"\n")

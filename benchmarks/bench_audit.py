@@ -63,14 +63,14 @@ def nc_text(letters: str, words: Floats) -> str:
 
 
 def cl_text(tip: Floats, axis: Floats) -> str:
-    """The CL path that the program was posted from."""
+    """Return the CL path that the program was posted from."""
     form = "GOTO/" + ",".join(["%.6f"] * 3 + ["%.7f"] * 3) + "\n"
     rows = np.column_stack([tip, axis]).tolist()
     return "UNITS/MM\nMULTAX/ON\nFEDRAT/1200,MMPM\n" + "".join([form % tuple(row) for row in rows]) + "FINI\n"
 
 
 def hub(path: Path) -> None:
-    """An STL of the hub below the blades' feet: a surface of revolution of 20k facets."""
+    """Write an STL of the hub below the blades' feet: a surface of revolution of 20k facets."""
     turns, rows = 200, 50
     turn, step = np.meshgrid(
         np.linspace(0.0, 2.0 * np.pi, turns, endpoint=False), np.linspace(0.0, 1.0, rows)

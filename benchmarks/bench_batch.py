@@ -49,7 +49,7 @@ WAYS = ("here", "one process", "two")
 
 
 def spent() -> tuple[int, float]:
-    """This process and the s of a processor that it has taken."""
+    """Return this process and the s of a processor that it has taken."""
     return os.getpid(), time.process_time()
 
 
@@ -90,7 +90,7 @@ def pools(warm: Sequence[Sequence[BatchJob]]) -> Iterator[list[Executor | None]]
 
 
 def jobs_in(folder: str, out: str) -> list[list[BatchJob]]:
-    """The same jobs for each way, each into a folder of its own."""
+    """Return the same jobs for each way, each into a folder of its own."""
     from freecad_fiveaxis.core.batch import plan
 
     made = [os.path.join(out, str(way)) for way in range(len(WAYS))]

@@ -91,7 +91,7 @@ def fitting_centres(mesh: Mesh) -> Floats:
 
 
 def gaps(centre: Floats, point: Floats) -> Floats:
-    """What stands above the ball's envelope at each point, mm; below 0: it has gone deeper."""
+    """Return what stands above the ball's envelope at each point, mm; below 0: it has gone deeper."""
     return np.asarray(cKDTree(centre).query(point, workers=2)[0]) - 0.5 * DIAMETER
 
 

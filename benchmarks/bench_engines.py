@@ -61,7 +61,7 @@ STUDIES = {
 
 
 def nothing(common: bytes, task: int, progress: Progress) -> int:
-    """A task that costs nothing."""
+    """Return a task that costs nothing."""
     return task
 
 
@@ -78,7 +78,7 @@ def dask_executor() -> Iterator[Executor]:
 
 
 def loky_executor() -> Any:
-    """Raises ImportError."""
+    """Raise ImportError."""
     import loky
 
     return loky.ProcessPoolExecutor(2)

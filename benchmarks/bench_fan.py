@@ -23,7 +23,7 @@ SLIVERS = (500, 1000, 2000, 4000)
 
 
 def fan(slivers: int) -> Mesh:
-    """A flat cone, 12 mm across, of so many facets at its tip."""
+    """Return a flat cone, 12 mm across, of so many facets at its tip."""
     turn, row = np.linspace(0.0, 2.0 * np.pi, slivers, endpoint=False), np.arange(slivers)
     rim = np.stack([6.0 * np.cos(turn), 6.0 * np.sin(turn), np.zeros(slivers)], axis=1)
     return from_faces(

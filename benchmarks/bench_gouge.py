@@ -46,7 +46,7 @@ ALONG, ACROSS, EDGE = 500, 24, 50.0  # points along and across the mesh; length 
 
 
 def milled(mesh: Mesh) -> job.MilledProgram:
-    """A finishing program with its blocks divided to the tolerance, and no place lifted."""
+    """Return a finishing program with its blocks divided to the tolerance, and no place lifted."""
     options = {"machine": "trunnion_ac", "tool_length": 120, "stepover": 2, "cutter": f"ball:{DIAMETER}"}
     settings = build_settings(
         "mill", "bumpy", {**options, **PLAIN, "max_axis_angle": 60, "linearize": "on", "gouge": "off"}
@@ -78,7 +78,7 @@ class Neighbours:
 
 
 def rates(facets: int) -> dict[str, float]:
-    """The check's rates and the peers', positions a second."""
+    """Return the check's rates and the peers', positions a second."""
     mesh = bumpy(facets)
     made, tree = milled(mesh), facet_tree(mesh)
     real, straight = (
@@ -102,8 +102,8 @@ def rates(facets: int) -> dict[str, float]:
 
 
 def dropped(mesh: Mesh, shape: Any, places: Floats) -> tuple[Floats, float]:
-    """The tips (n, 3) that OpenCAMLib's drop cutter finds at these places (n, 2), and how many it finds in a
-    second."""
+    """Return the tips (n, 3) that OpenCAMLib's drop cutter finds at these places (n, 2), and how many it
+    finds in a second."""
     import opencamlib as ocl
 
     surface = ocl.STLSurf()
@@ -121,8 +121,8 @@ def dropped(mesh: Mesh, shape: Any, places: Floats) -> tuple[Floats, float]:
 
 
 def real_rows(name: str, diameter: float) -> list[tuple[str, ...]]:
-    """The check and the drop cutter at the same points over one of the real meshes, with a ball, a bull nose
-    and a flat."""
+    """Return the check and the drop cutter at the same points over one of the real meshes, with a ball, a
+    bull nose and a flat."""
     import opencamlib as ocl
 
     mesh = read_stl(str(MESHES / f"{name}.stl"))

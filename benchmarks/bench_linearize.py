@@ -92,7 +92,8 @@ def bisected(kinematics: Chain, start: Floats, end: Floats) -> Ints:
 
 
 def _half_way(kinematics: Chain, tip: Floats, axis: Floats, way: Floats, block: Ints, u: Floats) -> Floats:
-    """Rounded words at a share ``u`` of each block: the tip on the chord, the axis on the great arc."""
+    """Return rounded words at a share ``u`` of each block: the tip on the chord, the axis on the great
+    arc."""
     share = u[:, None]
     middle = (1.0 - share) * way[0, block] + share * way[1, block]
     angle = np.arccos(np.clip((axis[0, block] * axis[1, block]).sum(1), -1.0, 1.0))[:, None]
@@ -123,7 +124,7 @@ def _holds(kinematics: Chain, ends: Floats, tip: Floats) -> Bools:
 
 
 def compare(name: str, kinematics: Chain, words: Floats, feeds: Ints) -> tuple[list[object], float]:
-    """A row of the table, and output blocks a second."""
+    """Return a row of the table, and output blocks a second."""
     rows = feeds[measure(kinematics, words).segment[feeds] > TOLERANCE]
     wanted = np.zeros(len(words), bool)
     wanted[rows] = True

@@ -85,7 +85,7 @@ def words_of(kinematics: Chain, count: int) -> Floats:
 
 
 def program_of(kinematics: Chain, words: Floats) -> Program:
-    """A program of feed moves to these words."""
+    """Return a program of feed moves to these words."""
     count = len(words)
     zero = np.zeros(count)
     return Program(

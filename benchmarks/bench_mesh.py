@@ -30,7 +30,7 @@ GROWING = (20_000, 60_000, 200_000, 600_000, 2_000_000)
 
 
 def peers() -> dict[str, Callable[[str], object]]:
-    """The peers that are installed, each reading a file up to its adjacency."""
+    """Return the peers that are installed, each reading a file up to its adjacency."""
     found: dict[str, Callable[[str], object]] = {}
     try:
         import trimesh
@@ -48,8 +48,8 @@ def peers() -> dict[str, Callable[[str], object]]:
 
 
 def alternating(calls: Sequence[Callable[[], object]]) -> list[float]:
-    """The median seconds of each call: all run in turn, so that a busy spell of the machine meets each of
-    them.
+    """Return the median seconds of each call: all run in turn, so that a busy spell of the machine meets each
+    of them.
 
     The first rounds do not count: until then the process still takes memory that later runs find at hand.
     """

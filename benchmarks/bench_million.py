@@ -60,7 +60,7 @@ def write_wavy(side: int, file: Path) -> int:
 
 
 def run(options: tuple[str, ...], folder: str) -> Cost:
-    """The command line in a process of its own."""
+    """Return the command line in a process of its own."""
     command = [sys.executable, "-m", "freecad_fiveaxis", *MILL, *options]
     start = time.perf_counter()
     before = resource.getrusage(resource.RUSAGE_CHILDREN)

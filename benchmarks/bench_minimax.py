@@ -31,7 +31,7 @@ TILT = np.radians(5.0)
 
 
 def many_passes() -> OffsetPath:
-    """The profiles' waves with every step cut in two, one beside the other."""
+    """Return the profiles' waves with every step cut in two, one beside the other."""
     paths = [profiles.offset_path(profiles.profile("wavy", seed % 20, 2)) for seed in range(PASSES)]
     columns = {
         name: np.concatenate([getattr(path, name) for path in paths])

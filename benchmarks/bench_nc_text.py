@@ -35,7 +35,7 @@ def by_percent(words: Floats) -> bytes:
 
 
 def by_percent_of_lists(words: Floats) -> bytes:
-    """The same with Python floats, which ``%`` prints faster than numpy's."""
+    """Return the same with Python floats, which ``%`` prints faster than numpy's."""
     return "".join([FORM % tuple(row) for row in words.tolist()]).encode()
 
 

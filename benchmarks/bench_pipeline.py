@@ -39,7 +39,7 @@ def percent_rate(words: np.ndarray) -> float:
 
 
 def settings_for(folder: Path, facets: int, passes: int) -> tuple[Settings, float]:
-    """The job over a bumpy part of that many facets, its STL written, uncorrected; and the facets in
+    """Return the job over a bumpy part of that many facets, its STL written, uncorrected; and the facets in
     millions."""
     mesh = bumpy(facets)
     write_stl(mesh, folder / "part.stl")
@@ -62,7 +62,7 @@ class Timed(NamedTuple):
 
 
 def timed(settings: Settings, rounds: int) -> Timed:
-    """The pipeline and its peer in turns, for a busy machine's speed changes from second to second.
+    """Return the pipeline and its peer in turns, for a busy machine's speed changes from second to second.
 
     After a run that is not counted: a fresh process gets its memory page by page, which costs more than the
     work itself on some virtual machines. What is freed stays with the process, as on the command line. The NC

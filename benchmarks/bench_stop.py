@@ -25,7 +25,7 @@ MOST = 1.0
 
 
 def hear_ctrl_c() -> None:
-    """A process takes over what its parent ignores: SIGINT behind an ampersand."""
+    """Hear SIGINT again, since a process takes over what its parent ignores: SIGINT behind an ampersand."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 

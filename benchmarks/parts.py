@@ -37,6 +37,6 @@ def bumpy_faces(facets: int) -> tuple[Floats, Ints]:
 
 
 def bumpy(facets: int) -> Mesh:
-    """A closed block of 200 x 200 mm with a domed and bumpy top of about ``facets`` facets (the walls add a
-    few)."""
+    """Return a closed block of 200 x 200 mm with a domed and bumpy top of about ``facets`` facets (the walls
+    add a few)."""
     return from_faces(*bumpy_faces(facets))

@@ -10,7 +10,8 @@ from collections.abc import Callable, Sequence
 
 
 def run_seconds(call: Callable[[], object], repeat: int = 5) -> list[float]:
-    """The wall-clock seconds of each of ``repeat`` runs of ``call``, after one run that is not counted."""
+    """Return the wall-clock seconds of each of ``repeat`` runs of ``call``, after one run that is not
+    counted."""
     call()
     seconds = []
     for _ in range(repeat):
@@ -21,7 +22,7 @@ def run_seconds(call: Callable[[], object], repeat: int = 5) -> list[float]:
 
 
 def median_seconds(call: Callable[[], object], repeat: int = 5) -> float:
-    """The median of :func:`run_seconds`."""
+    """Return the median of :func:`run_seconds`."""
     return statistics.median(run_seconds(call, repeat))
 
 

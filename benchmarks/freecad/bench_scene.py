@@ -43,7 +43,7 @@ HEADS = ("scene", "ms a frame", "peer, ms", "ratio")
 
 @pytest.fixture
 def view():
-    """A 3D view in a window as large as the screen."""
+    """Open a 3D view in a window as large as the screen."""
     FreeCADGui.getMainWindow().setGeometry(0, 0, 1920, 1080)
     doc = FreeCAD.newDocument()
     QtCore.QCoreApplication.processEvents()
@@ -71,7 +71,7 @@ def seconds(view, *drawn):
 
 
 def row(view, name, ours, peer):
-    """A line of the table."""
+    """Print a line of the table."""
     first, second = (statistics.median(seconds(view, *drawn)) for drawn in (ours, peer))
     return name, f"{1e3 * first:.1f}", f"{1e3 * second:.1f}", f"{first / second:.2f}"
 

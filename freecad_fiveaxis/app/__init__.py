@@ -45,7 +45,7 @@ def create_setup(doc: Any, job: Any = None, **settings: Any) -> Any:
 
 
 def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
-    """A computed toolpath; returns the Toolpath object.
+    """Return a computed toolpath; returns the Toolpath object.
 
     ``base``: a solid, body, compound, mesh or Tessellation object, or ``(object, ["Face3"])``. Settings as in
     job files: ``machine="trunnion_ac", cutter="bull:10:2", holder="40x25,63x50", gouge="report",
@@ -64,7 +64,8 @@ def create_toolpath(doc: Any, base: Any, **settings: Any) -> Any:
 
 
 def preview_passes(base: Any, **settings: Any) -> Any:
-    """The passes of settings, laid without tool axes, gouge cure, links and NC; returns the core's Preview.
+    """Return the passes of settings, laid without tool axes, gouge cure, links and NC; returns the core's
+    Preview.
 
     ``point`` (n, 3) mm about the work zero, of lines ``polyline`` (n,); ``passes``, ``length`` mm, ``time`` s
     of cutting alone. Of very many passes one in ``one_in`` is laid; length and time are then estimates of
@@ -111,7 +112,7 @@ def annotate(toolpath: Any) -> Any:
 
 
 def left_map(toolpath: Any) -> Any:
-    """What the cutter leaves on the machined surface, and where it takes too much; returns the LeftMap
+    """Return what the cutter leaves on the machined surface, and where it takes too much; returns the LeftMap
     object, one a toolpath.
 
     ``LargestUndercut`` and ``LargestOvercut`` mm, ``UncutArea``, ``OvercutArea`` and ``MachinedArea`` mm2,
@@ -180,8 +181,8 @@ def apply_setup(setup_map: Any) -> Any:
 
 
 def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = None) -> Any:
-    """The path of a toolpath on several machines, with each cure, with and without tool-centre control;
-    returns the rows.
+    """Return the path of a toolpath on several machines, with each cure, with and without tool-centre
+    control; returns the rows.
 
     ``machines``: names or .fcm files; ``cures``: names, without any: all; ``tool_length`` mm, for machines
     with a rotary head. Each row is a :class:`freecad_fiveaxis.core.studies.compare.Row`. Raises
@@ -194,8 +195,8 @@ def compare(toolpath: Any, machines: Any, cures: Any = (), tool_length: Any = No
 
 
 def recover(cl_file: Any, nc_file: Any, fcm_file: Any = None, **settings: Any) -> Any:
-    """The machine that a post had in mind, from a CL file (APT) and the program made of it, written as a
-    machine file.
+    """Return the machine that a post had in mind, from a CL file (APT) and the program made of it, written as
+    a machine file.
 
     ``fcm_file`` None: a new file in the user's folder of machines; no file is ever replaced. Settings:
     ``machine`` to compare with, ``controller``, ``origin``, ``tool_length`` mm, ``certainty`` mm. Returns the

@@ -168,8 +168,8 @@ one was given."""
 
 
 def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], Any]:
-    """The settings with those of the Setup, and that. Where none is given and nothing that it says, the
-    document's only one."""
+    """Return the settings with those of the Setup, and that. Where none is given and nothing that it says,
+    the document's only one."""
     rest = {name: value for name, value in settings.items() if name != "setup"}
     shared = {name for name in (*job_setup.OPTIONS, "work_zero") if rest.get(name) is not None}
     setup = settings.get("setup") if "setup" in settings or shared else job_setup.only_setup(doc)
@@ -177,8 +177,8 @@ def _with_setup(doc: Any, settings: Mapping[str, Any]) -> tuple[dict[str, Any], 
 
 
 def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings with a holder of one cylinder as a stack. Raises SettingsError where the holder is given
-    twice."""
+    """Return the settings with a holder of one cylinder as a stack. Raises SettingsError where the holder is
+    given twice."""
     rest = {name: value for name, value in settings.items() if name not in _OLD_HOLDER}
     given = {name: settings[name] for name in _OLD_HOLDER if settings.get(name) is not None}
     if given and rest.get("holder") is not None:
@@ -190,7 +190,7 @@ def _with_holder(settings: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _extra(settings: Mapping[str, Any], names: Collection[str]) -> dict[str, Any]:
-    """The properties that are no settings of the core's task, mm."""
+    """Return the properties that are no settings of the core's task, mm."""
     given = {name: settings[name] for name in names if settings.get(name) is not None}
     return {property_name(name): _read(value, name) for name, value in given.items()}
 
@@ -214,7 +214,7 @@ def _place(given: Any, name: str) -> tuple[float, float, float]:
 
 
 def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
-    """The mesher's deflections, mm and **degrees**, as far as given. Raises SettingsError."""
+    """Return the mesher's deflections, mm and **degrees**, as far as given. Raises SettingsError."""
     read = {}
     if settings.get("linear_deflection") is not None:
         read["linear"] = parse_length(settings["linear_deflection"], "linear deflection")
@@ -234,7 +234,8 @@ def _deflections(settings: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _base(given: Any, settings: Mapping[str, Any]) -> tuple[Any, tuple[str, ...], tuple[str, ...]]:
-    """The base, its faces and those to avoid, recomputed where it waits for that. Raises SelectionError."""
+    """Return the base, its faces and those to avoid, recomputed where it waits for that. Raises
+    SelectionError."""
     base, named = (
         (given[0], given[1]) if isinstance(given, (tuple, list)) and len(given) == 2 else (given, ())
     )
@@ -260,7 +261,7 @@ def _compute(obj: Any) -> None:
 
 
 def _check_new(path: Any, overwrite: bool) -> None:
-    """Raises FileError where the file cannot be written, or has content that nobody allowed to replace."""
+    """Raise FileError where the file cannot be written, or has content that nobody allowed to replace."""
     check_writable(path)
     if not overwrite and os.path.exists(path) and os.path.getsize(path):
         raise FileError(
@@ -270,8 +271,8 @@ def _check_new(path: Any, overwrite: bool) -> None:
 
 @contextmanager
 def _all_or_nothing(doc: Any) -> Iterator[list[Any]]:
-    """What is put into the list is taken out of the document again where an error, or the user, ends the
-    work."""
+    """Yield what is put into the list is taken out of the document again where an error, or the user, ends
+    the work."""
     added: list[Any] = []
     try:
         yield added

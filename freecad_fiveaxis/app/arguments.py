@@ -18,29 +18,29 @@ from .selection import SelectionError
 
 
 def document(given: Any) -> Any:
-    """A document."""
+    """Return a document."""
     return _with(given, "addObject", say("a document, as FreeCAD.ActiveDocument"))
 
 
 def setup_map(given: Any) -> Any:
-    """A map of setups."""
+    """Return a map of setups."""
     return _with(given, "RecommendedTurn", say("a setup map"))
 
 
 def cam_job(given: Any) -> Any:
-    """A CAM job, or None."""
+    """Return a CAM job, or None."""
     return given if given is None else _with(given, "Tools", say("a CAM job"))
 
 
 def file_name(given: Any) -> Any:
-    """The name of a file."""
+    """Return the name of a file."""
     if isinstance(given, str) or (isinstance(given, os.PathLike) and isinstance(os.fspath(given), str)):
         return given
     raise FileError(say("{value} is no name of a file: give a text or a path", value=_shown(given)), given)
 
 
 def file_name_or_none(given: Any) -> Any:
-    """The name of a file, or None."""
+    """Return the name of a file, or None."""
     return given if given is None else file_name(given)
 
 
@@ -54,7 +54,7 @@ def names(given: Any) -> tuple[str, ...]:
 
 
 def base(given: Any) -> Any:
-    """An object, by itself or with the names of its faces. What it is is looked at later."""
+    """Return an object, by itself or with the names of its faces. What it is is looked at later."""
     if isinstance(given, (tuple, list)) and len(given) == 2:
         names(given[1])
     return given

@@ -49,7 +49,7 @@ class Chosen(NamedTuple):
         return self.top.getSubObject(self.path, 1)
 
     def inner(self) -> Iterator[Chosen]:
-        """What a part, a group or a link to one holds and shows."""
+        """Yield what a part, a group or a link to one holds and shows."""
         for name in self.leaf.getSubObjects():
             one = Chosen(self.top, self.path + name)
             if one.leaf is not None and one.leaf.Visibility:
@@ -64,8 +64,8 @@ class Surface(NamedTuple):
 
 
 def paths(chosen: Iterable[tuple[Any, Sequence[str]]]) -> list[Chosen]:
-    """The objects meant by selected ``(object, names of its elements)``, each once; a body stands for its
-    features."""
+    """Return the objects meant by selected ``(object, names of its elements)``, each once; a body stands for
+    its features."""
     found = [_path(obj, name) for obj, names in chosen for name in (tuple(names) or ("",))]
     return list({(one.top.Document.Name, one.top.Name, one.path): one for one in found}.values())
 
@@ -82,8 +82,8 @@ def _path(obj: Any, name: str) -> Chosen:
 
 
 def surfaces(chosen: Sequence[Chosen], zero: Sequence[float], linear: float = LINEAR) -> list[Surface]:
-    """The surfaces of what was chosen; facets lie about ``linear`` mm beside the solids at most. Raises
-    FiveAxisError that says which is none; then none is given."""
+    """Return the surfaces of what was chosen; facets lie about ``linear`` mm beside the solids at most.
+    Raises FiveAxisError that says which is none; then none is given."""
     if not linear > 0.0:
         raise SettingsError(
             say("a deviation of {linear} is not above 0; give one as 0.1 mm", linear=Length(linear)), linear
@@ -110,7 +110,7 @@ def _surface(one: Chosen, zero: Sequence[float], linear: float, progress: Progre
 
 
 def _meshes(one: Chosen) -> Iterator[Chosen]:
-    """The meshes at the end of the path and in what stands there."""
+    """Yield the meshes at the end of the path and in what stands there."""
     if selection.is_mesh(one.leaf):
         yield one
     elif not one.leaf.getLinkedObject().isDerivedFrom("PartDesign::Body"):
@@ -119,13 +119,13 @@ def _meshes(one: Chosen) -> Iterator[Chosen]:
 
 
 def _mesh_corners(one: Chosen, holder: Any) -> Floats:
-    """The corners (f, 3, 3) of a mesh, mm of the document."""
+    """Return the corners (f, 3, 3) of a mesh, mm of the document."""
     matrix = holder.Matrix.multiply(one.top.getSubObject(one.path, 4))
     return _corners(Facets(kernel_of(one.leaf), tuple(matrix.A)).stl())
 
 
 def _solid_corners(label: str, shape: Any, holder: Any, linear: float, progress: Progress) -> Floats:
-    """The corners (f, 3, 3) of the facets of a shape's solids, mm of the document."""
+    """Return the corners (f, 3, 3) of the facets of a shape's solids, mm of the document."""
     shape.Placement = holder.multiply(shape.Placement)
     found = meshing.meshed(shape, linear, math.radians(ANGULAR), progress)
     if found is None:
@@ -141,8 +141,8 @@ def _corners(stl: bytes) -> Floats:
 
 
 def _holder(top: Any) -> Any:
-    """The placement in the document of what holds the object at the beginning of a path; none holds it where
-    FreeCAD tells the whole path, as it does of what is selected in its tree and views."""
+    """Return the placement in the document of what holds the object at the beginning of a path; none holds it
+    where FreeCAD tells the whole path, as it does of what is selected in its tree and views."""
     if hasattr(top, "getGlobalPlacement"):
         return selection.holder_of(top)
     group = (

@@ -66,8 +66,9 @@ class Audit(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The file, part and fixtures of the document, the settings of task ``audit``, shank, holder and work
-        zero (where all is drawn, and where part and fixtures stand for the program) and the results."""
+        """Return the file, part and fixtures of the document, the settings of task ``audit``, shank, holder
+        and work zero (where all is drawn, and where part and fixtures stand for the program) and the
+        results."""
         return (
             NC_FILE,
             PART,
@@ -80,7 +81,7 @@ class Audit(Proxy):
         )
 
     def task(self, obj: Any) -> results.Task:
-        """What the object asks of the core. Raises FiveAxisError."""
+        """Return what the object asks of the core. Raises FiveAxisError."""
         if not obj.NCFile:
             raise FileError(
                 say("{label} names no NC file: choose one in its property NCFile", label=obj.Label), ""
@@ -97,7 +98,7 @@ class Audit(Proxy):
         return results.Task(settings, read_bytes(obj.NCFile, "NC file"), part=part, fixtures=solids)
 
     def make_draft(self, task: results.Task, progress: Progress) -> ProgramDraft:
-        """The file's program."""
+        """Return the file's program."""
         return job.make(task.settings, progress, fixtures=task.held(progress))
 
     def onChanged(self, obj: Any, name: str) -> None:
@@ -121,8 +122,8 @@ def compare_with(obj: Any, part: Any) -> None:
 
 
 def part_is_gone(obj: Any) -> SelectionError:
-    """What to say of an Audit whose part was deleted: without it much of what was looked at would silently
-    pass."""
+    """Return what to say of an Audit whose part was deleted: without it much of what was looked at would
+    silently pass."""
     text = say(
         "{part}, which {label} is compared with, was deleted: undo that, choose another part in its property "
         "Part, or none "
@@ -147,9 +148,9 @@ def check_fixtures(doc: Any, fixtures: Sequence[Any], part: Any) -> list[Any]:
 def audit_options(
     options: Mapping[str, Any], part: Any = None, fixtures: Sequence[Any] = ()
 ) -> dict[str, Any]:
-    """What the core is asked: shank and holder are always drawn, but checked only against fixtures, the
-    machine's bodies, and a part where ``gouge`` is not off. A ``part`` of the document stands in place of a
-    file to compare with; ``fixtures`` of it go by their labels."""
+    """Return what the core is asked: shank and holder are always drawn, but checked only against fixtures,
+    the machine's bodies, and a part where ``gouge`` is not off. A ``part`` of the document stands in place of
+    a file to compare with; ``fixtures`` of it go by their labels."""
     options = dict(options) if part is None else {**options, "against": f"{part.Label}.stl"}
     options |= compared.fixture_names(fixtures)
     if not is_part(options.get("against") or ""):
@@ -172,7 +173,7 @@ def _has_bodies(machine: str) -> bool:
 def make(
     doc: Any, nc_path: str, options: Mapping[str, Any], extra: Mapping[str, Any], fixtures: Sequence[Any] = ()
 ) -> Any:
-    """An Audit object, not yet computed. Raises SettingsError, and then leaves no object behind."""
+    """Return an Audit object, not yet computed. Raises SettingsError, and then leaves no object behind."""
     obj = doc.addObject("App::FeaturePython", "Audit")
     try:
         Audit(obj)

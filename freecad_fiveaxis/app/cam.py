@@ -59,15 +59,15 @@ class Preview(Proxy):
         _show(obj, (figures.tip[0] + zero).tolist() if len(figures.tip) else ())
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """The preview shows itself also where the document was made without a window."""
+        """Show the preview also where the document was made without a window."""
         super().onDocumentRestored(obj)
         if obj.ViewObject is not None and not obj.ViewObject.Proxy:
             _show(obj, obj.Path.Commands[0].Placement.Base if obj.Path.Size else ())
 
 
 def preview(toolpath: Any) -> Any:
-    """The toolpath's preview for CAM, a ``Path::FeaturePython``, computed: one for each toolpath, renewed
-    when there is one."""
+    """Return the toolpath's preview for CAM, a ``Path::FeaturePython``, computed: one for each toolpath,
+    renewed when there is one."""
     doc = toolpath.Document
     obj = next((one for one in doc.Objects if _is_preview(one) and one.Toolpath is toolpath), None)
     if obj is None:
@@ -95,7 +95,7 @@ def _show(obj: Any, start: Sequence[float] = ()) -> None:
 
 
 def path_of(figures: Figures, zero: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Any:
-    """The tip's path as a ``Path.Path``, shifted by the work zero (mm, document).
+    """Return the tip's path as a ``Path.Path``, shifted by the work zero (mm, document).
 
     From commands, not from G-code text: that takes as long (0.2 s for 100k blocks), rounds, and reads 1e-05
     as a word E.
@@ -131,8 +131,8 @@ def work_zero(obj: Any) -> tuple[float, float, float]:
 
 
 def job_of(obj: Any) -> Any | None:
-    """The CAM Job whose model contains the object (or a clone of it, or the body around it); None, or the
-    first of several."""
+    """Return the CAM Job whose model contains the object (or a clone of it, or the body around it); None, or
+    the first of several."""
     wanted = {obj, obj.getParentGeoFeatureGroup()} - {None}
     return next(
         (job for job in jobs_of(obj.Document) if any(wanted & _stands_for(one) for one in job.Model.Group)),
@@ -141,7 +141,7 @@ def job_of(obj: Any) -> Any | None:
 
 
 def jobs_of(doc: Any) -> list[Any]:
-    """The CAM Jobs of a document."""
+    """Return the CAM Jobs of a document."""
     return [obj for obj in doc.Objects if _is_job(obj)]
 
 
@@ -203,5 +203,5 @@ def _is_job(obj: Any) -> bool:
 
 
 def _stands_for(model: Any) -> set[Any]:
-    """The Job's own clone of what the user drew, and what it is a clone of."""
+    """Return the Job's own clone of what the user drew, and what it is a clone of."""
     return {model, *getattr(model, "Objects", ())}

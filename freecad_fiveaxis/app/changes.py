@@ -49,8 +49,8 @@ def change_toolpath(obj: Any, settings: Mapping[str, Any]) -> Any:
 
 
 def change_audit(obj: Any, nc_path: str, settings: Mapping[str, Any]) -> Any:
-    """The same for an Audit: its NC file and its settings; ``part`` and ``fixtures`` stay unless they are
-    given. Raises FiveAxisError."""
+    """Return the same for an Audit: its NC file and its settings; ``part`` and ``fixtures`` stay unless they
+    are given. Raises FiveAxisError."""
     options = {
         name: value for name, value in settings.items() if name not in ("work_zero", "part", "fixtures")
     }

@@ -36,7 +36,7 @@ class Seen:
     checksum = b""
 
     def checksum_of(self, shape: Any) -> bytes:
-        """A checksum of a shape as it stands in the document."""
+        """Return a checksum of a shape as it stands in the document."""
         place = tuple(shape.Placement.Matrix.A)
         if self.shape is None or place != self.place or not self.shape.isPartner(shape):
             self.shape, self.place, self.checksum = shape, place, _checksum(shape)
@@ -53,14 +53,14 @@ class Part(NamedTuple):
     stl: bytes = b""
 
     def digest(self) -> bytes:
-        """A checksum that a change of the part, or of the zero, changes. Raises SelectionError."""
+        """Return a checksum that a change of the part, or of the zero, changes. Raises SelectionError."""
         if selection.is_mesh(self.base):
             return facets_of(self.base, self.zero).digest()
         shape = selection.solids(self.base)[0]
         return hashlib.sha256(self.seen.checksum_of(shape) + _text(self.zero).encode()).digest()
 
     def meshed(self, progress: Progress) -> Part:
-        """The same with its surface as a binary STL. Raises FiveAxisError."""
+        """Return the same with its surface as a binary STL. Raises FiveAxisError."""
         return self._replace(stl=self._stl(progress))
 
     def _stl(self, progress: Progress) -> bytes:
@@ -75,8 +75,8 @@ class Part(NamedTuple):
 
 
 def checked(doc: Any, part: Any) -> Any:
-    """The part, or None where none is given. Raises SelectionError for what is neither solid nor mesh of the
-    document."""
+    """Return the part, or None where none is given. Raises SelectionError for what is neither solid nor mesh
+    of the document."""
     if part is None:
         return None
     if getattr(part, "Document", None) is None or not hasattr(part, "Label"):
@@ -109,8 +109,8 @@ def fixture_names(fixtures: Sequence[Any]) -> dict[str, list[str]]:
 
 
 def parts_of(doc: Any) -> list[Any]:
-    """The solids and meshes of a document, in its order; of a body not the features, of a tool path not its
-    tessellation."""
+    """Return the solids and meshes of a document, in its order; of a body not the features, of a tool path
+    not its tessellation."""
     inner = {one.Name for body in doc.findObjects("PartDesign::Body") for one in body.Group}
     return [obj for obj in doc.Objects if obj.Name not in inner and _is_part(obj)]
 

@@ -27,15 +27,15 @@ from .toolpath import Toolpath
 
 
 def cures() -> tuple[str, ...]:
-    """The names of the cures there are."""
+    """Return the names of the cures there are."""
     return tuple(CURES)
 
 
 def settings_of(
     toolpath: Any, machines: Sequence[str], cures: Sequence[str] = (), tool_length: float | None = None
 ) -> Settings:
-    """What is asked of the core: the toolpath's settings without its own cure, on other machines. Raises
-    FiveAxisError."""
+    """Return what is asked of the core: the toolpath's settings without its own cure, on other machines.
+    Raises FiveAxisError."""
     if not isinstance(getattr(toolpath, "Proxy", None), Toolpath):
         raise SelectionError(say("machines are compared on a toolpath: select a toolpath"), toolpath)
     path: Settings = toolpath.Proxy.task(toolpath).settings
@@ -67,6 +67,6 @@ def compare(
 
 
 def write(comparison: trials.Comparison, file: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """The table as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file
-    that is there."""
+    """Write the table as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a
+    file that is there."""
     write_report(lambda: comparison, file, overwrite)

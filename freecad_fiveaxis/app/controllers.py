@@ -17,7 +17,8 @@ SUFFIX = ".ngc"
 
 
 def dialect_of(controller: str | None, machine: str | None) -> Dialect | None:
-    """The core's table of a controller, or of the machine's own; None where the machine cannot be used."""
+    """Return the core's table of a controller, or of the machine's own; None where the machine cannot be
+    used."""
     try:
         return dialect_for(controller, load_machine(machine) if machine and not controller else None)
     except FiveAxisError:
@@ -36,7 +37,7 @@ def suffix_of_path(obj: Any) -> str:
 
 
 def metric_of_path(obj: Any) -> str:
-    """The word of a Toolpath's NC file that says millimetres; the usual one where its controller is not
-    known."""
+    """Return the word of a Toolpath's NC file that says millimetres; the usual one where its controller is
+    not known."""
     dialect = dialect_of(None if obj.Controller == MACHINES_OWN else obj.Controller, obj.Machine)
     return dialect.metric if dialect else Dialect.metric

@@ -63,7 +63,8 @@ UNKNOWN = 1e9
 
 
 def settings_of(obj: Any, task: str, source: str) -> Settings:
-    """The core's settings out of the object's properties; all checks are the core's. Raises SettingsError.
+    """Return the core's settings out of the object's properties; all checks are the core's. Raises
+    SettingsError.
 
     A property at its default is not given at all, so that the core's own default stands to the last bit.
     """
@@ -71,7 +72,7 @@ def settings_of(obj: Any, task: str, source: str) -> Settings:
 
 
 def options_of(obj: Any, task: str) -> dict[str, Any]:
-    """The options of the task that differ from their defaults, as a job file would hold them (mm, deg,
+    """Return the options of the task that differ from their defaults, as a job file would hold them (mm, deg,
     mm/min). Those whose default hangs on others are always given: the property says what is cut."""
     options: dict[str, Any] = {}
     for _, leaf in shown_options(task):
@@ -91,8 +92,8 @@ def options_of(obj: Any, task: str) -> dict[str, Any]:
 
 
 def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options that an object with these would ask for: a field that shows a property's default asks for
-    nothing. Raises SettingsError."""
+    """Return the options that an object with these would ask for: a field that shows a property's default
+    asks for nothing. Raises SettingsError."""
     given = with_current_names(options)
     for _, leaf in shown_options(task):
         name, kind = leaf.name, leaf.metadata["kind"]
@@ -104,16 +105,16 @@ def given_options(task: str, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _cutter_option(obj: Any, task: str, leaf: Any) -> dict[str, Any]:
-    """The cutter; that of an audit at its default only beside a part: otherwise nobody has said that it is
-    the one that cuts."""
+    """Return the cutter; that of an audit at its default only beside a part: otherwise nobody has said that
+    it is the one that cuts."""
     given = cutter_of(obj)
     unsaid = task == AUDIT and not obj.Against and obj.Part is None and parse_cutter(given) == leaf.default
     return {} if unsaid else {leaf.name: given}
 
 
 def cutter_of(obj: Any) -> str:
-    """The cutter of the object's properties as an option; whether there can be such a one is the core's to
-    say."""
+    """Return the cutter of the object's properties as an option; whether there can be such a one is the
+    core's to say."""
     sizes = {name: plain(getattr(obj, "Cutter" + name.capitalize())) for name in SIZES}
     return sizes_text(obj.CutterKind, sizes)
 
@@ -129,7 +130,7 @@ def tool_of(obj: Any) -> Tool:
 
 
 def plain(value: Any) -> Any:
-    """A property's value as numbers and text, in the property's own unit (mm, deg, mm/s).
+    """Return a property's value as numbers and text, in the property's own unit (mm, deg, mm/s).
 
     FreeCAD's files keep 16 digits of a number, fewer than a float has: 12 are taken, so that a reopened
     document asks for the same as before.
@@ -174,7 +175,7 @@ def _put(obj: Any, leaf: Any, value: Any) -> None:
 
 
 def _choice(option: str, value: str, choices: Sequence[str]) -> str:
-    """The choice of that name, in any case. Raises SettingsError."""
+    """Return the choice of that name, in any case. Raises SettingsError."""
     found = [one for one in choices if one.lower() == value.lower()]
     if not found:
         known = ", ".join(one for one in choices if one != MACHINES_OWN)
@@ -194,13 +195,13 @@ def _choice(option: str, value: str, choices: Sequence[str]) -> str:
 
 
 def stl_bytes(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> bytes:
-    """The mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises
+    """Return the mesh object's facets as a binary STL, relative to ``work_zero`` (mm, document). Raises
     SelectionError."""
     return facets_of(obj, work_zero).stl()
 
 
 def facets_of(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> Facets:
-    """The mesh object's facets, relative to ``work_zero`` (mm, document). Raises SelectionError."""
+    """Return the mesh object's facets, relative to ``work_zero`` (mm, document). Raises SelectionError."""
     place, holder = obj.getLinkedObject().Placement, holder_of(obj)
     place = moved_to_zero(place if holder.isIdentity() else holder.multiply(place), work_zero)
     facets = Facets(kernel_of(obj), tuple(place.Matrix.A))
@@ -210,7 +211,7 @@ def facets_of(obj: Any, work_zero: Sequence[float] = (0.0, 0.0, 0.0)) -> Facets:
 
 
 def moved_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
-    """A placement in the document, relative to ``work_zero`` (mm, document)."""
+    """Return a placement in the document, relative to ``work_zero`` (mm, document)."""
     zero = FreeCAD.Vector(*plain(tuple(work_zero)))
     return FreeCAD.Placement(-zero, FreeCAD.Rotation()).multiply(place) if zero.Length else place
 
@@ -218,8 +219,8 @@ def moved_to_zero(place: Any, work_zero: Sequence[float]) -> Any:
 def mesh_and_mask(
     stl: bytes, runs: Sequence[int], avoided: Sequence[int], allowance: float, progress: Progress = silent
 ) -> tuple[Mesh, Bools | None]:
-    """The core's mesh of a binary STL, with an ``allowance`` mm on its facets in the runs ``avoided``, and
-    which of its facets lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
+    """Return the core's mesh of a binary STL, with an ``allowance`` mm on its facets in the runs ``avoided``,
+    and which of its facets lie in the ``runs``, as :func:`facet_mask`. Raises MeshError."""
     mesh = mesh_of(stl, progress)
     off = facet_mask(stl, mesh, avoided) if allowance > 0.0 else None
     with_room = mesh if off is None else replace(mesh, allowance=np.where(off, allowance, 0.0))
@@ -227,7 +228,7 @@ def mesh_and_mask(
 
 
 def mesh_of(stl: bytes, progress: Progress = silent) -> Mesh:
-    """The core's mesh of a binary STL. Raises MeshError."""
+    """Return the core's mesh of a binary STL. Raises MeshError."""
     progress("weld", 0.0)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.stl")
@@ -300,8 +301,8 @@ def clear_result(obj: Any, why: str) -> None:
 
 
 def mark_users(obj: Any) -> None:
-    """What hangs on an object that failed is out of date: FreeCAD does not recompute it, and NC files would
-    look up to date."""
+    """Mark what hangs on an object that failed as out of date: FreeCAD does not recompute it, and NC files
+    would look up to date."""
     for user in obj.InList:
         if hasattr(user, "UpToDate"):
             user.UpToDate = False

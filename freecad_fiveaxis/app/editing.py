@@ -24,17 +24,17 @@ from . import importing, machines
 
 
 def open_draft(machine: Any) -> MachineDraft:
-    """The draft of a machine, by its shipped name or its file. Raises FiveAxisError."""
+    """Return the draft of a machine, by its shipped name or its file. Raises FiveAxisError."""
     return read_draft(os.fspath(machine))
 
 
 def known_names() -> frozenset[str]:
-    """What the machines of the lists are called."""
+    """Return what the machines of the lists are called."""
     return frozenset(choice.label for choice in machines.choices())
 
 
 def check(draft: MachineDraft, names: Collection[str] = ()) -> tuple[Machine | None, tuple[Problem, ...]]:
-    """The machine of a draft, None where it is none yet, and what is wrong or open, errors first.
+    """Return the machine of a draft, None where it is none yet, and what is wrong or open, errors first.
     ``names``: of other machines."""
     machine, problems = check_draft(draft)
     if draft.name.strip() in names:

@@ -27,7 +27,7 @@ _COUNTS, _START = 264, 272
 
 
 def kernel_of(obj: Any) -> bytes:
-    """The kernel of a mesh object, or of the one that it links to: 0.1 s for 500 000 facets."""
+    """Return the kernel of a mesh object, or of the one that it links to: 0.1 s for 500 000 facets."""
     saved = obj.getLinkedObject().dumpPropertyContent("Mesh", Compression=0)
     with zipfile.ZipFile(io.BytesIO(saved)) as files:
         return next(files.read(name) for name in files.namelist() if name.endswith(".bms"))
@@ -45,11 +45,11 @@ class Facets(NamedTuple):
         return int(self._counts()[1])
 
     def digest(self) -> bytes:
-        """A checksum of both."""
+        """Return a checksum of both."""
         return hashlib.sha256(hashlib.sha256(self.kernel).digest() + repr(self.matrix).encode()).digest()
 
     def stl(self) -> bytes:
-        """The facets as a binary STL."""
+        """Return the facets as a binary STL."""
         corner, face = self._columns()
         records = np.zeros(len(face), STL)
         records["corner"] = _moved(corner, self.matrix)[face]
@@ -83,8 +83,8 @@ def _moved(corner: Floats, matrix: tuple[float, ...]) -> Floats:
 
 
 def _normals(corner: Floats) -> Floats:
-    """Unit normals (f, 3) of facets (f, 3, 3), of length 0 where a facet has no area; in FreeCAD's order of
-    32-bit operations."""
+    """Return unit normals (f, 3) of facets (f, 3, 3), of length 0 where a facet has no area; in FreeCAD's
+    order of 32-bit operations."""
     (ax, ay, az), (bx, by, bz) = (corner[:, 1] - corner[:, 0]).T, (corner[:, 2] - corner[:, 0]).T
     normal = np.stack([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], axis=1)
     length = np.sqrt(normal[:, 0] * normal[:, 0] + normal[:, 1] * normal[:, 1] + normal[:, 2] * normal[:, 2])

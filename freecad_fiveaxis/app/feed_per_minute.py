@@ -17,7 +17,7 @@ PER_MINUTE = "PerMinute"
 
 
 def speeds(obj: Any) -> Iterator[str]:
-    """The names of the object's feeds that it also has in mm/min."""
+    """Yield the names of the object's feeds that it also has in mm/min."""
     there = obj.PropertiesList
     return (name for name in there if name + PER_MINUTE in there and obj.getTypeIdOfProperty(name) == SPEED)
 
@@ -36,7 +36,7 @@ def show(obj: Any) -> None:
 
 
 def follow(obj: Any, name: str) -> None:
-    """The property ``name`` was changed: where it is one of such a pair, the other becomes the same."""
+    """Make the other property of a pair the same where ``name``, which was changed, is one of such a pair."""
     speed = name.removesuffix(PER_MINUTE)
     if speed not in speeds(obj):
         return

@@ -59,7 +59,7 @@ SMOOTH = 1.0
 
 
 def links_of(obj: Any) -> dict[str, Link]:
-    """The options of a Toolpath that are picked, each with its link."""
+    """Return the options of a Toolpath that are picked, each with its link."""
     held = {option: getattr(obj, one.name, None) for option, one in LINKS.items()}
     return {
         option: (link[0], link[1][0].lstrip(selection.GONE))
@@ -77,7 +77,7 @@ def put(obj: Any, links: Mapping[str, Link]) -> None:
 
 
 def options_of(links: Mapping[str, Link], work_zero: Sequence[float]) -> dict[str, Any]:
-    """What the links say now, as options; places about the ``work_zero`` (mm, document). Raises
+    """Return what the links say now, as options; places about the ``work_zero`` (mm, document). Raises
     SelectionError."""
     found: dict[str, Any] = {}
     for option, (obj, name) in links.items():
@@ -94,12 +94,12 @@ def _text_of(curves: list[list[Any]], zero: Sequence[float]) -> str:
 
 
 def name_of(link: Link) -> str:
-    """What a link is called."""
+    """Return what a link is called."""
     return say("{name} of {label}", name=link[1], label=link[0].Label)
 
 
 def _shape(obj: Any) -> Any:
-    """The shape of an object in the document's coordinates."""
+    """Return the shape of an object in the document's coordinates."""
     shape = Part.getShape(obj)
     if not shape.isNull():
         shape.Placement = selection.holder_of(obj).multiply(shape.Placement)
@@ -107,8 +107,8 @@ def _shape(obj: Any) -> Any:
 
 
 def _element(obj: Any, name: str, option: str, shape: Any = None) -> Any:
-    """The vertex, edge or face of an object, in the document's coordinates. Raises SelectionError where it is
-    gone."""
+    """Return the vertex, edge or face of an object, in the document's coordinates. Raises SelectionError
+    where it is gone."""
     shape = _shape(obj) if shape is None else shape
     if not shape.isNull():
         kind, number = name.rstrip("0123456789"), name[len(name.rstrip("0123456789")) :]
@@ -123,8 +123,8 @@ def _element(obj: Any, name: str, option: str, shape: Any = None) -> Any:
 
 
 def _guide(obj: Any, name: str, option: str) -> list[list[Any]]:
-    """The point that a vertex is, or the points of an edge and of those that go on from it smoothly; mm,
-    document."""
+    """Return the point that a vertex is, or the points of an edge and of those that go on from it smoothly;
+    mm, document."""
     shape = _shape(obj)
     element = _element(obj, name, option, shape)
     if element.ShapeType == "Vertex":
@@ -140,7 +140,8 @@ def _guide(obj: Any, name: str, option: str) -> list[list[Any]]:
 
 
 def _boundary(obj: Any, name: str) -> list[list[Any]]:
-    """The borders of a face; of an edge the closed wire it is in that is widest from above; mm, document."""
+    """Return the borders of a face; of an edge the closed wire it is in that is widest from above; mm,
+    document."""
     shape = _shape(obj)
     element = _element(obj, name, "boundary", shape)
     if element.ShapeType == "Face":
@@ -168,8 +169,8 @@ def _area_from_above(curve: list[Any]) -> float:
 
 
 def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
-    """The edge, and the edges of the shape before and after it that go on without a corner, one at each
-    end."""
+    """Return the edge, and the edges of the shape before and after it that go on without a corner, one at
+    each end."""
     chain = [edge]
     for at_end in (True, False):
         while (found := _next(shape, chain, at_end)) is not None:
@@ -179,8 +180,8 @@ def _smooth_chain(shape: Any, edge: Any) -> list[Any]:
 
 
 def _next(shape: Any, chain: list[Any], at_end: bool) -> Any:
-    """The one edge that goes on from the end, or the beginning, of a chain; None where there is none, or a
-    choice."""
+    """Return the one edge that goes on from the end, or the beginning, of a chain; None where there is none,
+    or a choice."""
     edge, before = (chain[-1], chain[-2:-1]) if at_end else (chain[0], chain[1:2])
     ends = [
         one
@@ -199,7 +200,7 @@ def _next(shape: Any, chain: list[Any], at_end: bool) -> Any:
 
 
 def _way_from(edge: Any, vertex: Any) -> Any:
-    """The direction in which an edge leaves a vertex of it."""
+    """Return the direction in which an edge leaves a vertex of it."""
     begins = edge.valueAt(edge.FirstParameter).distanceToPoint(vertex.Point) < edge.valueAt(
         edge.LastParameter
     ).distanceToPoint(vertex.Point)
@@ -228,7 +229,7 @@ def _gap(point: Any, run: list[Any]) -> float:
 
 
 def _centre(obj: Any, name: str) -> list[list[Any]]:
-    """The point that an element means, mm, document."""
+    """Return the point that an element means, mm, document."""
     element = _element(obj, name, "pass_centre")
     point = getattr(element, "Point", None)
     if point is None and _kind(element) in ("Part::GeomCircle", "Part::GeomSphere"):
@@ -244,7 +245,7 @@ def _centre(obj: Any, name: str) -> list[list[Any]]:
 
 
 def _axis(obj: Any, name: str) -> tuple[float, float, float]:
-    """The direction of an element's axis, document, that looks up."""
+    """Return the direction of an element's axis, document, that looks up."""
     element = _element(obj, name, "pass_axis")
     kind, along = _kind(element), None
     if kind in ("Part::GeomLine", "Part::GeomLineSegment"):
@@ -265,7 +266,7 @@ def _axis(obj: Any, name: str) -> tuple[float, float, float]:
 
 
 def _geometry(element: Any) -> Any:
-    """The curve of an edge, the surface of a face; None of a vertex."""
+    """Return the curve of an edge, the surface of a face; None of a vertex."""
     name = {"Face": "Surface", "Edge": "Curve"}.get(element.ShapeType, "")
     try:
         return getattr(element, name, None)

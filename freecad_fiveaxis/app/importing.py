@@ -16,8 +16,8 @@ from . import machines
 
 
 def read(source: Any) -> Imported:
-    """The machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open. Raises
-    FiveAxisError."""
+    """Return the machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open.
+    Raises FiveAxisError."""
     check_readable(source)
     return import_machine(os.fspath(source))
 

@@ -47,7 +47,7 @@ class Around:
 
 
 def candidates(around: Around) -> list[Path]:
-    """The Pythons there are, the likeliest first; each once, and never a FreeCAD."""
+    """Return the Pythons there are, the likeliest first; each once, and never a FreeCAD."""
     beside = [Path(one) for one in around.executables if one]
     found = [one for one in beside if PYTHON.fullmatch(one.name)]
     found += [folder / name for folder in _folders(around, beside) for name in _names(around)]
@@ -104,8 +104,8 @@ def python_command(python: str, call: str) -> Command:
 
 
 def freecad_command(program: str, folder: str, call: str) -> Command:
-    """The same of a FreeCAD, which wants a file, and is told that it is a new user's: no other add-on is
-    loaded."""
+    """Return the same of a FreeCAD, which wants a file, and is told that it is a new user's: no other add-on
+    is loaded."""
     script = Path(folder) / f"{call}.py"
     script.write_text(python_code(call), encoding="utf-8")
     return Command((program, str(script)), {"FREECAD_USER_HOME": folder, "QT_QPA_PLATFORM": "offscreen"})
@@ -141,6 +141,7 @@ def is_proven(command: Command, limit: float = PROOF) -> bool:
 
 @contextlib.contextmanager
 def scratch() -> Iterator[str]:
-    """A folder that is gone afterwards; Windows may keep what a process that was just killed had open."""
+    """Yield a folder that is gone afterwards; Windows may keep what a process that was just killed had
+    open."""
     with tempfile.TemporaryDirectory(prefix="fiveaxis", ignore_cleanup_errors=True) as folder:
         yield folder

@@ -46,11 +46,11 @@ class JobSetup(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """What is shared, and the list of cutters."""
+        """Return what is shared, and the list of cutters."""
         return (*(one for one in setting_properties(MILL) if one.name in SHARED), WORK_ZERO, TOOLS)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """The linked toolpaths follow, and wait to be computed."""
+        """Let the linked toolpaths follow, and wait to be computed."""
         if name in SHARED and not is_restored(obj):
             for path in paths_of(obj):
                 copy_shared(obj, path, (name,))
@@ -66,18 +66,18 @@ def is_setup(obj: Any) -> bool:
 
 
 def setups_of(doc: Any) -> list[Any]:
-    """The Setups of a document."""
+    """Return the Setups of a document."""
     return [obj for obj in doc.findObjects("App::FeaturePython") if is_setup(obj)]
 
 
 def only_setup(doc: Any) -> Any | None:
-    """The document's Setup where it has just one."""
+    """Return the document's Setup where it has just one."""
     there = setups_of(doc)
     return there[0] if len(there) == 1 else None
 
 
 def paths_of(setup: Any) -> list[Any]:
-    """The toolpaths that are linked to a setup."""
+    """Return the toolpaths that are linked to a setup."""
     return [one for one in setup.InList if getattr(one, LINK.name, None) is setup]
 
 
@@ -91,7 +91,7 @@ def copy_shared(setup: Any, path: Any, names: Iterable[str] = SHARED) -> None:
 
 
 def follow(path: Any) -> None:
-    """A toolpath was linked to a setup, or to none: it takes the values, or may be edited again."""
+    """Take the values of the setup that a toolpath was linked to; let it be edited again where it is none."""
     setup = getattr(path, LINK.name, None)
     for name in SHARED:
         if name in path.PropertiesList:
@@ -101,7 +101,7 @@ def follow(path: Any) -> None:
 
 
 def options_of(setup: Any) -> dict[str, Any]:
-    """What the setup says, as ``create_toolpath`` takes it (mm)."""
+    """Return what the setup says, as ``create_toolpath`` takes it (mm)."""
     options = {"machine": setup.Machine, "work_offset": setup.WorkOffset, "work_zero": tuple(setup.WorkZero)}
     options |= (
         {"controller": setup.Controller}
@@ -146,7 +146,7 @@ def put(setup: Any, options: Mapping[str, Any], zero: Any = None) -> None:
 
 
 def tools_of(job: Any) -> list[str]:
-    """The tools of a CAM Job that are of use here, as ``T3 ball:6.0:30.0 Name``."""
+    """Return the tools of a CAM Job that are of use here, as ``T3 ball:6.0:30.0 Name``."""
     return [
         f"T{tool.number} {cutter_text(tool.cutter)} {tool.label}"
         for tool in tool_bit.cutters_of_job(job)
@@ -155,7 +155,7 @@ def tools_of(job: Any) -> list[str]:
 
 
 def cutters_of(setup: Any) -> list[tool_bit.JobTool]:
-    """The tools that a setup lists; a line that cannot be read is a tool of no use, which says why."""
+    """Return the tools that a setup lists; a line that cannot be read is a tool of no use, which says why."""
     return [_tool(line) for line in setup.Tools if line.strip()]
 
 

@@ -16,28 +16,28 @@ translate = FreeCAD.Qt.translate
 
 
 def option_label(name: str) -> str:
-    """What stands beside the field of an option; an option that is new says its own name."""
+    """Return what stands beside the field of an option; an option that is new says its own name."""
     return _options().get(name) or name.replace("_", " ").capitalize()
 
 
 def option_hint(leaf: Any) -> str:
-    """What an option is for, as the property editor says it too."""
+    """Return what an option is for, as the property editor says it too."""
     text: str = translate("App::Property", text_of(leaf))
     return text
 
 
 def choice_label(name: str) -> str:
-    """What a choice is called in a list; one that is new says its own name."""
+    """Return what a choice is called in a list; one that is new says its own name."""
     return _choices().get(name) or name.replace("_", " ")
 
 
 def choice_hint(option: str, choice: str) -> str:
-    """What a choice of an option does, in a sentence; empty where its name says it."""
+    """Return what a choice of an option does, in a sentence; empty where its name says it."""
     return _choice_hints().get((option, choice), "")
 
 
 def name_of(named: Option | Choice | Task) -> str:
-    """What the window calls a setting, choices of one, or a task that a sentence of the core names."""
+    """Return what the window calls a setting, choices of one, or a task that a sentence of the core names."""
     if isinstance(named, Task):
         return _tasks().get(named.name) or str(named)
     if isinstance(named, Option):
@@ -49,7 +49,7 @@ def name_of(named: Option | Choice | Task) -> str:
 
 
 def cure_label(cure: str) -> str:
-    """What a correction is called in a comparison, where no field says of what it is a choice."""
+    """Return what a correction is called in a comparison, where no field says of what it is a choice."""
     own = {
         "none": translate("FiveAxis", "none"),
         "deform": translate("FiveAxis", "turn the axis past the pole"),
@@ -58,12 +58,12 @@ def cure_label(cure: str) -> str:
 
 
 def group_label(name: str) -> str:
-    """The title of a group of options in a panel, by its name in the property editor."""
+    """Return the title of a group of options in a panel, by its name in the property editor."""
     return _groups().get(name) or translate("App::Property", name)
 
 
 def controller_label(name: str) -> str:
-    """What a controller is called in a list; one that is new says its own name."""
+    """Return what a controller is called in a list; one that is new says its own name."""
     return _controllers().get(name) or name
 
 
@@ -372,7 +372,7 @@ def _of_safety() -> dict[tuple[str, str], str]:
 
 
 def _groups() -> dict[str, str]:
-    """Groups that no property editor shows, or not by a name for a panel."""
+    """Return groups that no property editor shows, or not by a name for a panel."""
     return {
         "Compare": translate("FiveAxis", "Comparison"),
         "Recover": translate("FiveAxis", "Recover"),

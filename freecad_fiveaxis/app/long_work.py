@@ -55,8 +55,8 @@ def reporting(listener: Progress) -> Iterator[Progress]:
 
 @contextmanager
 def listening(listener: Progress | None = None) -> Iterator[Progress]:
-    """The listener of one piece of work: the given one, else the current one, else the window's for as long
-    as it lasts."""
+    """Yield the listener of one piece of work: the given one, else the current one, else the window's for as
+    long as it lasts."""
     if listener is not None:
         with reporting(listener):
             yield listener
@@ -68,12 +68,12 @@ def listening(listener: Progress | None = None) -> Iterator[Progress]:
 
 
 def progress() -> Progress:
-    """The current listener, or nobody."""
+    """Return the current listener, or nobody."""
     return _listeners[-1] if _listeners else silent
 
 
 def run(work: Callable[[Progress], T], listener: Progress | None = None, doc: Any = None) -> T:
-    """What ``work(progress)`` gives; ``work`` must touch nothing of FreeCAD's.
+    """Return what ``work(progress)`` gives; ``work`` must touch nothing of FreeCAD's.
 
     Raises what the work raises, and Cancelled where the listener stops it or ``doc``, if one is given, is
     closed meanwhile.
@@ -90,7 +90,7 @@ def is_open(doc: Any) -> bool:
 
 
 def _float_rules() -> AbstractContextManager[None]:
-    """What numpy does here at an overflow and the like, for another thread."""
+    """Return what numpy does here at an overflow and the like, for another thread."""
     import numpy as np
 
     return np.errstate(**np.geterr())
@@ -104,7 +104,7 @@ def take_back(doc: Any, *objects: Any) -> None:
 
 
 def check_open(doc: Any) -> None:
-    """Raises Cancelled where the document (None: there is none) was closed while the window's events were
+    """Raise Cancelled where the document (None: there is none) was closed while the window's events were
     handled."""
     if doc is not None and not is_open(doc):
         raise Cancelled(say("the document was closed; nothing was changed"))
@@ -115,7 +115,7 @@ def _is_main() -> bool:
 
 
 def _followed(worker: Worker[T], listener: Any, doc: Any) -> T:
-    """The worker's result. Meanwhile the listener hears all news and handles the window's events."""
+    """Return the worker's result. Meanwhile the listener hears all news and handles the window's events."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(TURN)
     worker.start()
@@ -168,7 +168,7 @@ class Worker(threading.Thread, Generic[T]):
             self._error = error
 
     def news(self) -> list[tuple[str, float]]:
-        """What was said since the last call: each stage once, with its last fraction."""
+        """Return what was said since the last call: each stage once, with its last fraction."""
         latest = {}
         while self._heard:
             stage, fraction = self._heard.popleft()
@@ -176,7 +176,7 @@ class Worker(threading.Thread, Generic[T]):
         return list(latest.items())
 
     def result(self) -> T:
-        """What the work gave, or the error it raised."""
+        """Return what the work gave, or the error it raised."""
         if self._error is not None:
             raise self._error
         return self._results[0]
@@ -201,7 +201,7 @@ class Worker(threading.Thread, Generic[T]):
         self._heard.append((stage, fraction))
 
     def _leave(self) -> None:
-        """A stop that is still on its way arrives here at the latest."""
+        """Let a stop that is still on its way arrive here at the latest."""
         while not self.done.is_set():
             try:
                 with self._leaving:

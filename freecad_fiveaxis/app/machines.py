@@ -52,15 +52,15 @@ def choices() -> list[Choice]:
 
 
 def user_folder() -> Path:
-    """The folder of the user's own machines: that of the preferences, else ``FiveAxis/machines`` in FreeCAD's
-    user data."""
+    """Return the folder of the user's own machines: that of the preferences, else ``FiveAxis/machines`` in
+    FreeCAD's user data."""
     import FreeCAD
 
     return preferences.machine_folder() or Path(FreeCAD.getUserAppDataDir()) / "FiveAxis" / "machines"
 
 
 def free_file(name: str) -> str:
-    """A file in the user's folder that is not there yet, named after a machine."""
+    """Return a file in the user's folder that is not there yet, named after a machine."""
     plain = plain_name(name, "machine")
     names = (plain if count == 1 else f"{plain}-{count}" for count in range(1, 1000))
     found = (user_folder() / (stem + SUFFIX) for stem in names)
@@ -89,8 +89,8 @@ def make_folder(file: str | os.PathLike[str]) -> None:
 
 
 def freecad_folders() -> list[Path]:
-    """The folders of FreeCAD's Machine editor: what the user saved in it, and its templates; none before
-    FreeCAD 26.3."""
+    """Return the folders of FreeCAD's Machine editor: what the user saved in it, and its templates; none
+    before FreeCAD 26.3."""
     import FreeCAD
 
     editor = Path(FreeCAD.getHomePath()) / "Mod" / "CAM" / "Machine"
@@ -100,7 +100,7 @@ def freecad_folders() -> list[Path]:
 
 
 def _asset_folder() -> Path:
-    """The folder that CAM keeps its tools and machines in; the user may have moved it."""
+    """Return the folder that CAM keeps its tools and machines in; the user may have moved it."""
     return Path(importlib.import_module("Path.Preferences").getAssetPath())
 
 

@@ -55,7 +55,7 @@ class Markers(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The path, and place, kind, label, depth and area of each marker."""
+        """Return the path, and place, kind, label, depth and area of each marker."""
         return PROPERTIES
 
     @hide_trace
@@ -88,12 +88,12 @@ def _area(mark: report.Marker) -> float:
 
 
 def of(path: Any) -> Any:
-    """The Markers object of a path, or None."""
+    """Return the Markers object of a path, or None."""
     return next((one for one in path.InList if isinstance(getattr(one, "Proxy", None), Markers)), None)
 
 
 def make(path: Any) -> Any:
-    """A Markers object, not yet computed."""
+    """Return a Markers object, not yet computed."""
     obj = path.Document.addObject("App::FeaturePython", "Markers")
     Markers(obj)
     obj.Path = path

@@ -29,8 +29,8 @@ SEVERAL = 8
 
 
 def solid_mesh(shape: Any, linear: float, angular: float) -> tuple[Any, list[int]] | None:
-    """The mesh of the solids of a shape, outside out, and the number of facets of each face; None for an
-    invalid shape.
+    """Return the mesh of the solids of a shape, outside out, and the number of facets of each face; None for
+    an invalid shape.
 
     ``linear`` mm, ``angular`` rad.
     """
@@ -75,7 +75,7 @@ def _mesh_file(task: dict[str, Any], folder: str) -> dict[str, Any]:
 
 
 def _read_shape(path: str, named: str) -> Any:
-    """The solids of a file, in mm. Raises ValueError where there is none, or not one that is meant."""
+    """Return the solids of a file, in mm. Raises ValueError where there is none, or not one that is meant."""
     if path.lower().endswith(DOCUMENT):
         doc = FreeCAD.openDocument(path, True)
         try:
@@ -90,8 +90,8 @@ def _read_shape(path: str, named: str) -> Any:
 
 
 def _solid_of(doc: Any, named: str) -> Any:
-    """The shape of the object ``named``, by its label or else its name; without a name that of the only one,
-    or the only visible one, which no other solid is made of."""
+    """Return the shape of the object ``named``, by its label or else its name; without a name that of the
+    only one, or the only visible one, which no other solid is made of."""
     solids = [obj for obj in doc.Objects if _is_solid(obj)]
     if named:
         chosen = [obj for obj in solids if obj.Label == named] or [obj for obj in solids if obj.Name == named]

@@ -42,7 +42,7 @@ WAIT = 0.05
 
 
 def meshed(shape: Any, linear: float, angular: float, progress: Progress) -> tuple[Any, list[int]] | None:
-    """The mesh of the solids of a shape and the number of facets of each face; None where the shape is
+    """Return the mesh of the solids of a shape and the number of facets of each face; None where the shape is
     invalid.
 
     ``linear`` mm, ``angular`` rad. Raises Cancelled where the listener stops it.
@@ -60,7 +60,7 @@ def expected(shape: Any, linear: float, angular: float) -> float:
 
 
 def _expected(face: Any, linear: float, angular: float) -> float:
-    """A flat face with many holes takes time by the square of its corners."""
+    """Return a flat face with many holes takes time by the square of its corners."""
     corners = float(len(face.Edges))
     if face.Surface.TypeId == "Part::GeomPlane":
         return corners * corners
@@ -71,7 +71,7 @@ def _expected(face: Any, linear: float, angular: float) -> float:
 
 
 def command() -> str:
-    """The path of a FreeCAD without a window; empty where there is none."""
+    """Return the path of a FreeCAD without a window; empty where there is none."""
     folders = [os.path.join(FreeCAD.getHomePath(), "bin"), os.path.dirname(sys.executable or "")]
     beside = [os.path.join(folder, name) for folder in folders for name in NAMES]
     there = [path for path in beside if os.path.isfile(path) and os.access(path, os.X_OK)]

@@ -142,7 +142,7 @@ def out_of_date(obj: Any) -> str:
 
 
 def _output(toolpath: Any, path: Path) -> Any:
-    """The NC output of that toolpath and file; made where there is none."""
+    """Return the NC output of that toolpath and file; made where there is none."""
     for obj in outputs_of(toolpath.Document):
         if obj.Path is toolpath and _same_file(obj.File, path):
             return obj
@@ -153,7 +153,7 @@ def _output(toolpath: Any, path: Path) -> Any:
 
 
 def outputs_of(doc: Any) -> list[Any]:
-    """The NC outputs of a document, in its order."""
+    """Return the NC outputs of a document, in its order."""
     return [obj for obj in doc.Objects if isinstance(getattr(obj, "Proxy", None), NCOutput)]
 
 

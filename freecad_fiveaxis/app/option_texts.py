@@ -12,7 +12,7 @@ from typing import Any
 
 
 def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
-    """Marks a text for the translators; FreeCAD itself translates the documentation of properties when it
+    """Mark a text for the translators; FreeCAD itself translates the documentation of properties when it
     shows them."""
     return text
 
@@ -222,7 +222,7 @@ TEXTS = {
 
 
 def text_of(leaf: Any) -> str:
-    """What an option (a field of the core's settings) is for."""
+    """Return what an option (a field of the core's settings) is for."""
     return TEXTS.get(leaf.name) or str(leaf.metadata["text"])
 
 
@@ -257,5 +257,5 @@ choices there."""
 
 
 def editor_text(leaf: Any) -> str:
-    """What an option is for, and what its choices mean, as the property editor says it."""
+    """Return what an option is for, and what its choices mean, as the property editor says it."""
     return EDITOR.get(leaf.name) or text_of(leaf)

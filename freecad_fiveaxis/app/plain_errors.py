@@ -42,7 +42,7 @@ class _Traceless:
 
 
 def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None]:
-    """Decorator of a proxy's ``execute``: what was foreseen is raised as before, and printed without a
+    """Decorate a proxy's ``execute``: what was foreseen is raised as before, and printed without a
     trace."""
 
     @functools.wraps(execute)
@@ -60,7 +60,7 @@ def hide_trace(execute: Callable[[Any, Any], None]) -> Callable[[Any, Any], None
 
 
 def _traceless(error: FiveAxisError) -> FiveAxisError:
-    """The same error, which nothing else holds."""
+    """Return the same error, which nothing else holds."""
     copied = copy.copy(error)
     copied.__dict__["traceless"] = _Traceless()
     return copied

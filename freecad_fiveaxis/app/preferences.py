@@ -53,8 +53,8 @@ DEFAULTS: dict[str, str | float | int] = {
 
 
 def read(key: str) -> Any:
-    """The parameter as FreeCAD keeps it: a text, a number (mm, mm/s) or 0xRRGGBBAA. KeyError for a key that
-    is not ours."""
+    """Return the parameter as FreeCAD keeps it: a text, a number (mm, mm/s) or 0xRRGGBBAA. KeyError for a key
+    that is not ours."""
     default = DEFAULTS[key]
     if isinstance(default, str):
         return _group().GetString(key, default)
@@ -62,7 +62,7 @@ def read(key: str) -> Any:
 
 
 def _text(key: str) -> str:
-    """A parameter that is a text, without blanks about it."""
+    """Return a parameter that is a text, without blanks about it."""
     return str(read(key)).strip()
 
 
@@ -99,17 +99,17 @@ def keep_open(key: str, opened: bool) -> None:
 
 
 def machine() -> str:
-    """A shipped machine's name, or the path of a ``.fcm`` file."""
+    """Return a shipped machine's name, or the path of a ``.fcm`` file."""
     return _text("Machine") or str(DEFAULTS["Machine"])
 
 
 def controller() -> str | None:
-    """A controller's name; None: the machine's own."""
+    """Return a controller's name; None: the machine's own."""
     return _text("Controller") or None
 
 
 def machine_folder() -> Path | None:
-    """The folder with the user's own ``.fcm`` files; None where none is set."""
+    """Return the folder with the user's own ``.fcm`` files; None where none is set."""
     return _folder("MachineFolder")
 
 
@@ -119,7 +119,7 @@ def output_folder() -> Path | None:
 
 
 def cutter() -> str:
-    """A new path's cutter as an option; whether there can be such a one is the core's to say."""
+    """Return a new path's cutter as an option; whether there can be such a one is the core's to say."""
     from freecad_fiveaxis.core.tool import KINDS, sizes_text  # numpy has no business when the window starts
 
     kind = _text("CutterKind")
@@ -131,12 +131,12 @@ def cutter() -> str:
 
 
 def shank() -> str:
-    """A new path's shank: cylinders, as ``8x20,12x30``, mm; empty where there is none."""
+    """Return a new path's shank: cylinders, as ``8x20,12x30``, mm; empty where there is none."""
     return _text("Shank")
 
 
 def holder() -> str:
-    """A new path's holder, likewise."""
+    """Return a new path's holder, likewise."""
     return _text("Holder")
 
 

@@ -36,8 +36,8 @@ class Part:
 
 
 def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
-    """The part of a Toolpath with the settings that are of its mesh; without them as its mesh has them.
-    Raises SelectionError."""
+    """Return the part of a Toolpath with the settings that are of its mesh; without them as its mesh has
+    them. Raises SelectionError."""
     mesh = path.Mesh
     if mesh is None:
         raise toolpath.mesh_is_gone(path)
@@ -55,8 +55,8 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
 
 
 def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[float]) -> preview.Preview:
-    """The passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises FiveAxisError,
-    Cancelled."""
+    """Return the passes of the ``options`` on a part, about the ``work_zero`` (mm, document). Raises
+    FiveAxisError, Cancelled."""
     options = toolpath.with_strategies(convert.given_options(MILL, options))
     settings = build_settings(MILL, f"{getattr(part.base, 'Label', '')}.stl", options)
     with listening() as listener:
@@ -73,8 +73,8 @@ def lay(doc: Any, part: Part, options: Mapping[str, Any], work_zero: Sequence[fl
 def _find_facets(
     part: Part, work_zero: Sequence[float], settings: Settings, progress: Progress
 ) -> tuple[Callable[[], bytes], Sequence[int], Sequence[int]]:
-    """What gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of those
-    that are milled, and of those to avoid."""
+    """Return what gives the facets as a binary STL, relative to the work zero, in any thread; and the runs of
+    those that are milled, and of those to avoid."""
     if _is_meshed(part):
         return convert.facets_of(part.mesh, work_zero).stl, *results.runs_of(part.mesh, settings)
     if part.base is not None and selection.is_mesh(part.base) and not (part.faces or part.avoid):

@@ -44,7 +44,7 @@ MACHINES_OWN = "machine's own"
 
 
 def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
-    """Marks a text for the translators; FreeCAD itself translates the documentation of properties when it
+    """Mark a text for the translators; FreeCAD itself translates the documentation of properties when it
     shows them."""
     return text
 
@@ -107,7 +107,7 @@ _MOVED = {
 
 
 def group_of(cls: type, leaf: dataclasses.Field[Any]) -> str:
-    """The group of an option, by a name of the trade; of a class that is new, the class's own."""
+    """Return the group of an option, by a name of the trade; of a class that is new, the class's own."""
     return _MOVED.get(leaf.name) or _GROUPS.get(cls.__name__) or cls.__name__.removesuffix("Settings")
 
 
@@ -189,7 +189,7 @@ def shown_options(task: str) -> Iterator[tuple[type, dataclasses.Field[Any]]]:
 
 @cache
 def setting_properties(task: str) -> tuple[Property, ...]:
-    """A property for every option of the task that is not a file to write."""
+    """Return a property for every option of the task that is not a file to write."""
     return tuple(one for cls, leaf in shown_options(task) for one in _of_option(group_of(cls, leaf), leaf))
 
 
@@ -219,7 +219,8 @@ _UNUSED = {"CutterCorner": CORNER, "CutterTaper": TAPER, "CutterNeck": NECK, "Cu
 
 
 def cutter_values(cutter: Cutter) -> dict[str, Any]:
-    """What the properties CUTTER hold of a cutter, but for the sizes that its kind has not (mm, deg)."""
+    """Return what the properties CUTTER hold of a cutter, but for the sizes that its kind has not (mm,
+    deg)."""
     kind = kind_of(cutter)
     values = {name: getattr(cutter, name) for name in CUTTER_SIZES} | {
         "taper": round(math.degrees(cutter.taper), 12)
@@ -230,12 +231,12 @@ def cutter_values(cutter: Cutter) -> dict[str, Any]:
 
 
 def cutter_property(size: str) -> str:
-    """The property of a size of the cutter: ``CutterCorner`` of ``corner``."""
+    """Return the property of a size of the cutter: ``CutterCorner`` of ``corner``."""
     return "Cutter" + size.capitalize()
 
 
 def show_sizes(obj: Any) -> None:
-    """The property editor shows those sizes of the cutter that its kind has. Nothing is done to an object
+    """Show those sizes of the cutter that its kind has in the property editor. Nothing is done to an object
     without a cutter."""
     has = CUTTER_KINDS.get(getattr(obj, "CutterKind", ""), ())
     for size in CUTTER_SIZES:
@@ -250,13 +251,13 @@ def drawn_tool(task: str = "") -> tuple[Property, ...]:
 
 
 def default_value(leaf: dataclasses.Field[Any]) -> Any:
-    """The option's default as the property holds it: degrees, mm/s; where nothing is given 0, an empty text,
-    the first choice."""
+    """Return the option's default as the property holds it: degrees, mm/s; where nothing is given 0, an empty
+    text, the first choice."""
     return property_value(leaf, leaf.default)
 
 
 def property_value(leaf: dataclasses.Field[Any], value: Any) -> Any:
-    """A value of the core (rad, mm/min) as the property holds it."""
+    """Return a value of the core (rad, mm/min) as the property holds it."""
     kind = leaf.metadata["kind"]
     if value is None:
         none = {
@@ -414,7 +415,7 @@ def _set_default(obj: Any, one: Property) -> None:
 
 
 def _renew_choices(obj: Any, one: Property) -> None:
-    """The choices of this version. A choice that is gone stays, so that the core can say so when it is
+    """Offer the choices of this version. A choice that is gone stays, so that the core can say so when it is
     used."""
     if not one.choices or tuple(obj.getEnumerationsOfProperty(one.name) or ()) == one.choices:
         return

@@ -38,14 +38,14 @@ def proposed(doc: Any, chosen: Collection[Any] = ()) -> dict[str, Any]:
 
 
 def values_of(path: Any) -> dict[str, Any]:
-    """What a tool path says of its program, its part and what holds that among it."""
+    """Return what a tool path says of its program, its part and what holds that among it."""
     options = changes.shown_options(path, MILL)
     own = {"work_zero": tuple(path.WorkZero), "part": part_of(path), "fixtures": list(path.Fixtures)}
     return {name: options[name] for name in TAKEN} | own
 
 
 def part_of(path: Any) -> Any:
-    """The solid that a tool path is made of, or its mesh where there is no solid; None where that was
+    """Return the solid that a tool path is made of, or its mesh where there is no solid; None where that was
     deleted."""
     base = getattr(path.Mesh, "Base", None)
     whole = base[0] if isinstance(base, tuple) else base

@@ -101,11 +101,11 @@ class ReachMap(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The mesh, the fixtures, the settings of task ``reach``, the work zero and the results."""
+        """Return the mesh, the fixtures, the settings of task ``reach``, the work zero and the results."""
         return PROPERTIES
 
     def task(self, obj: Any) -> results.Task:
-        """What the object asks of the core. Raises FiveAxisError."""
+        """Return what the object asks of the core. Raises FiveAxisError."""
         if obj.Mesh is None:
             raise mesh_is_gone(obj)
         if not selection.is_mesh(obj.Mesh):
@@ -160,8 +160,8 @@ def reach_map(base: Any, settings: Mapping[str, Any], obj: Any = None) -> Any:
 
 
 def _document(given: Any) -> Any:
-    """The document of an object, or of an object with names of its faces. Raises SelectionError for anything
-    else."""
+    """Return the document of an object, or of an object with names of its faces. Raises SelectionError for
+    anything else."""
     base = given[0] if isinstance(given, (tuple, list)) and len(given) == 2 else given
     if getattr(base, "Document", None) is None:
         raise SelectionError(say("Nothing is selected: {what}.", what=selection.WHAT), None)
@@ -169,7 +169,7 @@ def _document(given: Any) -> Any:
 
 
 def _mesh_of(base: Any, settings: Mapping[str, Any], added: list[Any]) -> Any:
-    """The mesh object of what is selected; of a solid, or of faces of it, a new tessellation."""
+    """Return the mesh object of what is selected; of a solid, or of faces of it, a new tessellation."""
     base, chosen = (base[0], base[1]) if isinstance(base, (tuple, list)) else (base, ())
     faces, avoid = names(settings.get("faces") or chosen or ()), names(settings.get("avoid") or ())
     if selection.is_mesh(base) and not faces and not avoid:
@@ -184,7 +184,7 @@ def _mesh_of(base: Any, settings: Mapping[str, Any], added: list[Any]) -> Any:
 
 
 def _own(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """The properties that are no options of the core's task. Raises SettingsError."""
+    """Return the properties that are no options of the core's task. Raises SettingsError."""
     zero, angle = settings.get("work_zero"), settings.get("largest_axis_angle")
     degrees = ANY_ANGLE if angle is None else parse(angle, ANGLES, "largest axis angle") / ANGLES["deg"]
     if not 0.0 < degrees <= ANY_ANGLE:
@@ -214,7 +214,7 @@ def _put(obj: Any, options: Mapping[str, Any], own: Mapping[str, Any]) -> None:
 
 
 def taken_over(path: Any) -> dict[str, Any]:
-    """What a Toolpath says of machine, tool and part, as :func:`reach_map` takes it."""
+    """Return what a Toolpath says of machine, tool and part, as :func:`reach_map` takes it."""
     options, known = convert.options_of(path, "mill"), {leaf.name for _, leaf in shown_options(REACH)}
     angle = (
         {"largest_axis_angle": path.MaxAxisAngle.Value}
@@ -230,7 +230,7 @@ def taken_over(path: Any) -> dict[str, Any]:
 
 
 def settings_of(obj: Any) -> dict[str, Any]:
-    """What a map says, as :func:`reach_map` takes it."""
+    """Return what a map says, as :func:`reach_map` takes it."""
     own = {
         "work_zero": tuple(obj.WorkZero),
         "fixtures": list(obj.Fixtures),
@@ -240,7 +240,7 @@ def settings_of(obj: Any) -> dict[str, Any]:
 
 
 def found_of(obj: Any, progress: Progress | None = None) -> Last:
-    """The core's map, computed anew only where something has changed.
+    """Return the core's map, computed anew only where something has changed.
 
     Raises FiveAxisError for what cannot be used, Cancelled where the listener stops the work.
     """
@@ -269,14 +269,14 @@ def _found(task: results.Task, fingerprint: str, progress: Progress, executor: E
 
 
 def chosen_facets(found: Last) -> Bools:
-    """The facets (f,) that the map covers."""
+    """Return the facets (f,) that the map covers."""
     mask = np.zeros(len(found.mesh.face), np.bool_)
     mask[found.chart.facet] = True
     return mask
 
 
 def axis_field(found: Last) -> tuple[Floats, Floats]:
-    """The places (k, 3) mm that are free and the unit axes (k, 3) that are."""
+    """Return the places (k, 3) mm that are free and the unit axes (k, 3) that are."""
     free = found.chart.obstacle == Obstacle.NONE
     return found.chart.point[free], found.chart.axis[free]
 
@@ -302,7 +302,8 @@ def radius_too_large(found: Last) -> float:
 
 
 def advice(found: Last) -> list[Sentence]:
-    """What would help where the holder is in the way, and where the cutter is too large: a sentence each."""
+    """Return what would help where the holder is in the way, and where the cutter is too large: a sentence
+    each."""
     chart = found.chart
     held, (step, area) = held_area(chart), stick_out(chart)
     by_machine = chart.area_of(Obstacle.MACHINE) > 0.0

@@ -26,8 +26,8 @@ from .long_work import run
 
 
 def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any]) -> Settings:
-    """What is asked of the core. ``fcm_file`` None: a new name in the user's folder of machines. Raises
-    SettingsError."""
+    """Return what is asked of the core. ``fcm_file`` None: a new name in the user's folder of machines.
+    Raises SettingsError."""
     named = fcm_file if fcm_file else machines.free_file(Path(os.fspath(nc_file)).stem)
     files = {"program": os.fspath(nc_file), "machine_file": os.fspath(named)}
     return build_settings(RECOVER, os.fspath(cl_file), {**options, **files})
@@ -36,8 +36,8 @@ def settings_of(cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str,
 def recover(
     cl_file: Any, nc_file: Any, fcm_file: Any, options: Mapping[str, Any], progress: Progress | None = None
 ) -> workshop.Recovered:
-    """The machine, not yet written. Raises FiveAxisError for files that cannot be used and for a name that is
-    taken."""
+    """Return the machine, not yet written. Raises FiveAxisError for files that cannot be used and for a name
+    that is taken."""
     settings = settings_of(cl_file, nc_file, fcm_file, options)
     if not machines.is_new_folder(settings.recover.machine_file):
         outputs.check_outputs(settings)
@@ -52,8 +52,8 @@ def write(done: workshop.Recovered) -> str:
 
 
 def write_report(done: workshop.Work, file: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """What was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file
-    that is there."""
+    """Write what was found, as a page (.html), for scripts (.json) or as text (.txt). Raises FileError for a
+    file that is there."""
     ending = os.path.splitext(os.fspath(file))[1].lower()
     if ending not in workshop.REPORTS:
         raise FileError(

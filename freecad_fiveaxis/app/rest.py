@@ -114,7 +114,7 @@ class RestMap(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The toolpath and the results."""
+        """Return the toolpath and the results."""
         return PROPERTIES
 
     @hide_trace
@@ -125,7 +125,7 @@ class RestMap(Proxy):
 
 
 def of(path: Any) -> Any:
-    """The map of a toolpath, or None."""
+    """Return the map of a toolpath, or None."""
     return next((one for one in path.InList if isinstance(getattr(one, "Proxy", None), RestMap)), None)
 
 
@@ -158,7 +158,7 @@ def _check(path: Any) -> None:
 
 
 def heights_of(obj: Any, progress: Progress | None = None) -> Heights:
-    """The heights of a map, found anew only where its toolpath has changed.
+    """Return the heights of a map, found anew only where its toolpath has changed.
 
     Raises FiveAxisError, as SelectionError where the toolpath was deleted; Cancelled where the listener stops
     the work.

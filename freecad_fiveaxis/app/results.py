@@ -52,14 +52,14 @@ class Task:
     fixtures: tuple[Part, ...] = ()
 
     def mesh_and_mask(self, progress: Progress) -> tuple[Mesh, Bools | None]:
-        """The core's mesh of the facets, with the allowance on those to avoid, and which are milled. Raises
-        MeshError."""
+        """Return the core's mesh of the facets, with the allowance on those to avoid, and which are milled.
+        Raises MeshError."""
         progress("weld", 0.0)
         allowance = self.settings.gouge.avoid_allowance
         return convert.mesh_and_mask(self.data.stl(), self.runs, self.avoided, allowance, progress)
 
     def held(self, progress: Progress) -> tuple[Fixture, ...]:
-        """The core's fixtures, once they are meshed. Raises MeshError."""
+        """Return the core's fixtures, once they are meshed. Raises MeshError."""
         names = self.settings.gouge.fixture
         solids = [convert.mesh_of(one.stl, progress) for one in self.fixtures]
         return tuple(Fixture(name.removesuffix(".stl"), one) for name, one in zip(names, solids, strict=True))
@@ -85,8 +85,8 @@ class Task:
 
 
 def runs_of(mesh: Any, settings: Settings) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The runs of a mesh object's facets that are milled, none: all are, and of those to avoid, which the
-    settings need where there is an allowance. Raises SelectionError where they cannot be found."""
+    """Return the runs of a mesh object's facets that are milled, none: all are, and of those to avoid, which
+    the settings need where there is an allowance. Raises SelectionError where they cannot be found."""
     find = getattr(getattr(mesh, "Proxy", None), "avoided_runs", None)
     off = (
         find(mesh)
@@ -129,7 +129,7 @@ class Last:
 
 
 def result_of(obj: Any, progress: Progress | None = None) -> Result:
-    """The result of a Toolpath or an Audit, computed anew only where something has changed.
+    """Return the result of a Toolpath or an Audit, computed anew only where something has changed.
 
     Raises FiveAxisError for what cannot be used, Cancelled where the listener stops the work.
     """
@@ -137,12 +137,13 @@ def result_of(obj: Any, progress: Progress | None = None) -> Result:
 
 
 def figures_of(obj: Any, progress: Progress | None = None) -> Figures:
-    """What the report, the drawing and the markers are made from; work frame. Raises as :func:`result_of`."""
+    """Return what the report, the drawing and the markers are made from; work frame. Raises as
+    :func:`result_of`."""
     return _last(obj, progress).figures
 
 
 def nc_of(obj: Any, progress: Progress | None = None) -> bytes:
-    """The NC file of a Toolpath; of an Audit the file that is audited. Raises as :func:`result_of`."""
+    """Return the NC file of a Toolpath; of an Audit the file that is audited. Raises as :func:`result_of`."""
     draft = _last(obj, progress).result.draft
     if isinstance(draft, PostedProgram):
         return draft.nc
@@ -171,8 +172,8 @@ def _last(obj: Any, progress: Progress | None) -> Last:
 
 
 def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> Last:
-    """The whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's is
-    touched."""
+    """Return the whole work of the core, or a new head alone where no more has changed; nothing of FreeCAD's
+    is touched."""
     last, blocks = proxy.last, task.blocks_fingerprint
     if (
         last is not None
@@ -189,7 +190,7 @@ def _computed(proxy: Any, task: Task, fingerprint: str, progress: Progress) -> L
 
 
 def execute(obj: Any) -> None:
-    """What a Toolpath and an Audit do when the document is recomputed. An error marks the object and clears
+    """Compute a Toolpath or an Audit when the document is recomputed. An error marks the object and clears
     its numbers. Work that was stopped leaves it as it was, and out of date."""
     try:
         last = _last(obj, None)

@@ -49,7 +49,7 @@ def scale_part(path: Any, factor: float) -> Any:
 
 
 def _scaled(doc: Any, base: Any, faces: tuple[str, ...], factor: float) -> tuple[Any, list[str]]:
-    """A copy of the base, and what its faces are called there: the copy is of the solids alone, in the
+    """Return a copy of the base, and what its faces are called there: the copy is of the solids alone, in the
     document's coordinates."""
     if selection.is_mesh(base):
         facets = selection.checked_mesh(base)

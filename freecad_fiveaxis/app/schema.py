@@ -48,11 +48,11 @@ class Proxy:
         self._begin()
 
     def _begin(self) -> None:
-        """What the proxy remembers while the document is open; also called after opening."""
+        """Begin what the proxy remembers while the document is open; also called after opening."""
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The properties of an object of this kind, in order."""
+        """Return the properties of an object of this kind, in order."""
         raise NotImplementedError(cls.__name__)
 
     def onDocumentRestored(self, obj: Any) -> None:
@@ -62,7 +62,7 @@ class Proxy:
         self._show(obj)
 
     def _show(self, obj: Any) -> None:
-        """The property editor shows what the object's own values call for."""
+        """Show in the property editor what the object's own values call for."""
         show_sizes(obj)
         feed_per_minute.show(obj)
         self.whole = True
@@ -94,7 +94,7 @@ def is_restored(obj: Any) -> bool:
 
 
 def give_label(obj: Any) -> None:
-    """The first label of its kind that no other object has: Toolpath, Toolpath001 ...
+    """Give the first label of its kind that no other object has: Toolpath, Toolpath001 ...
 
     FreeCAD 1.1 never gives a label again that an object had whose making was undone or stopped; it does so
     while doubles are allowed.

@@ -47,7 +47,8 @@ class SelectionError(FiveAxisError, ValueError):
 
 
 def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, ...]]:
-    """The base and its faces out of selected ``(object, names of its elements)``. Raises SelectionError.
+    """Return the base and its faces out of selected ``(object, names of its elements)``. Raises
+    SelectionError.
 
     An edge, a vertex or an element of a mesh among the names stands for the whole object.
     """
@@ -76,8 +77,8 @@ def pick(chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[Any, tuple[str, .
 
 
 def faces_of(base: Any, chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[str, ...]:
-    """The faces' names on ``base`` out of selected ``(object, names of its elements)``. Raises SelectionError
-    that says what to select where anything else is among them."""
+    """Return the faces' names on ``base`` out of selected ``(object, names of its elements)``. Raises
+    SelectionError that says what to select where anything else is among them."""
     rows = [
         (leaf_of(obj, name), name.rsplit(".", 1)[-1])
         for obj, names in chosen
@@ -92,8 +93,8 @@ def faces_of(base: Any, chosen: Iterable[tuple[Any, Sequence[str]]]) -> tuple[st
 
 
 def _name_on(base: Any, obj: Any, name: str) -> str:
-    """What a face ``name`` of an object is called on ``base``: the same, or as it is counted there, of a
-    solid in a part."""
+    """Return what a face ``name`` of an object is called on ``base``: the same, or as it is counted there, of
+    a solid in a part."""
     if not _FACE.fullmatch(name):
         text = say("{name} is no face: select faces of {label}.", name=name or obj.Label, label=base.Label)
         raise SelectionError(text, name or obj.Label)
@@ -110,12 +111,12 @@ def _name_on(base: Any, obj: Any, name: str) -> str:
 
 
 def _tip(obj: Any) -> Any:
-    """The feature whose shape a body has, which FreeCAD copies; any other object itself."""
+    """Return the feature whose shape a body has, which FreeCAD copies; any other object itself."""
     return obj.Tip or obj if obj.isDerivedFrom("PartDesign::Body") else obj
 
 
 def _same_face(base: Any, obj: Any, name: str) -> str:
-    """The name of that face of an object on ``base``; empty where it is none of its."""
+    """Return the name of that face of an object on ``base``; empty where it is none of its."""
     try:
         face, faces = _face(_shape(obj), name), _shape(base).Faces
     except SelectionError:
@@ -126,8 +127,8 @@ def _same_face(base: Any, obj: Any, name: str) -> str:
 
 
 def leaf_of(obj: Any, name: str) -> Any:
-    """What is meant by an element of a group or a part, as ``Box.Face1``: the object in it. A body stands for
-    its features."""
+    """Return what is meant by an element of a group or a part, as ``Box.Face1``: the object in it. A body
+    stands for its features."""
     inner = obj.getSubObject(name, 1) if "." in name and not obj.isDerivedFrom("PartDesign::Body") else None
     return inner or obj
 
@@ -141,7 +142,8 @@ def is_mesh(obj: Any) -> bool:
 
 
 def copy_of_mesh(obj: Any) -> Any:
-    """A copy of the mesh object's facets, standing as they do in the object's holder: 0.3 s for 1M facets."""
+    """Return a copy of the mesh object's facets, standing as they do in the object's holder: 0.3 s for 1M
+    facets."""
     linked = obj.getLinkedObject()
     mesh = Mesh.Mesh()
     mesh.read(Stream=io.BytesIO(kernel_of(linked)), Format="BMS")
@@ -150,8 +152,8 @@ def copy_of_mesh(obj: Any) -> Any:
 
 
 def checked_mesh(obj: Any) -> Any:
-    """A copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh without
-    facets."""
+    """Return a copy of the mesh object's facets, to be changed at will. Raises SelectionError for a mesh
+    without facets."""
     mesh = copy_of_mesh(obj)
     if not mesh.CountFacets:
         raise empty(obj.Label)
@@ -159,15 +161,16 @@ def checked_mesh(obj: Any) -> Any:
 
 
 def empty(label: str) -> SelectionError:
-    """What to say of a mesh without facets."""
+    """Return what to say of a mesh without facets."""
     return SelectionError(
         say("{label} is an empty mesh: select a mesh with facets, or a solid.", label=label), label
     )
 
 
 def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tuple[Any, list[int]]:
-    """The object's solids as one shape in the document's coordinates, and which of its Faces (counted from 0)
-    the names of the object's ``faces``, and behind them of those to ``avoid``, mean. Raises SelectionError.
+    """Return the object's solids as one shape in the document's coordinates, and which of its Faces (counted
+    from 0) the names of the object's ``faces``, and behind them of those to ``avoid``, mean. Raises
+    SelectionError.
 
     A shape of very many faces is not looked at for being valid: that takes seconds, and the mesher does it.
     """
@@ -186,7 +189,7 @@ def solids(obj: Any, faces: Sequence[str] = (), avoid: Sequence[str] = ()) -> tu
 
 
 def invalid(label: str) -> SelectionError:
-    """What to say of a shape that OpenCASCADE calls invalid."""
+    """Return what to say of a shape that OpenCASCADE calls invalid."""
     text = say(
         "The shape of {label} is invalid, so its mesh would have cracks: repair it (Part workbench: Check "
         "geometry shows where), "
@@ -209,7 +212,7 @@ def _face(shape: Any, name: str) -> Any:
 
 
 def _shape(obj: Any) -> Any:
-    """The object's shape in the document's coordinates."""
+    """Return the object's shape in the document's coordinates."""
     if obj is None:
         raise SelectionError(
             say("The part was deleted: undo that, or choose another one in the property Base."), None
@@ -225,7 +228,7 @@ def _shape(obj: Any) -> Any:
 
 
 def holder_of(obj: Any) -> Any:
-    """The placement in the document of what holds the object: a part or a body that was moved."""
+    """Return the placement in the document of what holds the object: a part or a body that was moved."""
     if not hasattr(obj, "getGlobalPlacement") or not hasattr(obj, "Placement"):
         return FreeCAD.Placement()
     return obj.getGlobalPlacement().multiply(obj.Placement.inverse())

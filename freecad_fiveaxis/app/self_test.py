@@ -28,7 +28,7 @@ class SelfTest(unittest.TestCase):
     """From a solid to an audited NC file, in a document of its own that is closed afterwards."""
 
     def setUp(self) -> None:
-        """A box of 20 x 12 x 6 mm."""
+        """Make a box of 20 x 12 x 6 mm."""
         self.doc = FreeCAD.newDocument("FiveAxisSelfTest")
         self.addCleanup(FreeCAD.closeDocument, self.doc.Name)
         self.box = self.doc.addObject("Part::Box", "Box")
@@ -67,7 +67,8 @@ class SelfTest(unittest.TestCase):
 def load_tests(
     loader: unittest.TestLoader, tests: unittest.TestSuite, pattern: str | None
 ) -> unittest.TestSuite:
-    """The tests of this module and, where they can run, those of ``tests/app``: unittest's own protocol."""
+    """Return the tests of this module and, where they can run, those of ``tests/app``: unittest's own
+    protocol."""
     for file in sorted((ROOT / "tests" / "app").glob("test_*.py")):
         tests.addTest(unittest.FunctionTestCase(_by_pytest(file), description=f"tests/app/{file.name}"))
     return tests

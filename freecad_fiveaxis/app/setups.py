@@ -170,11 +170,11 @@ class SetupMap(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The toolpath, the settings of ``setup`` itself, and the results."""
+        """Return the toolpath, the settings of ``setup`` itself, and the results."""
         return PROPERTIES
 
     def task(self, obj: Any) -> Task:
-        """What the object asks of the core, about its Centre. Raises FiveAxisError."""
+        """Return what the object asks of the core, about its Centre. Raises FiveAxisError."""
         if obj.Path is None:
             raise SelectionError(
                 say("The toolpath of {label} was deleted: make the map of another one.", label=obj.Label),
@@ -190,7 +190,7 @@ class SetupMap(Proxy):
         return Task(settings, path.data, path.runs, path.avoided)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """A change of the map's own settings asks for other setups."""
+        """Ask for other setups where the map's own settings change."""
         if name in OWN:
             self.wants_trials = True
 
@@ -204,13 +204,14 @@ class SetupMap(Proxy):
 
 
 def own_options(obj: Any) -> dict[str, Any]:
-    """The options of ``setup`` itself that differ from their defaults, as a job file would hold them."""
+    """Return the options of ``setup`` itself that differ from their defaults, as a job file would hold
+    them."""
     values = {leaf: convert.plain(getattr(obj, property_name(leaf.name))) for leaf in LEAVES}
     return {leaf.name: value for leaf, value in values.items() if value != convert.plain(default_value(leaf))}
 
 
 def of(path: Any) -> Any:
-    """The map of a toolpath, or None."""
+    """Return the map of a toolpath, or None."""
     return next((one for one in path.InList if isinstance(getattr(one, "Proxy", None), SetupMap)), None)
 
 
@@ -266,7 +267,8 @@ def present_zero(path: Any) -> Vector:
 
 
 def trial_of(obj: Any, progress: Progress | None = None) -> trials.SetupTrial:
-    """The core's trial of a map, computed anew only where something has changed. Raises FiveAxisError."""
+    """Return the core's trial of a map, computed anew only where something has changed. Raises
+    FiveAxisError."""
     task = obj.Proxy.task(obj)
     fingerprint = task.fingerprint
     if obj.Proxy.last is None or obj.Proxy.last.fingerprint != fingerprint:
@@ -317,8 +319,8 @@ def apply(obj: Any) -> Any:
 
 
 def write_page(obj: Any, file: str | os.PathLike[str], overwrite: bool = False) -> None:
-    """The map as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file that
-    is there."""
+    """Write the map as a web page (.html), for scripts (.json) or as text (.txt). Raises FileError for a file
+    that is there."""
     write_report(lambda: trial_of(obj), file, overwrite)
 
 

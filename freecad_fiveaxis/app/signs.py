@@ -20,7 +20,7 @@ from .long_work import run
 
 
 def settings_of(nc_file: Any, options: Mapping[str, Any], sheet: Any = None) -> Settings:
-    """What is asked of the core. Raises SettingsError."""
+    """Return what is asked of the core. Raises SettingsError."""
     files = {"output": os.fspath(nc_file), "report": [os.fspath(sheet)] if sheet else []}
     return build_settings(PROVE, "", {**options, **files})
 
@@ -35,8 +35,8 @@ def prove(
 
 
 def top_of(objects: Iterable[Any]) -> float | None:
-    """The highest Z of the solids and meshes among the objects, mm in the document; None where there is
-    none."""
+    """Return the highest Z of the solids and meshes among the objects, mm in the document; None where there
+    is none."""
     solids = [one.Shape for one in objects if getattr(getattr(one, "Shape", None), "Solids", ())]
     meshes = [
         mesh
@@ -47,7 +47,7 @@ def top_of(objects: Iterable[Any]) -> float | None:
 
 
 def targets(done: workshop.Proof) -> list[str]:
-    """The files that ``write`` writes."""
+    """Return the files that ``write`` writes."""
     output = done.settings.output
     return [name for name in (output.output, *output.report) if name]
 

@@ -83,7 +83,7 @@ class Tessellation(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The base, the faces left alone, both deflections, and which facets are to be milled."""
+        """Return the base, the faces left alone, both deflections, and which facets are to be milled."""
         return PROPERTIES
 
     def build(self, obj: Any) -> None:
@@ -103,8 +103,8 @@ class Tessellation(Proxy):
         self.built = True
 
     def avoided_runs(self, obj: Any) -> list[int]:
-        """The runs of the facets that are left alone, also where an earlier version has made the mesh and did
-        not keep them: then from the same mesh made once more, which stays out of the document. Raises
+        """Return the runs of the facets that are left alone, also where an earlier version has made the mesh
+        and did not keep them: then from the same mesh made once more, which stays out of the document. Raises
         SelectionError where it is not the same."""
         if obj.AvoidedRuns or not avoided(obj):
             return list(obj.AvoidedRuns)
@@ -114,7 +114,7 @@ class Tessellation(Proxy):
         return self._found[1]
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """A change of the input asks for a new mesh."""
+        """Ask for a new mesh where the input changes."""
         if name in ("Base", "Avoid", "LinearDeflection", "AngularDeflection"):
             self.built = False
 
@@ -127,8 +127,8 @@ class Tessellation(Proxy):
 
 
 def _find_avoided(obj: Any) -> list[int]:
-    """The runs of the facets on the faces left alone, of the object's mesh made anew. Raises SelectionError
-    for another mesh."""
+    """Return the runs of the facets on the faces left alone, of the object's mesh made anew. Raises
+    SelectionError for another mesh."""
     base, faces = chosen(obj)
     with listening() as progress:
         mesh, runs, off = meshed(
@@ -145,7 +145,7 @@ def _find_avoided(obj: Any) -> list[int]:
 
 
 def hash_inputs(obj: Any) -> str:
-    """A checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the
+    """Return a checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the
     deflections; empty without a base."""
     base, faces = chosen(obj)
     if base is None:
@@ -170,7 +170,7 @@ def hash_inputs(obj: Any) -> str:
 
 
 def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
-    """The base of a Tessellation and the names of its chosen faces."""
+    """Return the base of a Tessellation and the names of its chosen faces."""
     if obj.Base is None:
         return None, ()
     base, names = obj.Base
@@ -178,7 +178,7 @@ def chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
 
 
 def avoided(obj: Any) -> tuple[str, ...]:
-    """The names of the faces that a Tessellation leaves alone."""
+    """Return the names of the faces that a Tessellation leaves alone."""
     link = getattr(obj, "Avoid", None)
     return () if link is None else tuple(name for name in link[1] if name)
 
@@ -217,9 +217,9 @@ def meshed(
     progress: Progress,
     avoid: Sequence[str] = (),
 ) -> tuple[Any, list[int], list[int]]:
-    """The mesh of a base, the runs of its facets that are milled: those on the faces, all where none is
-    named, without those on faces to ``avoid``; no runs where all are; and the runs of those. ``linear`` mm,
-    ``angular`` deg. Raises FiveAxisError."""
+    """Return the mesh of a base, the runs of its facets that are milled: those on the faces, all where none
+    is named, without those on faces to ``avoid``; no runs where all are; and the runs of those. ``linear``
+    mm, ``angular`` deg. Raises FiveAxisError."""
     if base is not None and selection.is_mesh(base):
         return _copied(base, faces, avoid), [], []
     if linear <= 0.0 or angular <= 0.0:
@@ -254,9 +254,9 @@ def meshed(
 
 
 def _milled(label: str, rows: Sequence[int], chosen: int, avoid: Sequence[str], count: int) -> list[int]:
-    """The faces, of ``count``, that are milled: the first ``chosen`` rows, all where there are none of these,
-    without the others. None where all are. Raises SelectionError where nothing is left, which would be taken
-    for all."""
+    """Return the faces, of ``count``, that are milled: the first ``chosen`` rows, all where there are none of
+    these, without the others. None where all are. Raises SelectionError where nothing is left, which would be
+    taken for all."""
     left = set(rows[:chosen] or range(count)) - set(rows[chosen:])
     if not left:
         text = say(
@@ -282,7 +282,7 @@ def _copied(base: Any, faces: Sequence[str], avoid: Sequence[str] = ()) -> Any:
 
 
 def no_names(base: Any) -> selection.SelectionError:
-    """What to say where faces of a mesh are to be left alone."""
+    """Return what to say where faces of a mesh are to be left alone."""
     text = say(
         "{label} is a mesh, whose faces have no names: choose the solid it is of, or mill it on the command "
         "line with {option}.",
@@ -299,7 +299,7 @@ def make(
     angular: float = ANGULAR,
     avoid: Sequence[str] = (),
 ) -> Any:
-    """A Tessellation object with its mesh. ``linear`` mm, ``angular`` deg. Raises as
+    """Return a Tessellation object with its mesh. ``linear`` mm, ``angular`` deg. Raises as
     :meth:`Tessellation.build`.
 
     Where it fails, no object is left behind.

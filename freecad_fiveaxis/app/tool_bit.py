@@ -67,8 +67,8 @@ class JobTool:
 
 
 def cutter_of_file(path: str | os.PathLike[str]) -> Cutter:
-    """The cutter of a tool bit's file, mm. Raises FileError for a missing file, SettingsError for one of no
-    use here."""
+    """Return the cutter of a tool bit's file, mm. Raises FileError for a missing file, SettingsError for one
+    of no use here."""
     name = Path(path).name
     bit = _parsed(read_bytes(path, "tool bit"), name)
     sizes = bit.get("parameter")
@@ -81,8 +81,8 @@ def cutter_of_file(path: str | os.PathLike[str]) -> Cutter:
 
 
 def cutter_of_tool(tool: Any) -> Cutter:
-    """The cutter of a tool in a document (``job.Tools.Group[i].Tool``), mm. Raises SettingsError for one of
-    no use here."""
+    """Return the cutter of a tool in a document (``job.Tools.Group[i].Tool``), mm. Raises SettingsError for
+    one of no use here."""
     shape = next(
         (
             getattr(tool, key)
@@ -96,7 +96,7 @@ def cutter_of_tool(tool: Any) -> Cutter:
 
 
 def cutters_of_job(job: Any) -> list[JobTool]:
-    """The tools of a CAM Job in its order, those of no use here with the reason."""
+    """Return the tools of a CAM Job in its order, those of no use here with the reason."""
     return [_job_tool(controller) for controller in job.Tools.Group]
 
 

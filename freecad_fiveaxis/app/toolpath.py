@@ -46,7 +46,7 @@ class Toolpath(Proxy):
 
     @classmethod
     def properties(cls) -> Sequence[Property]:
-        """The mesh, the fixtures, the settings of task ``mill``, the work zero and the results."""
+        """Return the mesh, the fixtures, the settings of task ``mill``, the work zero and the results."""
         return (
             MESH,
             FIXTURES,
@@ -58,7 +58,7 @@ class Toolpath(Proxy):
         )
 
     def task(self, obj: Any) -> results.Task:
-        """What the object asks of the core. Raises FiveAxisError."""
+        """Return what the object asks of the core. Raises FiveAxisError."""
         if obj.Mesh is None:
             raise mesh_is_gone(obj)
         if not is_mesh(obj.Mesh):
@@ -81,12 +81,12 @@ class Toolpath(Proxy):
         return results.Task(settings, facets, *results.runs_of(obj.Mesh, settings), fixtures=solids)
 
     def make_draft(self, task: results.Task, progress: Progress) -> ProgramDraft:
-        """The program, not yet proven."""
+        """Return the program, not yet proven."""
         mesh, faces = task.mesh_and_mask(progress)
         return job.make(task.settings, progress, mesh=mesh, faces=faces, fixtures=task.held(progress))
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """What its setup says cannot be edited."""
+        """Lock what its setup says."""
         super().onDocumentRestored(obj)
         job_setup.follow(obj)
 
@@ -117,7 +117,7 @@ def check_fixtures(obj: Any) -> list[Any]:
 
 
 def mesh_is_gone(obj: Any) -> SelectionError:
-    """What to say of a Toolpath whose mesh was deleted."""
+    """Return what to say of a Toolpath whose mesh was deleted."""
     text = say(
         "The mesh of {label} was deleted: undo that, or choose another one in its property Mesh.",
         label=obj.Label,
@@ -126,16 +126,16 @@ def mesh_is_gone(obj: Any) -> SelectionError:
 
 
 def with_strategies(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options, and pass strategy and tool axis as the core chooses them where they are left open. Raises
-    FiveAxisError."""
+    """Return the options, and pass strategy and tool axis as the core chooses them where they are left open.
+    Raises FiveAxisError."""
     settings = build_settings(MILL, "mesh", options)
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     return {**options, "passes": settings.passes.passes, "tool_axis": settings.tool_axis.tool_axis}
 
 
 def make(doc: Any, mesh: Any, options: Mapping[str, Any], extra: Mapping[str, Any]) -> Any:
-    """A Toolpath object of a mesh object, not yet computed. ``extra``: properties that are no settings of the
-    core.
+    """Return a Toolpath object of a mesh object, not yet computed. ``extra``: properties that are no settings
+    of the core.
 
     Raises SettingsError, and then leaves no object behind.
     """

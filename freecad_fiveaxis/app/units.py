@@ -48,7 +48,7 @@ def inches() -> bool:
 
 
 def measure_text(measure: Measure) -> str:
-    """A measure of a sentence in the user's units, with as many digits as it has there."""
+    """Return a measure of a sentence in the user's units, with as many digits as it has there."""
     kind, inch = type(measure), inches()
     digits, decimals = _precision(measure.form)
     most = DECIMALS.get(kind, 4)
@@ -75,8 +75,8 @@ def _precision(form: str) -> tuple[int, int | None]:
 
 
 def number_text(value: float, digits: int, decimals: int) -> str:
-    """A number with at most so many digits, of them so many behind the point; "<0.0001" for less than can be
-    shown."""
+    """Return a number with at most so many digits, of them so many behind the point; "<0.0001" for less than
+    can be shown."""
     if not math.isfinite(value):
         return "∞" if value > 0.0 else "?"
     value = 0.0 if abs(value) < ROUNDING else value
@@ -87,27 +87,28 @@ def number_text(value: float, digits: int, decimals: int) -> str:
 
 
 def length_text(mm: float, digits: int = DIGITS) -> str:
-    """A length in the user's units, as "2.126 mm" or "0.0837 in"."""
+    """Return a length in the user's units, as "2.126 mm" or "0.0837 in"."""
     return measure_text(Length(mm, f".{digits}g"))
 
 
 def area_text(square_mm: float, digits: int = DIGITS) -> str:
-    """An area in the user's units, as "12.3 mm²"."""
+    """Return an area in the user's units, as "12.3 mm²"."""
     return measure_text(Area(square_mm, f".{digits}g"))
 
 
 def feed_text(mm_per_minute: float, digits: int = DIGITS) -> str:
-    """A feed in the user's units, as "1000 mm/min"."""
+    """Return a feed in the user's units, as "1000 mm/min"."""
     return measure_text(Feed(mm_per_minute, f".{digits}g"))
 
 
 def angle_text(degrees: float, digits: int = DIGITS) -> str:
-    """An angle, as "27.42°"."""
+    """Return an angle, as "27.42°"."""
     return measure_text(Angle(degrees, f".{digits}g"))
 
 
 def field_text(value: float, places: int) -> str:
-    """A number to be edited: at most so many decimals, more only for what would read 0, never an exponent."""
+    """Return a number to be edited: at most so many decimals, more only for what would read 0, never an
+    exponent."""
     value = 0.0 if abs(value) < ROUNDING else value
     if value and not float(f"{value:.{places}f}"):
         places = 1 - math.floor(math.log10(abs(value)))

@@ -79,7 +79,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _answered(argv: Sequence[str]) -> int:
-    """The exit code; what went wrong is told in one line."""
+    """Return the exit code; what went wrong is told in one line."""
     written.clear()
     try:
         arguments = _parser().parse_args(_with_bare_options(_with_current_flags(argv)))
@@ -112,7 +112,7 @@ def _complain_stopped() -> None:
 
 
 def _without(missing: ModuleNotFoundError) -> int:
-    """A package that is needed is not installed for this Python: what to type, in one line."""
+    """Return a package that is needed is not installed for this Python: what to type, in one line."""
     _complain(
         f"fiveaxis: {missing.name} is not installed for {sys.executable}: "
         f"`{os.path.basename(sys.executable)} -m pip install "
@@ -122,7 +122,7 @@ def _without(missing: ModuleNotFoundError) -> int:
 
 
 def _failed(fault: Exception) -> int:
-    """A fault of ours, in one line."""
+    """Return a fault of ours, in one line."""
     if os.environ.get(TRACEBACK):
         _show_error("".join(traceback.format_exception(fault)).rstrip())
     place = traceback.extract_tb(fault.__traceback__)[-1]
@@ -137,8 +137,8 @@ def _failed(fault: Exception) -> int:
 
 
 def _with_current_flags(argv: Sequence[str]) -> list[str]:
-    """The words, former names of options replaced by those of today; one line on stderr says so, unless all
-    is to be quiet."""
+    """Return the words, former names of options replaced by those of today; one line on stderr says so,
+    unless all is to be quiet."""
     from freecad_fiveaxis.core.pipeline.settings import RENAMED
 
     now, words = {flag_of(old): flag_of(new) for old, new in RENAMED.items()}, list(argv)
@@ -165,7 +165,7 @@ def _with_bare_options(argv: Sequence[str]) -> list[str]:
 
 
 def flag_of(name: str) -> str:
-    """The flag of a field of the settings."""
+    """Return the flag of a field of the settings."""
     return str(Option(name))
 
 

@@ -34,7 +34,7 @@ class Observer:
     """Watches all documents."""
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """A new object gets its view as soon as it has its proxy; what depends on a changed object may be out
+        """Give a new object its view as soon as it has its proxy; what depends on a changed object may be out
         of date."""
         if (
             FreeCAD.isRestoring()
@@ -48,28 +48,29 @@ class Observer:
             _look_again(obj.Document, obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """A path goes, and what is listed of it; where markers go, their path draws its own again."""
+        """Forget a path that goes, and what is listed of it; where markers go, their path draws its own
+        again."""
         _forget(obj)
         _look_again(obj.Document)
 
     def slotDeletedDocument(self, doc: Any) -> None:
-        """A document is closed."""
+        """Forget what a document held that is closed."""
         _forget(doc)
 
     def slotRecomputedDocument(self, doc: Any) -> None:
-        """What says "out of date" may go."""
+        """Take away what says "out of date", where it is so no more."""
         _look_again(doc, only_old=True)
 
     def slotUndoDocument(self, doc: Any) -> None:
-        """What undo brings back may be current, though FreeCAD would have it recomputed."""
+        """Settle what undo brings back: it may be current, though FreeCAD would have it recomputed."""
         later(lambda: _settle(doc))
 
     def slotRedoDocument(self, doc: Any) -> None:
-        """The same of redo."""
+        """Settle what redo brings back."""
         later(lambda: _settle(doc))
 
     def slotFinishRestoreDocument(self, doc: Any) -> None:
-        """A document that was made without a window has no views yet."""
+        """Give views to a document that was made without a window, and has none yet."""
         for obj in doc.Objects:
             attach(obj)
         _look_again(doc)
@@ -100,8 +101,8 @@ def attach(obj: Any) -> None:
 
 
 def _settle(doc: Any) -> None:
-    """What is current is not recomputed. Documents without an object of ours are left alone, and numpy
-    unloaded."""
+    """Keep what is current from being recomputed. Documents without an object of ours are left alone, and
+    numpy unloaded."""
     if not any(doc is one for one in FreeCAD.listDocuments().values()):
         return
     if any(
@@ -115,14 +116,14 @@ def _settle(doc: Any) -> None:
 
 
 def _adopt(path: Any) -> None:
-    """A path has a new child."""
+    """Let a path adopt a new child."""
     view = _view_of(path)
     if hasattr(view, "adopt"):
         view.adopt()
 
 
 def _view_of(obj: Any) -> Any:
-    """The view provider of an object, or None."""
+    """Return the view provider of an object, or None."""
     try:
         return getattr(obj.ViewObject, "Proxy", None)
     except RuntimeError:  # FreeCAD 1.0: undo has the object still in its list while its view is gone already
@@ -137,7 +138,7 @@ def _forget(gone: Any) -> None:
 
 
 def _look_again(doc: Any, changed: Any = None, only_old: bool = False) -> None:
-    """The paths and maps that depend on ``changed`` (None: all), or only those that say so already, see
+    """Let the paths and maps that depend on ``changed`` (None: all), or only those that say so already, see
     whether they are old."""
     for obj in doc.Objects:
         view = _view_of(obj)

@@ -126,14 +126,14 @@ def show(path: Any, comparison: Any) -> Table:
 
 
 def forget(gone: Any) -> None:
-    """A document is closed: the table of its path goes with it."""
+    """Close the table of a path whose document is closed."""
     shown = _docks.get("table")
     if shown is not None and shown.document is not None and shown.document is gone:
         shown.clear()
 
 
 def heads() -> list[str]:
-    """The titles of the columns."""
+    """Return the titles of the columns."""
     return [
         translate("FiveAxis", "Machine"), translate("FiveAxis", "Correction"),
         translate("FiveAxis", "Tip guided (RTCP)"),
@@ -146,7 +146,7 @@ def heads() -> list[str]:
 
 
 def cells(row: Any) -> list[Cell]:
-    """The cells of one row of the core."""
+    """Return the cells of one row of the core."""
     from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.app.labels import cure_label
 
@@ -179,7 +179,7 @@ LEAST_OVER = 5e-4
 
 
 def _turning(row: Any, column: int) -> Cell:
-    """The peak rate of a rotary axis; a dash where the machine has none."""
+    """Return the peak rate of a rotary axis; a dash where the machine has none."""
     from freecad_fiveaxis.core.machine import fitted_columns
 
     letter, rate = row.letters[column], row.peak_rate[column]

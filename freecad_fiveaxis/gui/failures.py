@@ -49,7 +49,7 @@ def _is_ours(trace: TracebackType | None) -> bool:
 
 
 def guarded(slot: Callable[..., Any], failed: Any = None) -> Callable[..., Any]:
-    """The slot for FreeCAD to call: an error is shown and printed, and ``failed`` is given back."""
+    """Return the slot for FreeCAD to call: an error is shown and printed, and ``failed`` is given back."""
 
     @functools.wraps(slot)
     def call(*values: Any, **named: Any) -> Any:

@@ -45,14 +45,14 @@ def register() -> Watcher:
 
 
 def renew(path: Any) -> None:
-    """The path has other figures now: list them, if it is listed."""
+    """List the other figures that the path has now, if it is listed."""
     panel = _docks.get("panel")
     if panel is not None and panel.path is path:
         panel.show_path(path)
 
 
 def forget(gone: Any) -> None:
-    """A path or a document is gone: what is listed of it goes too."""
+    """Forget what is listed of a path or a document that is gone."""
     panel = _docks.get("panel")
     if panel is not None and panel.path is not None and gone in (panel.path, panel.document):
         panel.clear()
@@ -81,7 +81,7 @@ def show(path: Any, marker: int | None = None) -> Any:
 
 
 def _panel() -> Panel:
-    """The one panel; made when it is first asked for."""
+    """Return the one panel; made when it is first asked for."""
     if "panel" not in _docks:
         window = main_window()
         dock = QtWidgets.QDockWidget(translate("FiveAxis", "Findings"), window)
@@ -179,7 +179,7 @@ class Panel:
         self.table.blockSignals(False)
 
     def _picked(self) -> None:
-        """The user has picked a row: tell of it, and go there."""
+        """Tell of the row that the user has picked, and go there."""
         chosen = self.table.selectionModel().selectedRows()
         if not chosen:
             return
@@ -204,7 +204,7 @@ class Panel:
         return 4.0 * max(there.step, 2.0 * there.deviation, depth, 0.25)
 
     def _page(self, at: int) -> str:
-        """What happens, why, and what helps."""
+        """Return what happens, why, and what helps."""
         from freecad_fiveaxis.core.report import spot, summary
 
         from .scene import gouge_words, words
@@ -236,7 +236,7 @@ def _html(parts: list[tuple[str, str]], title: str) -> str:
 
 
 def _scope_page(figures: Any, some: bool) -> str:
-    """What the verdict rests on; above it, where there is not ``some`` finding, that there is none."""
+    """Return what the verdict rests on; above it, where there is not ``some`` finding, that there is none."""
     from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.report import scope, summary
 

@@ -68,8 +68,8 @@ def _look() -> None:
 
 
 def _legends_of(obj: Any) -> list[Any]:
-    """The legend of an object, else that of the path which it belongs to; none where that was not drawn
-    yet."""
+    """Return the legend of an object, else that of the path which it belongs to; none where that was not
+    drawn yet."""
     if not kind_of(obj):
         return []
     near = [obj, getattr(obj, "Path", None), *obj.InList]
@@ -78,6 +78,6 @@ def _legends_of(obj: Any) -> list[Any]:
 
 
 def legend_of(obj: Any) -> Any:
-    """The legend of one of our objects, or None."""
+    """Return the legend of one of our objects, or None."""
     view = getattr(getattr(obj, "ViewObject", None), "Proxy", None)
     return getattr(getattr(view, "picture", None), "legend", None)

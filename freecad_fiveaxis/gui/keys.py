@@ -26,7 +26,7 @@ def belong_to(form: Any) -> None:
 
 
 def give_back() -> None:
-    """The keys go to the panel that is open, if one is, as soon as its window is active."""
+    """Give the keys to the panel that is open, if one is, as soon as its window is active."""
     later(lambda: _give_back(TRIES))
 
 

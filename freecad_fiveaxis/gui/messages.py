@@ -12,7 +12,7 @@ from .qt import QtWidgets, execute, main_window, translate
 
 
 def warn(text: str) -> None:
-    """A message box with one sentence that says what to do."""
+    """Show a message box with one sentence that says what to do."""
     box = QtWidgets.QMessageBox(main_window())
     box.setObjectName("FiveAxisMessage")
     box.setIcon(QtWidgets.QMessageBox.Warning)
@@ -43,14 +43,14 @@ def ask(text: str, yes: str, no: str = "") -> bool:
 
 
 def status(text: str) -> None:
-    """A few seconds in the status bar."""
+    """Show the text for a few seconds in the status bar."""
     main_window().statusBar().showMessage(text, 8000)
 
 
 @contextmanager
 def telling() -> Iterator[None]:
-    """What the work within cannot use is told in a message box; stopped work in the status bar. Other errors
-    go on."""
+    """Yield what the work within cannot use is told in a message box; stopped work in the status bar. Other
+    errors go on."""
     from freecad_fiveaxis.app import wording
     from freecad_fiveaxis.core.base.errors import Cancelled, FiveAxisError
 

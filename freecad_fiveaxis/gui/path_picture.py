@@ -59,8 +59,8 @@ class Picture:
         self._write()
 
     def _find_figures(self) -> None:
-        """The figures that the object's properties tell of; computed where the document was just opened and
-        shows the path."""
+        """Find the figures that the object's properties tell of; computed where the document was just opened
+        and shows the path."""
         last = self.obj.Proxy.last
         if last is None and self.obj.Fingerprint and self.vobj.Visibility and not self.failed:
             last = self._compute()
@@ -77,13 +77,14 @@ class Picture:
             self._renew_markers()
 
     def _renew_markers(self) -> None:
-        """The label of the Markers object is left out where it would tell of other figures than these."""
+        """Leave out the label of the Markers object where it would tell of other figures than these."""
         markers = markers_of(self.obj)
         if markers is not None and not results.tells_of(self.obj):
             redraw.soon(markers.ViewObject.Proxy)
 
     def _compute(self) -> Any:
-        """The result after the document was opened. Where that fails, the view and the object say why."""
+        """Return the result after the document was opened. Where that fails, the view and the object say
+        why."""
         _, why = find_for_drawing(self.obj, results.figures_of)
         self.failed = why or self.failed
         return self.obj.Proxy.last
@@ -122,11 +123,11 @@ class Picture:
         self.nodes.labels.show(self._labels())
 
     def _shown(self) -> list[str]:
-        """The kinds of moves that are shown, for the legend."""
+        """Return the kinds of moves that are shown, for the legend."""
         return [name for name in words.MOVES if getattr(self.vobj, SWITCHES[name])]
 
     def _labels(self) -> list[Label]:
-        """What stands at the markers, the most important first."""
+        """Return what stands at the markers, the most important first."""
         if self.figures is None or self.drawing is None:
             return []
         marks = self.drawing.markers

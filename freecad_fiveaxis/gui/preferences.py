@@ -86,7 +86,7 @@ class Page:
             self._widget(key).setProperty(self._property(key), shown)
 
     def shown(self, key: str) -> Any:
-        """The value that is shown for a parameter."""
+        """Return the value that is shown for a parameter."""
         if key in self.choices:
             text = self._widget(key).currentText()
             return self.choices[key].get(text, text)

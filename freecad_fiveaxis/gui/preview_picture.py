@@ -75,7 +75,7 @@ class PreviewPicture:
 
 
 def lines_of(found: Preview, origin: Sequence[float]) -> Any:
-    """The lines of a preview as one node, which the mouse does not see."""
+    """Return the lines of a preview as one node, which the mouse does not see."""
     lines, place = coin.SoLineSet(), coin.SoTranslation()
     place.translation.setValue(*origin)
     lines.vertexProperty = nodes.vertices(found.point)

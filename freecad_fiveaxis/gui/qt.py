@@ -28,7 +28,7 @@ TRIES = 1000
 
 
 def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
-    """The text itself; lupdate finds it by this name."""
+    """Return the text itself; lupdate finds it by this name."""
     return text
 
 
@@ -56,8 +56,8 @@ def flags(value: Any) -> int:
 
 
 def create(name: str) -> Any:
-    """A widget of FreeCAD's own, as ``Gui::QuantitySpinBox``. Raises RuntimeError where this FreeCAD has
-    none.
+    """Return a widget of FreeCAD's own, as ``Gui::QuantitySpinBox``. Raises RuntimeError where this FreeCAD
+    has none.
 
     FreeCAD deletes the widgets of a closed panel without PySide's knowledge, and PySide knows widgets by
     their address: a new one may come as the old Python object of one that stood there, dead or soon to be. It
@@ -89,8 +89,8 @@ def later(work: Callable[[], Any]) -> None:
 
 
 def resource(*parts: str) -> str:
-    """The path of a file in ``resources``: in the package when it is installed, beside it in the source
-    tree."""
+    """Return the path of a file in ``resources``: in the package when it is installed, beside it in the
+    source tree."""
     package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     inside = os.path.join(package, "resources")
     return os.path.join(
@@ -99,6 +99,6 @@ def resource(*parts: str) -> str:
 
 
 def icon(name: str) -> str:
-    """The path of an icon; the workbench's own where that one is not there."""
+    """Return the path of an icon; the workbench's own where that one is not there."""
     path = resource("icons", name + ".svg")
     return path if os.path.isfile(path) else resource("icons", "fiveaxis.svg")

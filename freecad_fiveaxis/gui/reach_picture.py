@@ -22,7 +22,7 @@ from .waiting import find_for_drawing
 
 
 def reason_text(obstacle: Obstacle) -> str:
-    """What a colour means."""
+    """Return what a colour means."""
     return {
         Obstacle.NONE: translate("FiveAxis", "reached"),
         Obstacle.CUTTER: translate("FiveAxis", "cutter too large"),
@@ -91,8 +91,8 @@ class ReachPicture:
         self.strokes.addChild(reach_axes(*reach.axis_field(self.found), length, rgb(self.vobj.ColourAxes)))
 
     def _find(self) -> reach.Last | None:
-        """The map that the object's properties tell of. Where that fails, the legend and the object say
-        why."""
+        """Return the map that the object's properties tell of. Where that fails, the legend and the object
+        say why."""
         known = self.obj.Proxy.last
         if known is not None:
             self.failed = ""

@@ -17,18 +17,18 @@ class ReachMapView(MapView):
     ROWS, SWITCHES = view_properties.REACH, ("ShowAxes", "ShowLegend", "FoldLegend")
 
     def make_picture(self) -> Any:
-        """The map."""
+        """Return the map."""
         from .reach_picture import ReachPicture
 
         return ReachPicture(self.vobj)
 
     def restyle(self) -> None:
-        """The axes have another length or colour now."""
+        """Draw the axes in the length and colour that they have now."""
         if self.picture is not None:
             self.picture.styled = False
 
     def claimChildren(self) -> list[Any]:
-        """A tessellation that no tool path has stands below the map in the tree."""
+        """Return a tessellation that no tool path has stands below the map in the tree."""
         mesh: Any = getattr(
             getattr(self, "obj", None), "Mesh", None
         )  # FreeCAD asks this before it attaches the view
@@ -39,7 +39,7 @@ class ReachMapView(MapView):
         return [mesh]
 
     def updateData(self, obj: Any, prop: str) -> None:
-        """A map that is new hides its mesh, which would lie in it."""
+        """Hide the mesh of a map that is new, which would lie in it."""
         super().updateData(obj, prop)
         if prop == "Mesh" and kind_of(obj.Mesh) == "tessellation" and not FreeCAD.isRestoring():
             obj.Mesh.ViewObject.Visibility = False

@@ -60,8 +60,8 @@ class RestPicture:
         self._write()
 
     def _find(self) -> rest.Heights | None:
-        """The heights that the object's properties tell of. Where that fails, the legend and the object say
-        why."""
+        """Return the heights that the object's properties tell of. Where that fails, the legend and the
+        object say why."""
         known = self.obj.Proxy.last
         if known is not None:
             self.failed = ""
@@ -79,7 +79,8 @@ class RestPicture:
         self.legend.show(legend.folded() if legend is not None and self.vobj.FoldLegend else legend)
 
     def _extremes(self, found: rest.Heights) -> list[Label]:
-        """The labels: where the cut is deepest, and where most is left, if that is more than may be."""
+        """Return the labels: where the cut is deepest, and where most is left, if that is more than may
+        be."""
         height, point, labels = found.rest.height, found.rest.point, []
         if (least := float(height.min())) < -found.tolerance:
             labels.append(Label(point[height.argmin()].tolist(), _deep_text(-least), GOUGE_COLOURS[OVERCUT]))

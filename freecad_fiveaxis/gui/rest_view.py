@@ -17,13 +17,13 @@ class RestMapView(PictureView):
     ROWS = view_properties.REST
 
     def make_picture(self) -> Any:
-        """The map."""
+        """Return the map."""
         from .rest_picture import RestPicture
 
         return RestPicture(self.vobj)
 
     def updateData(self, obj: Any, prop: str) -> None:
-        """A map that is new hides its path, which would cover it."""
+        """Hide the path of a map that is new, which would cover it."""
         super().updateData(obj, prop)
         if prop == "Path" and obj.Path is not None and not FreeCAD.isRestoring():
             obj.Path.ViewObject.Visibility = False
@@ -45,11 +45,11 @@ class RestMapView(PictureView):
         redraw.soon(self)
 
     def getElementPicked(self, point: Any) -> str:
-        """The parts of the surface have no names."""
+        """Return the parts of the surface have no names."""
         return ""
 
     def path_object(self) -> Any:
-        """The path whose cutter leaves it."""
+        """Return the path whose cutter leaves it."""
         return self.obj.Path
 
     def doubleClicked(self, vobj: Any) -> bool:

@@ -34,7 +34,7 @@ def has_objects() -> bool:
 
 
 def kind_of(obj: Any) -> str:
-    """The name of our proxy's class; empty for an object that is none of ours. Imports nothing."""
+    """Return the name of our proxy's class; empty for an object that is none of ours. Imports nothing."""
     cls = type(getattr(obj, "Proxy", None))
     return cls.__name__ if cls.__module__.startswith(APP) else ""
 
@@ -46,8 +46,8 @@ def has_path(*kinds: str) -> bool:
 
 
 def selected_path(*kinds: str) -> Any:
-    """The path of one of the kinds that is selected, or that what is selected belongs to; else the document's
-    only one.
+    """Return the path of one of the kinds that is selected, or that what is selected belongs to; else the
+    document's only one.
 
     None where there is no such path, or where several could be meant.
     """
@@ -62,7 +62,7 @@ def selected_path(*kinds: str) -> Any:
 
 
 def selected_reach_map() -> Any:
-    """The reach map that alone is selected, or None."""
+    """Return the reach map that alone is selected, or None."""
     chosen = FreeCADGui.Selection.getSelection()
     return chosen[0] if len(chosen) == 1 and kind_of(chosen[0]) == REACH_MAP else None
 
@@ -75,7 +75,7 @@ def _paths_of(obj: Any, kinds: tuple[str, ...]) -> list[Any]:
 
 
 def part() -> tuple[Any, tuple[str, ...]]:
-    """The object to mill and the names of its chosen faces. Raises SelectionError that says what to
+    """Return the object to mill and the names of its chosen faces. Raises SelectionError that says what to
     select."""
     from freecad_fiveaxis.app import selection
 
@@ -85,7 +85,7 @@ def part() -> tuple[Any, tuple[str, ...]]:
 
 
 def path_or_part() -> tuple[Any, tuple[Any, ...]]:
-    """The Toolpath that is meant, or None and the part with its chosen faces. Raises SelectionError.
+    """Return the Toolpath that is meant, or None and the part with its chosen faces. Raises SelectionError.
 
     With nothing selected the document's only Toolpath is meant.
     """
@@ -98,8 +98,8 @@ def path_or_part() -> tuple[Any, tuple[Any, ...]]:
 
 
 def job_or_part() -> tuple[Any, tuple[str, ...], dict[str, Any]]:
-    """The same and settings: those of a CAM Job where that is selected, whose model is then milled. Raises
-    SelectionError."""
+    """Return the same and settings: those of a CAM Job where that is selected, whose model is then milled.
+    Raises SelectionError."""
     from freecad_fiveaxis.app import cam, selection
 
     chosen = FreeCADGui.Selection.getSelection()

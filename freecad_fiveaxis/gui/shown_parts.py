@@ -17,7 +17,7 @@ FOLD = "FoldLegend"
 
 
 def part_names() -> dict[str, str]:
-    """The parts that have a switch, and what they are called."""
+    """Return the parts that have a switch, and what they are called."""
     return {
         "ShowCuts": translate("FiveAxis", "Cuts"),
         "ShowLinks": translate("FiveAxis", "Links"),

@@ -31,13 +31,13 @@ class OpenStep:
             self.is_open = True
 
     def keep(self) -> None:
-        """The document stays as it is now."""
+        """Keep the document as it is now."""
         if self.is_open and self.has_document():
             self.doc.commitTransaction()
         self.is_open = False
 
     def take_back(self) -> None:
-        """The document is again as it was before ``begin``."""
+        """Take the document back to what it was before ``begin``."""
         if self.is_open and self.has_document():
             self.doc.abortTransaction()
             for obj in filter(None, map(self.doc.getObject, self._settled)):

@@ -24,7 +24,7 @@ class VerdictLabel(QtWidgets.QLabel):
         self.hide()
 
     def show_verdict(self, obj: Any) -> None:
-        """The verdict of the last computation of a Toolpath or an Audit; None: hide it."""
+        """Show the verdict of the last computation of a Toolpath or an Audit; None: hide it."""
         light = getattr(obj, "Light", "")
         self.setText(obj.Verdict if light else "")
         self.setStyleSheet(
@@ -40,6 +40,6 @@ class VerdictLabel(QtWidgets.QLabel):
         self._keep_whole()
 
     def _keep_whole(self) -> None:
-        """A label that wraps tells a layout of its height, and the layout of a low panel does not ask
-        again."""
+        """Keep the label whole: one that wraps tells a layout of its height, and the layout of a low panel
+        does not ask again."""
         self.setMinimumHeight(max(self.heightForWidth(self.width()), 0) if self.text() else 0)

@@ -105,5 +105,5 @@ def add_missing(vobj: Any, rows: tuple[Row, ...]) -> None:
 
 
 def rgb(colour: Any) -> tuple[float, float, float]:
-    """A colour property without its alpha."""
+    """Return a colour property without its alpha."""
     return tuple(colour)[:3]

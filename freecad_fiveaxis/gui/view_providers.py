@@ -41,8 +41,8 @@ def kind_of(obj: Any) -> str:
 
 
 def markers_of(path: Any) -> Any:
-    """The Markers object of a path, or None. One that undo took away may still be told to lead here, but has
-    no name any more."""
+    """Return the Markers object of a path, or None. One that undo took away may still be told to lead here,
+    but has no name any more."""
     return next(
         (one for one in path.InList if kind_of(one) == "markers" and one.Path is path and _has_name(one)),
         None,
@@ -71,7 +71,7 @@ class View:
         self.vobj, self.obj = vobj, vobj.Object
 
     def getIcon(self) -> str:
-        """The icon in the tree."""
+        """Return the icon in the tree."""
         return icon(ICONS.get(kind_of(self.obj), "fiveaxis")) if hasattr(self, "obj") else icon("fiveaxis")
 
     def dumps(self) -> None:
@@ -106,7 +106,7 @@ class DrawnView(View):
     SWITCHES: tuple[str, ...] = ()
 
     def attach(self, vobj: Any) -> None:
-        """An empty place in the scene, which is filled when the window is idle."""
+        """Attach an empty place in the scene, which is filled when the window is idle."""
         from pivy import coin
 
         super().attach(vobj)
@@ -119,11 +119,11 @@ class DrawnView(View):
         return [MODE]
 
     def getDefaultDisplayMode(self) -> str:
-        """That one."""
+        """Return that one."""
         return MODE
 
     def setDisplayMode(self, mode: str) -> str:
-        """That one."""
+        """Return that one."""
         return mode
 
     def refresh(self) -> None:
@@ -131,13 +131,13 @@ class DrawnView(View):
         raise NotImplementedError
 
     def updateData(self, obj: Any, prop: str) -> None:
-        """A property of the object has changed. While a document is read, FreeCAD calls this before it
-        attaches the view."""
+        """Hear that a property of the object has changed. While a document is read, FreeCAD calls this before
+        it attaches the view."""
         if hasattr(self, "root"):
             redraw.soon(self)
 
     def onChanged(self, vobj: Any, prop: str) -> None:
-        """A property of the view has changed."""
+        """Hear that a property of the view has changed."""
         if not hasattr(self, "root") or prop not in ("Visibility", *(row[1] for row in self.ROWS)):
             return
         if prop not in self.SWITCHES:
@@ -147,20 +147,20 @@ class DrawnView(View):
         redraw.soon(self)
 
     def come_forward(self) -> None:
-        """The object is shown: so is its legend, in place of the others'."""
+        """Show the legend of an object that is shown, in place of the others'."""
         legend = foremost.legend_of(self.obj)
         if legend is not None:
             legend.come_forward()
 
     def restyle(self) -> None:
-        """What is drawn has to be drawn anew, in other colours or sizes."""
+        """Draw anew what is drawn, in other colours or sizes."""
 
     def picked(self, point: Any) -> int | None:
-        """The row of the marker that a picked point lies on."""
+        """Return the row of the marker that a picked point lies on."""
         raise NotImplementedError
 
     def getElementPicked(self, point: Any) -> str:
-        """The name of what was clicked: a marker is a sub-element."""
+        """Return the name of what was clicked: a marker is a sub-element."""
         row = self.picked(point)
         return "" if row is None else f"Marker{row + 1}"
 
@@ -169,14 +169,14 @@ class DrawnView(View):
         return False
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """An entry that opens the list of findings, and one that folds the legend where there is one."""
+        """Add an entry that opens the list of findings, and one that folds the legend where there is one."""
         menu.addAction(translate("FiveAxis", "Show findings")).triggered.connect(
             lambda *_: self.show_findings()
         )
         self.add_fold(menu)
 
     def add_fold(self, menu: Any) -> None:
-        """An entry that folds the legend, where there is one."""
+        """Add an entry that folds the legend, where there is one."""
         from .shown_parts import FOLD, add_fold
 
         if hasattr(self.vobj, FOLD):
@@ -189,7 +189,7 @@ class DrawnView(View):
         findings_panel.show(self.path_object())
 
     def path_object(self) -> Any:
-        """The path that the view is of."""
+        """Return the path that the view is of."""
         return self.obj
 
 
@@ -213,7 +213,7 @@ class PathView(DrawnView):
         add_entries(menu, vobj.Object)
 
     def claimChildren(self) -> list[Any]:
-        """The tessellation, markers, NC files and the maps stand below the path in the tree."""
+        """Return the tessellation, markers, NC files and the maps stand below the path in the tree."""
         if not hasattr(self, "obj"):  # FreeCAD asks this before it attaches the view
             return []
         mesh = [one for one in (getattr(self.obj, "Mesh", None),) if kind_of(one) == "tessellation"]
@@ -221,7 +221,7 @@ class PathView(DrawnView):
         return mesh + list(dict.fromkeys(rest))
 
     def updateData(self, obj: Any, prop: str) -> None:
-        """A path that is new hides its mesh: the part's own surface is the better ground."""
+        """Hide the mesh of a path that is new: the part's own surface is the better ground."""
         super().updateData(obj, prop)
         if prop == "Mesh" and kind_of(obj.Mesh) == "tessellation" and not FreeCAD.isRestoring():
             obj.Mesh.ViewObject.Visibility = False
@@ -238,7 +238,7 @@ class PathView(DrawnView):
         )
 
     def adopt(self) -> None:
-        """The path has a new child: the tree is to ask for its children again."""
+        """Let the tree ask for the path's children again: it has a new one."""
         self.childless = True
         redraw.soon(self)
 
@@ -274,7 +274,7 @@ class PathView(DrawnView):
             self.picture.styled = False
 
     def picked(self, point: Any) -> int | None:
-        """The row of the marker that a picked point lies on."""
+        """Return the row of the marker that a picked point lies on."""
         return None if self.picture is None else self.picture.nodes.marks.picked(point)
 
     def setEdit(self, vobj: Any, mode: int = 0) -> bool:
@@ -285,7 +285,7 @@ class PathView(DrawnView):
         return True
 
     def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
-        """The panel closes itself."""
+        """Return the panel closes itself."""
         return True
 
     def doubleClicked(self, vobj: Any) -> bool:
@@ -312,7 +312,7 @@ class PictureView(DrawnView):
         self.picture.refresh()
 
     def make_picture(self) -> Any:
-        """The picture: it has a ``root`` and can ``refresh``."""
+        """Return the picture: it has a ``root`` and can ``refresh``."""
         raise NotImplementedError
 
 
@@ -322,7 +322,7 @@ class MarkersView(PictureView):
     ROWS = view_properties.MARKERS
 
     def make_picture(self) -> Any:
-        """The markers."""
+        """Return the markers."""
         from .markers_picture import MarkersPicture
 
         return MarkersPicture(self.vobj)
@@ -334,11 +334,11 @@ class MarkersView(PictureView):
             redraw.soon(self.obj.Path.ViewObject.Proxy)  # the path leaves marks and label to this object
 
     def picked(self, point: Any) -> int | None:
-        """The row of the marker that a picked point lies on."""
+        """Return the row of the marker that a picked point lies on."""
         return None if self.picture is None else self.picture.marks.picked(point)
 
     def path_object(self) -> Any:
-        """The path that is marked."""
+        """Return the path that is marked."""
         return self.obj.Path
 
     def doubleClicked(self, vobj: Any) -> bool:
@@ -351,11 +351,11 @@ class MapView(PictureView):
     """A map that has a panel of its own: it opens by a double click or *Edit*, and closes itself."""
 
     def getElementPicked(self, point: Any) -> str:
-        """What is drawn has no names."""
+        """Return what is drawn has no names."""
         return ""
 
     def setupContextMenu(self, vobj: Any, menu: Any) -> None:
-        """An entry that folds the legend."""
+        """Add an entry that folds the legend."""
         self.add_fold(menu)
 
     def doubleClicked(self, vobj: Any) -> bool:
@@ -370,7 +370,7 @@ class MapView(PictureView):
         return True
 
     def unsetEdit(self, vobj: Any, mode: int = 0) -> bool:
-        """The panel closes itself."""
+        """Return the panel closes itself."""
         return True
 
 
@@ -381,7 +381,7 @@ class SetupMapView(MapView):
     ROWS = view_properties.SETUPS
 
     def make_picture(self) -> Any:
-        """The map."""
+        """Return the map."""
         from .setup_picture import SetupPicture
 
         return SetupPicture(self.vobj)

@@ -100,7 +100,7 @@ class Waiting:
 
 
 def stage_words() -> dict[str, str]:
-    """What the stages of the core are called; one that is new says its own name."""
+    """Return what the stages of the core are called; one that is new says its own name."""
     return {
         "tessellate": translate("FiveAxis", "meshing the solid"),
         "read STL": translate("FiveAxis", "reading the mesh"),
@@ -169,8 +169,8 @@ def find_for_drawing(obj: Any, find: Callable[[Any, Waiting], Any]) -> tuple[Any
 
 @contextmanager
 def busy() -> Iterator[None]:
-    """The pointer says that a panel is on its way: its many fields take up to half a second, the first time
-    more."""
+    """Yield the pointer says that a panel is on its way: its many fields take up to half a second, the first
+    time more."""
     QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
         yield
@@ -180,7 +180,7 @@ def busy() -> Iterator[None]:
 
 @contextmanager
 def recomputing() -> Iterator[Waiting]:
-    """The dialog of long work that no command began, as of a recompute; short work shows none."""
+    """Yield the dialog of long work that no command began, as of a recompute; short work shows none."""
     listener = Waiting(translate("FiveAxis", "Recompute"), UNSEEN)
     try:
         yield listener

@@ -40,7 +40,7 @@ class FiveAxisWorkbench(FreeCADGui.Workbench):
         self.appendContextMenu(TITLE, NAMES)
 
     def GetClassName(self) -> str:
-        """The C++ class behind a workbench that is written in Python."""
+        """Return the C++ class behind a workbench that is written in Python."""
         return "Gui::PythonWorkbench"
 
 

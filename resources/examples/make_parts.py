@@ -132,7 +132,7 @@ def _wave(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]
 
 
 def _block(x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64]) -> Part:
-    """Closed block under the grid of heights ``z``, down to z = 0."""
+    """Return closed block under the grid of heights ``z``, down to z = 0."""
     top = np.stack([x, y, z], axis=-1).reshape(-1, 3)
     row = np.arange(x.size).reshape(x.shape)
     border = np.concatenate(

@@ -88,9 +88,9 @@ def against_path(
     axis_tolerance: float,
     progress: Progress = silent, above: float = 0.0,
 ) -> AgainstPath:  # fmt: skip
-    """The program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad; ``above`` mm: compared is
-    the point so far over the tip, with the same point of the CL path (of a ball the centre). Raises
-    ProgramError for a path of one row."""
+    """Return the program against the CL path. ``tolerance`` mm, ``axis_tolerance`` rad; ``above`` mm:
+    compared is the point so far over the tip, with the same point of the CL path (of a ball the centre).
+    Raises ProgramError for a path of one row."""
     if len(path.tip) < 2:
         raise ProgramError(
             say("the CL file holds fewer than two rows: there is no path to compare with"), len(path.tip)
@@ -187,8 +187,8 @@ def _angles(path: CLPath, lines: Segments, place: Floats, axis: Floats, element:
 def _missed(
     real: RealPath, rows: Ints, deviation: Deviation, path: CLPath, tolerance: float, progress: Progress
 ) -> tuple[Ints, Floats]:
-    """The rows of the CL path reached at feed that the real path of the feed blocks misses by more than the
-    tolerance."""
+    """Return the rows of the CL path reached at feed that the real path of the feed blocks misses by more
+    than the tolerance."""
     wanted = np.flatnonzero(path.motion != Motion.RAPID)
     if not len(rows) or not len(wanted):
         return wanted, np.full(len(wanted), math.inf)
@@ -207,8 +207,8 @@ def _missed(
 
 
 def _own_ways(against: AgainstPath, places: Floats, axis: Floats, tolerance: float) -> Bools:
-    """The blocks (n,) of ways of the post's own: from a place of the path out along the tool, and back to the
-    same place. ``places``, ``axis`` (n, 3): where the blocks end, and how the tool stands there."""
+    """Return the blocks (n,) of ways of the post's own: from a place of the path out along the tool, and back
+    to the same place. ``places``, ``axis`` (n, 3): where the blocks end, and how the tool stands there."""
     off = against.off > tolerance
     first = np.flatnonzero(off & ~np.append(False, off[:-1])[: len(off)])
     first = first[first > 0]

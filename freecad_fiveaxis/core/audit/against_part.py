@@ -64,7 +64,7 @@ def against_part(
     tolerance: float,
     progress: Progress = silent,
 ) -> AgainstPart:
-    """The program's ball of ``radius`` mm against the part, in the work frame."""
+    """Return the program's ball of ``radius`` mm against the part, in the work frame."""
     facets = Facets(np.ascontiguousarray(mesh.vertex[mesh.face.T]), mesh.normal)
     pieces, rows = facets.pieces(), feed_blocks(program)
     real = RealPath(kinematics, program, radius)

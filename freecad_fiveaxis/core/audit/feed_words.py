@@ -23,7 +23,8 @@ ROUNDING = 1e-6
 
 
 def large_feeds(program: Program, dialect: Dialect) -> tuple[Finding, ...]:
-    """A warning for each feed mode in which lines of the program have an F above the controller's largest."""
+    """Return a warning for each feed mode in which lines of the program have an F above the controller's
+    largest."""
     blocks = feed_blocks(program)
     inverse: Bools = program.inverse_time[blocks]
     modes = (
@@ -41,8 +42,8 @@ def large_feeds(program: Program, dialect: Dialect) -> tuple[Finding, ...]:
 
 
 def _of_lines(program: Program, blocks: Ints) -> tuple[Ints, Floats]:
-    """The first block (k,) of each line that has ``blocks`` under G93, and its F (k,): one over the minutes
-    of all of them."""
+    """Return the first block (k,) of each line that has ``blocks`` under G93, and its F (k,): one over the
+    minutes of all of them."""
     if not len(blocks):
         return blocks, np.zeros(0)
     first = np.flatnonzero(np.append(True, np.diff(program.line[blocks]) != 0))

@@ -69,7 +69,7 @@ def audit_program(
     options: AuditOptions,
     progress: Progress = silent,
 ) -> Audit:  # fmt: skip
-    """The audit of a program whose deviation is measured, against a CL path, a part, or neither."""
+    """Return the audit of a program whose deviation is measured, against a CL path, a part, or neither."""
     rates, limits = commanded_rates(kinematics, program, progress), check_limits(kinematics, program)
     found = (
         *limits.findings,

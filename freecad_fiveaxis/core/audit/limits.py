@@ -45,8 +45,8 @@ class Limits:
 
 
 def check_limits(kinematics: Chain, program: Program) -> Limits:
-    """The excess of every block, rapids and the first position too, and an error for each limit that is
-    exceeded."""
+    """Return the excess of every block, rapids and the first position too, and an error for each limit that
+    is exceeded."""
     count = len(program.words)
     excess, axis, found = np.zeros(count), np.zeros(count, np.int8), []
     for k in range(5):
@@ -63,7 +63,7 @@ def check_limits(kinematics: Chain, program: Program) -> Limits:
 
 
 def _nearest_turn(kinematics: Chain, program: Program, k: int) -> Floats:
-    """The words (m,) of one axis, mm or degrees; modulo ones by the turn nearest to the middle of the
+    """Return the words (m,) of one axis, mm or degrees; modulo ones by the turn nearest to the middle of the
     limits."""
     word: Floats = program.words[:, k]
     low, high = float(kinematics.low[k]), float(kinematics.high[k])

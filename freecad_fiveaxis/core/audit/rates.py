@@ -56,7 +56,7 @@ class Rates:
 
 
 def commanded_rates(kinematics: Chain, program: Program, progress: Progress = silent) -> Rates:
-    """What the F words of ``program`` ask for, block by block."""
+    """Return what the F words of ``program`` ask for, block by block."""
     count = len(program.words)
     rate, ratio, tip_feed, travel = np.zeros((5, count)).T, np.zeros(count), np.zeros(count), np.zeros(count)
     axis = np.zeros(count, np.int8)
@@ -90,13 +90,13 @@ def _tip_travel(kinematics: Chain, program: Program, q: Floats, rows: slice) -> 
 
 
 def timed_feeds(program: Program) -> Ints:
-    """The feed blocks whose time is known."""
+    """Return the feed blocks whose time is known."""
     feeds = feed_blocks(program)
     return feeds[program.seconds[feeds] > 0.0]
 
 
 def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
-    """A warning for each axis of which feed blocks ask more than its maximum rate."""
+    """Return a warning for each axis of which feed blocks ask more than its maximum rate."""
     found = []
     for k, letter in enumerate(program.letters):
         rows = np.flatnonzero(rates.rate[:, k] > kinematics.rate[k] * (1.0 + RATE_ROUNDING))
@@ -123,8 +123,8 @@ def rate_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Fi
 
 
 def feed_findings(kinematics: Chain, program: Program, rates: Rates) -> tuple[Finding, ...]:
-    """A finding where the tip moves over the part at quite another speed than F says (G94), or than elsewhere
-    (G93)."""
+    """Return a finding where the tip moves over the part at quite another speed than F says (G94), or than
+    elsewhere (G93)."""
     rows = timed_feeds(program)
     rows = rows[rates.travel[rows] > STILL]
     inverse = program.inverse_time[rows]

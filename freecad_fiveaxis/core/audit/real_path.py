@@ -46,7 +46,7 @@ class RealPath:
     height: float = 0.0
 
     def places(self, row: Ints, u: Floats) -> Floats:
-        """The driven point (n, 3) mm, work frame, at ``u`` (n,) of the blocks ``row`` (n,)."""
+        """Return the driven point (n, 3) mm, work frame, at ``u`` (n,) of the blocks ``row`` (n,)."""
         place = np.empty((len(row), 3))
         for part in cache_chunks(len(row)):
             place[part] = self._places(row[part], u[part])
@@ -66,7 +66,7 @@ class RealPath:
         return tip + self.height * axis_at(self.kinematics, start, end, u) if self.height else tip
 
     def bend(self, row: Ints) -> Floats:
-        """A bound (n,) mm of the driven point's second derivative by u in the blocks ``row`` (n,)."""
+        """Return a bound (n,) mm of the driven point's second derivative by u in the blocks ``row`` (n,)."""
         bent, words, frame = np.empty(len(row)), self.program.words, frames(self.kinematics)
         for part in cache_chunks(len(row)):
             move = motion(frame, words[row[part] - 1], words[row[part]])
@@ -88,7 +88,7 @@ class Ends:
     bend: Floats
 
     def take(self, rows: Any) -> Ends:
-        """Some of the pieces."""
+        """Return some of the pieces."""
         return Ends(
             self.block[rows], self.u[:, rows], self.place[:, rows], self.value[:, rows], self.bend[rows]
         )
@@ -127,7 +127,7 @@ def peaks(
     tolerance: float,
     progress: Progress = silent,
 ) -> Peaks:
-    """The largest value in each of the blocks ``rows`` (n,), none of them row 0.
+    """Return the largest value in each of the blocks ``rows`` (n,), none of them row 0.
 
     ``upper`` (n,) bounds the value between the ends of pieces. Pieces are halved until their bound exceeds
     neither the largest value found in their block nor ``tolerance`` by more than a tenth of the latter (or a
@@ -156,7 +156,7 @@ def peaks(
 
 
 def _whole_blocks(path: RealPath, rows: Ints, measured: Measured) -> Ends:
-    """The blocks as pieces. An end that begins the next block is measured once."""
+    """Return the blocks as pieces. An end that begins the next block is measured once."""
     both = np.unique(np.concatenate([rows - 1, rows]))
     place = path.places(both, np.ones(len(both)))
     value, at = measured(place), np.stack([np.searchsorted(both, rows - 1), np.searchsorted(both, rows)])

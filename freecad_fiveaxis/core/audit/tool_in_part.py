@@ -65,7 +65,7 @@ def is_ball(cutter: Cutter) -> bool:
 
 
 def _with_remedy(findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """The first of them asks whether part and program belong together; not where the tool enters on no
+    """Return the first of them asks whether part and program belong together; not where the tool enters on no
     commanded way."""
     if not findings or findings[0].code == Code.INDEPENDENT_RAPID:
         return findings

@@ -67,8 +67,8 @@ def units_against(kinematics: Chain, program: Program, against: CLPath | Mesh) -
 
 
 def units_of_steps(program: Program, path: CLPath) -> tuple[Finding, ...]:
-    """The same where the machine is not known: by the steps during which nothing turns, which every machine
-    makes as they are."""
+    """Return the same where the machine is not known: by the steps during which nothing turns, which every
+    machine makes as they are."""
     feeds = feed_blocks(program)
     still = ~(np.diff(program.words[:, 3:], axis=0) != 0.0).any(axis=1)
     moved = np.linalg.norm(np.diff(program.words[:, :3], axis=0), axis=1)[feeds - 1][still[feeds - 1]]

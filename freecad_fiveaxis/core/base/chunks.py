@@ -61,8 +61,8 @@ def batches(count: int, rows: int) -> list[slice]:
 def in_threads(
     work: Callable[[P], R], parts: Sequence[P], progress: Callable[[float], None] | None = None
 ) -> list[R]:
-    """What ``work`` gives for each of ``parts``, in their order; as many of them at a time as there are
-    processors.
+    """Return what ``work`` gives for each of ``parts``, in their order; as many of them at a time as there
+    are processors.
 
     ``progress`` gets the share that is done, always on the calling thread. An exception in ``work`` or from
     ``progress`` (:class:`~freecad_fiveaxis.core.base.errors.Cancelled` too) passes through once all threads
@@ -106,8 +106,8 @@ def keep_to_one_thread() -> Iterator[None]:
 
 
 def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
-    """What ``work`` gives, done while the helper does ``second``, under the same rules for floating-point
-    errors; one after the other where all is kept to one thread."""
+    """Return what ``work`` gives, done while the helper does ``second``, under the same rules for
+    floating-point errors; one after the other where all is kept to one thread."""
     if getattr(_inside, "alone", False):
         second()
         return work()
@@ -115,7 +115,7 @@ def meanwhile(second: Callable[[], Any], work: Callable[[], R]) -> R:
 
 
 def _beside(others: Sequence[Callable[[], Any]], work: Callable[[], R]) -> R:
-    """What ``work`` gives, done while a helper does each of the others, under the same rules for
+    """Return what ``work`` gives, done while a helper does each of the others, under the same rules for
     floating-point errors."""
     rules = np.geterr()
 

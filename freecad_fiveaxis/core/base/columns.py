@@ -35,14 +35,14 @@ def cache_chunks(count: int) -> Iterator[slice]:
 
 
 def split(rows: Floats) -> list[Floats]:
-    """The contiguous columns of an array (m, k) of any memory order: views where they are contiguous, not to
-    be changed."""
+    """Return the contiguous columns of an array (m, k) of any memory order: views where they are contiguous,
+    not to be changed."""
     columns = rows.T
     return list(columns if columns.strides[-1] == columns.itemsize else np.ascontiguousarray(columns))
 
 
 def empty_rows(*shape: int) -> Floats:
-    """An uninitialised array of that shape whose columns (last index) are contiguous."""
+    """Return an uninitialised array of that shape whose columns (last index) are contiguous."""
     return np.empty((*shape[:-2], shape[-1], shape[-2])).swapaxes(-1, -2)
 
 
@@ -53,7 +53,7 @@ def put(target: Floats, columns: Columns) -> None:
 
 
 def clean(values: Floats) -> Floats:
-    """The values with what is only rounding made 0."""
+    """Return the values with what is only rounding made 0."""
     return np.where(np.abs(values) < TINY, 0.0, values)
 
 
@@ -71,27 +71,28 @@ def cos_sin(angle: Floats) -> tuple[Floats, Floats]:
 
 
 def is_zero(a: Column) -> bool:
-    """True for the plain number 0; a column is not looked at."""
+    """Return True for the plain number 0; a column is not looked at."""
     return isinstance(a, float) and a == 0.0
 
 
 def plus(a: Column, b: Column) -> Column:
-    """a + b."""
+    """Return a + b."""
     return b if is_zero(a) else a if is_zero(b) else a + b
 
 
 def minus(a: Column, b: Column) -> Column:
-    """a - b."""
+    """Return a - b."""
     return a if is_zero(b) else -b if is_zero(a) else a - b
 
 
 def times(a: Column, b: Column) -> Column:
-    """a b."""
+    """Return a b."""
     return 0.0 if is_zero(a) or is_zero(b) else a * b
 
 
 def dot(row: Sequence[float], columns: Columns) -> Column:
-    """The sum of the columns, each times a number of ``row``; factors 0, 1 and -1 are not multiplied."""
+    """Return the sum of the columns, each times a number of ``row``; factors 0, 1 and -1 are not
+    multiplied."""
     total: Column = 0.0
     for factor, column in zip(row, columns, strict=True):
         if factor != 0.0:
@@ -102,27 +103,27 @@ def dot(row: Sequence[float], columns: Columns) -> Column:
 
 
 def mapped(matrix: Matrix, columns: Columns) -> list[Column]:
-    """The matrix (3, 3) times the vectors."""
+    """Return the matrix (3, 3) times the vectors."""
     return [dot(row, columns) for row in matrix]
 
 
 def added(a: Columns, b: Columns) -> list[Column]:
-    """The vectors a + b."""
+    """Return the vectors a + b."""
     return [plus(x, y) for x, y in zip(a, b, strict=True)]
 
 
 def less(a: Columns, b: Columns) -> list[Column]:
-    """The vectors a - b."""
+    """Return the vectors a - b."""
     return [minus(x, y) for x, y in zip(a, b, strict=True)]
 
 
 def scalar(a: Columns, b: Columns) -> Column:
-    """The scalar products a . b."""
+    """Return the scalar products a . b."""
     return plus(times(a[0], b[0]), plus(times(a[1], b[1]), times(a[2], b[2])))
 
 
 def crossed(a: Columns, b: Columns) -> list[Column]:
-    """The vector products a x b."""
+    """Return the vector products a x b."""
     return [minus(times(a[i], b[j]), times(a[j], b[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
 
 
@@ -137,13 +138,13 @@ class Turn:
 
     @staticmethod
     def about(axis: Floats) -> Turn:
-        """The turns about ``axis`` (3,), unit."""
+        """Return the turns about ``axis`` (3,), unit."""
         along = np.outer(axis, axis)
         matrices = (along, np.eye(3) - along, np.cross(np.eye(3), axis))
         return Turn(*(cast(Matrix, clean(matrix).tolist()) for matrix in matrices))
 
     def of(self, v: Columns, cos: Column, sin: Column) -> list[Column]:
-        """The vectors ``v``, turned."""
+        """Return the vectors ``v``, turned."""
         parts = zip(mapped(self.along, v), mapped(self.across, v), mapped(self.cross, v), strict=True)
         return [plus(along, plus(times(cos, across), times(sin, cross))) for along, across, cross in parts]
 

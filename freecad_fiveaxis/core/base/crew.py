@@ -52,7 +52,7 @@ class Crew:
         self._make, self._workers, self._stop = make, workers, stop
 
     def open(self, workers: int | None = None) -> Executor:
-        """A new executor, of so many workers or of all."""
+        """Return a new executor, of so many workers or of all."""
         return self._make(workers or self._workers)
 
     def stop(self) -> None:
@@ -77,7 +77,7 @@ def thread_crew(workers: int) -> Crew:
 
 
 def process_crew(workers: int) -> Crew:
-    """Processes of this computer."""
+    """Return processes of this computer."""
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
     workers = min(workers, MOST_ON_WINDOWS) if sys.platform == "win32" else workers
@@ -85,9 +85,9 @@ def process_crew(workers: int) -> Crew:
 
 
 def _open_processes(number: int, context: Any, stop: Any) -> ProcessPoolExecutor:
-    """Processes that find ONE_THREAD in their environment: one that imports ``__main__`` may import numpy
-    with it, before begin_process is heard, and OpenBLAS then spins on every processor. What the user has set
-    stays."""
+    """Return processes that find ONE_THREAD in their environment: one that imports ``__main__`` may import
+    numpy with it, before begin_process is heard, and OpenBLAS then spins on every processor. What the user
+    has set stays."""
     for name in ONE_THREAD:
         os.environ.setdefault(name, "1")
     return ProcessPoolExecutor(number, context, begin_process, (stop,))
@@ -95,8 +95,8 @@ def _open_processes(number: int, context: Any, stop: Any) -> ProcessPoolExecutor
 
 @contextmanager
 def at_work(crew: Crew | None) -> Iterator[Executor | None]:
-    """The executor of a crew, which ends with the block, after all that its workers were at; None for none.
-    Where the block is left by an exception, they are told to stop first."""
+    """Yield the executor of a crew, which ends with the block, after all that its workers were at; None for
+    none. Where the block is left by an exception, they are told to stop first."""
     if crew is None:
         yield None
         return
@@ -119,8 +119,8 @@ def end_pool(pool: Executor, wait: bool) -> None:
 
 
 def begin(stop: Stop, tell: Callable[[float], None] | None = None, alone: bool = False) -> None:
-    """What a worker does first: it remembers where to look, whom to ``tell`` how far its task is, and whether
-    it works ``alone``, so that it may use all threads."""
+    """Begin a worker: remember where to look, whom to ``tell`` how far its task is, and whether it works
+    ``alone``, so that it may use all threads."""
     _here.stop, _here.tell, _here.alone = stop, tell, alone
 
 
@@ -130,7 +130,7 @@ def works_alone() -> bool:
 
 
 def begin_process(stop: Stop) -> None:
-    """The same of a worker that is a process."""
+    """Begin a worker that is a process."""
     begin(stop)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for name in ONE_THREAD:
@@ -139,8 +139,8 @@ def begin_process(stop: Stop) -> None:
 
 
 def look_for_stop(stage: str, fraction: float) -> None:
-    """The progress of a worker: it raises Cancelled where the crew is told to stop, and tells whoever wants
-    to hear it."""
+    """Raise Cancelled where the crew is told to stop; else tell whoever wants to hear the progress of a
+    worker."""
     stop, tell = getattr(_here, "stop", None), getattr(_here, "tell", None)
     if stop is not None and stop.is_set():
         raise Cancelled(say("stopped"))

@@ -51,5 +51,5 @@ class Cancelled(FiveAxisError):
     """The user stopped the work; nothing was written."""
 
     def __init__(self, message: str | None = None, value: object = None) -> None:
-        """A thread that is stopped from outside raises the bare class, so that the message has to be here."""
+        """Have a message by default: a thread that is stopped from outside raises the bare class."""
         super().__init__(say("stopped; nothing was changed") if message is None else message, value)

@@ -48,8 +48,8 @@ def plain_name(text: str, otherwise: str) -> str:
 
 
 def open_file(path: PathName) -> BufferedReader:
-    """An ordinary file to read from. Raises FileError for a folder, a device, a pipe or a socket, which may
-    have no end, and OSError where the file cannot be opened."""
+    """Return an ordinary file to read from. Raises FileError for a folder, a device, a pipe or a socket,
+    which may have no end, and OSError where the file cannot be opened."""
     _check_regular(os.stat(path).st_mode, path)  # opening a device may already do something to it
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     file = os.fdopen(descriptor, "rb")
@@ -62,8 +62,8 @@ def open_file(path: PathName) -> BufferedReader:
 
 
 def read_bytes(path: PathName, what: str) -> bytes:
-    """The whole file. Raises FileError that says what is missing or unreadable, SettingsError where memory
-    cannot hold it."""
+    """Return the whole file. Raises FileError that says what is missing or unreadable, SettingsError where
+    memory cannot hold it."""
     _check_name(path)
     try:
         with open_file(path) as file:
@@ -111,7 +111,8 @@ class _Output:
         return self.old is not None and self.old.st_nlink > 1
 
     def prepare(self) -> None:
-        """The data beside the target, with the access that the old file gives; what is there is backed up."""
+        """Write the data beside the target, with the access that the old file gives; back up what is
+        there."""
         handle, self.part = self._beside()
         with os.fdopen(handle, "wb") as stream:
             stream.write(self.data)
@@ -209,7 +210,7 @@ def write_whole(path: PathName, data: bytes) -> None:
 
 
 def _put_back(outputs: list[_Output]) -> list[str]:
-    """The backups of those that could not be put back."""
+    """Return the backups of those that could not be put back."""
     lost = []
     for output in reversed(outputs):
         try:
@@ -229,8 +230,8 @@ def _not_written(output: _Output, error: OSError, lost: list[str]) -> FileError:
 
 
 def _exchange(source: str, target: str) -> None:
-    """The content of ``source`` into the file ``target``, which is cut to its length last: what room it had,
-    it keeps."""
+    """Put the content of ``source`` into the file ``target``, which is cut to its length last: what room it
+    had, it keeps."""
     with open(source, "rb") as new, open(target, "r+b") as old:
         shutil.copyfileobj(new, old)
         old.truncate()
@@ -251,8 +252,8 @@ def check_readable(path: PathName) -> None:
 
 
 def check_target(path: PathName) -> None:
-    """What is there may be replaced: an ordinary file that its owner may write, or none yet. Raises
-    FileError."""
+    """Check that what is there may be replaced: an ordinary file that its owner may write, or none yet.
+    Raises FileError."""
     _check_name(path)
     old = _state(path)
     if old is None:

@@ -82,7 +82,7 @@ def _of_limit() -> float:
 
 
 def _kilobytes(file: str, name: str, unknown: float = float("inf")) -> float:
-    """What Linux says under this name, bytes."""
+    """Return what Linux says under this name, bytes."""
     with suppress(OSError):
         found = re.search(
             rf"^{name}:\s+(\d+) kB", Path(file).read_text(encoding="ascii", errors="replace"), re.MULTILINE

@@ -91,7 +91,7 @@ def table(parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
 def table_parts(
     parts: Sequence[Part], end: bytes = b"\n", progress: Progress = silent
 ) -> Iterator[bytes | memoryview]:
-    """The same, in portions of CHUNK rows, for writing to a file as they come."""
+    """Yield the same, in portions of CHUNK rows, for writing to a file as they come."""
     rows = _checked_rows(parts, end)
 
     def text(start: int) -> bytes | memoryview:
@@ -107,8 +107,8 @@ def _tell(progress: Progress, first: int, stop: int, rows: int, done: float) -> 
 
 
 def rounded(values: Floats, decimals: int) -> Floats:
-    """The doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text reads
-    "-0.0000"."""
+    """Return the doubles nearest to ``values`` as printed with ``decimals``; -0 becomes 0, so that no text
+    reads "-0.0000"."""
     scale = 10.0**decimals
     result: Floats = values * scale
     np.rint(result, out=result)
@@ -118,8 +118,8 @@ def rounded(values: Floats, decimals: int) -> Floats:
 
 
 def nearest_whole(values: Floats) -> Ints:
-    """The whole numbers nearest to ``values`` below EXACT, ties to even, in the memory of ``values``, which
-    are lost.
+    """Return the whole numbers nearest to ``values`` below EXACT, ties to even, in the memory of ``values``,
+    which are lost.
 
     From 2^52 to 2^53 the last bit of a double is worth 1: adding 1.5 2^52 rounds, and leaves the number in
     the lower bits.
@@ -175,7 +175,7 @@ class _Piece(NamedTuple):
 
 
 def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
-    """The text of one chunk.
+    """Return the text of one chunk.
 
     A piece's leading pads lie over the end of the piece before it, which is written after it: the rows are
     shorter then.
@@ -199,8 +199,8 @@ def _chunk(parts: Sequence[Part], rows: int) -> bytes | memoryview:
 
 
 def _shown(part: Part) -> tuple[Ints | slice, Part]:
-    """The rows to work out of a part, and the part of these rows: of a word that is often left out only those
-    where it stands."""
+    """Return the rows to work out of a part, and the part of these rows: of a word that is often left out
+    only those where it stands."""
     if isinstance(part, (bytes, Choice)) or part.show is None:
         return slice(None), part
     place = np.flatnonzero(part.show)
@@ -211,7 +211,8 @@ def _shown(part: Part) -> tuple[Ints | slice, Part]:
 
 
 def _pieces(part: Part, rows: int) -> list[_Piece] | None:
-    """The pieces of one part, left to right, each (rows,); None where only ``%`` can print a number."""
+    """Return the pieces of one part, left to right, each (rows,); None where only ``%`` can print a
+    number."""
     if isinstance(part, bytes):
         return [_Piece(np.broadcast_to(_texts((part,)), (rows,)))] if part else []
     if isinstance(part, Choice):
@@ -308,7 +309,7 @@ def _pick(entries: NDArray[Any], index: Ints) -> NDArray[Any]:
 
 
 def _by_percent(parts: Sequence[Part], rows: int) -> bytes:
-    """The plain way, for chunks with a number that is huge or not finite."""
+    """Return the plain way, for chunks with a number that is huge or not finite."""
     columns: list[list[bytes]] = []
     for part in parts:
         if isinstance(part, bytes):
@@ -335,7 +336,7 @@ def _numbers(part: Column | Units) -> list[bytes]:
 
 @lru_cache(maxsize=64)
 def _texts(texts: tuple[bytes, ...]) -> NDArray[Any]:
-    """The texts padded from the left to one width, where it can be that of a machine word."""
+    """Return the texts padded from the left to one width, where it can be that of a machine word."""
     width = max(len(text) for text in texts)
     width = next((word for word in (1, 2, 4, 8) if width <= word), width)
     return np.frombuffer(b"".join(text.rjust(width, b"\0") for text in texts), _WORDS.get(width, f"V{width}"))

@@ -14,4 +14,4 @@ Progress = Callable[[str, float], None]
 
 
 def silent(stage: str, fraction: float) -> None:
-    """The default: say nothing."""
+    """Say nothing: the default."""

@@ -23,8 +23,8 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\
 
 
 def parse(text: str | float, units: dict[str, float], what: str) -> float:
-    """The number of ``text`` in the core's unit. Raises SettingsError that names the text and the units
-    known."""
+    """Return the number of ``text`` in the core's unit. Raises SettingsError that names the text and the
+    units known."""
     match = _QUANTITY.fullmatch(str(text)) if isinstance(text, str | float | int) else None
     if not match or match.group(2).lower() not in units or not math.isfinite(float(match.group(1))):
         known = ", ".join(unit for unit in units if unit)
@@ -95,12 +95,12 @@ def _stack_row(text: str, what: str) -> tuple[float, float]:
 
 
 def shown(given: object) -> str:
-    """What was given, for a message: a text or number as it is, of anything else the beginning."""
+    """Return what was given, for a message: a text or number as it is, of anything else the beginning."""
     return repr(given) if isinstance(given, str | float) else reprlib.repr(given)
 
 
 def stack_text(stack: tuple[tuple[float, float], ...]) -> str:
-    """The stack as :func:`parse_stack` reads it as the same one, mm; empty where there is none."""
+    """Return the stack as :func:`parse_stack` reads it as the same one, mm; empty where there is none."""
     return ",".join("x".join(repr(float(size)).removesuffix(".0") for size in row) for row in stack)
 
 

@@ -84,7 +84,7 @@ class Insertion:
         self._moved = self._rows + shift[rest].take(owner)
 
     def interleave(self, own: NDArray[Any], rows: NDArray[Any] | int) -> Any:
-        """The table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order.
+        """Return the table ``own`` (count, ...) with ``rows`` (m, ...) put in, in Fortran order.
 
         Whole runs between the cuts go at a time: at the speed of the memory, where picking row by row is half
         as fast.

@@ -32,7 +32,7 @@ to."""
 
 
 def formed(value: float, form: str) -> str:
-    """A number in a form as in ``format``, or :data:`IN_FULL`."""
+    """Return a number in a form as in ``format``, or :data:`IN_FULL`."""
     return f"{Decimal(f'{value:.7g}'):f}" if form == IN_FULL else f"{value:{form}}"
 
 
@@ -137,7 +137,7 @@ MEASURES: dict[str, type[Measure]] = {
 
 
 def measure(value: float, unit: str, form: str = "g", bare: bool = False) -> Measure | Number:
-    """A value in ``unit``; a plain number where the unit is no measure's (``1`` or none)."""
+    """Return a value in ``unit``; a plain number where the unit is no measure's (``1`` or none)."""
     return MEASURES[unit](value, form, bare) if unit in MEASURES else Number(value, form)
 
 
@@ -220,13 +220,14 @@ class Sentence(str):
 
 
 def say(template: str, **values: Any) -> Sentence:
-    """The sentence of a template. A value is a Measure, a Number, a name of a setting or a task, a sentence,
-    an error, a number or a text."""
+    """Return the sentence of a template. A value is a Measure, a Number, a name of a setting or a task, a
+    sentence, an error, a number or a text."""
     return Sentence(template, {name: _value(value) for name, value in values.items()})
 
 
 def plural(count: int, one: str, many: str, **values: Any) -> Sentence:
-    """The sentence of ``one`` for a count of 1, that of ``many`` for any other; both may name ``{count}``."""
+    """Return the sentence of ``one`` for a count of 1, that of ``many`` for any other; both may name
+    ``{count}``."""
     return say(one if count == 1 else many, count=int(count), **values)
 
 
@@ -234,7 +235,7 @@ class Template(str):
     """A template that stands in a table and gets its values later."""
 
     def say(self, **values: Any) -> Sentence:
-        """The sentence of these values."""
+        """Return the sentence of these values."""
         return say(str(self), **values)
 
 
@@ -251,7 +252,7 @@ shown may not."""
 
 
 def one_line(text: str) -> str:
-    r"""A text from outside, as a name of a file, with its control characters written out (``\n``)."""
+    r"""Return a text from outside, as a name of a file, with its control characters written out (``\n``)."""
     return CONTROL.sub(lambda found: found[0].encode("unicode_escape").decode("ascii"), text)
 
 
@@ -265,8 +266,8 @@ class Part:
 
 
 def render(text: str, translate: Translate, units: Units, names: Names = str) -> str:
-    """A sentence in another language, other units and a window's names. A text that is no sentence comes back
-    as it is."""
+    """Return a sentence in another language, other units and a window's names. A text that is no sentence
+    comes back as it is."""
     if not isinstance(text, Sentence):
         return text
     template = translate(CONTEXT, text.template) if text.translated else text.template
@@ -286,8 +287,8 @@ def _render_value(value: Any, translate: Translate, units: Units, names: Names) 
 
 
 def _value(value: Any) -> Any:
-    """What a sentence keeps: no arrays' numbers, of an error its text, and of what comes from outside one
-    line."""
+    """Return what a sentence keeps: no arrays' numbers, of an error its text, and of what comes from outside
+    one line."""
     if isinstance(value, Sentence | Measure | Number | Option | Choice | Task):
         return value
     if isinstance(value, BaseException) and value.args and isinstance(value.args[0], Sentence):
@@ -310,5 +311,5 @@ class Beginning(Part):
 
 
 def beginning(text: str) -> Sentence:
-    """A text with a capital letter, as a sentence of its own."""
+    """Return a text with a capital letter, as a sentence of its own."""
     return Sentence("{text}", {"text": Beginning(text)}, translated=False)

@@ -65,8 +65,8 @@ class Lost:
 
 
 def find_shared(key: str, file: str, data: bytes) -> Shared[Any] | Lost:
-    """What is common: what this process has of this ``key``, else made from ``file``, or from ``data`` where
-    no file is named."""
+    """Return what is common: what this process has of this ``key``, else made from ``file``, or from ``data``
+    where no file is named."""
     shared = _kept.get(key)
     if shared is None:
         packed = data if not file else _read(key, file)
@@ -91,7 +91,7 @@ def _hash(data: bytes) -> str:
 
 
 def _write(data: bytes) -> str:
-    """A new file that only this user may read; nothing where there is no room for it."""
+    """Return a new file that only this user may read; nothing where there is no room for it."""
     try:
         number, file = tempfile.mkstemp(prefix="fiveaxis-", suffix=".pickle")
     except OSError:
@@ -106,8 +106,8 @@ def _write(data: bytes) -> str:
 
 
 def _read(key: str, file: str) -> bytes | None:
-    """The bytes of that hash; None where they are not there: of a file that others could write nothing is
-    unpickled."""
+    """Return the bytes of that hash; None where they are not there: of a file that others could write nothing
+    is unpickled."""
     try:
         with open(file, "rb") as stream:
             data = stream.read()

@@ -49,7 +49,8 @@ class _Watch:
         self.telling = False
 
     def take(self, number: int, frame: FrameType | None) -> None:
-        """The first signal is an exception; the second ends the process at once: the user is in a hurry."""
+        """Raise an exception at the first signal; end the process at once at the second: the user is in a
+        hurry."""
         if self.first is None:
             self.first = Stopped(number)
             raise self.first
@@ -95,15 +96,15 @@ def tell(last_words: Callable[[], None] = _nothing_written) -> None:
 
 
 def unwatch() -> None:
-    """The work is done: a signal that comes now ends the process at once."""
+    """Let a signal that comes now end the process at once: the work is done."""
     for number in ENDING:
         if signal.getsignal(number) == _watch.take:
             signal.signal(number, _watch.leave_at_once)
 
 
 def received() -> Stopped | None:
-    """The signal that came, also where other code has made another exception of it (as numpy does while it is
-    loaded)."""
+    """Return the signal that came, also where other code has made another exception of it (as numpy does
+    while it is loaded)."""
     return _watch.first
 
 

@@ -48,8 +48,8 @@ def spread(
     stage: str,
     weights: Sequence[float] = (),
 ) -> list[R]:  # fmt: skip
-    """What ``work`` gives for each task, in their order. ``executor`` None: one after the other, here, with
-    all threads.
+    """Return what ``work`` gives for each task, in their order. ``executor`` None: one after the other, here,
+    with all threads.
 
     ``progress`` gets ``stage`` and the share that is done, by ``weights`` (none: all alike). Raises what a
     task or progress raises, and SettingsError where the executor gives back anything but a task's own result
@@ -133,11 +133,11 @@ class _TaskProgress:
         self(sum(self._weights[at] * getattr(future, "fraction", 0.0) for future, at in todo.items()))
 
     def within(self, at: int) -> Progress:
-        """The progress of one task as that of the whole."""
+        """Return the progress of one task as that of the whole."""
         return lambda stage, fraction: self(self._weights[at] * fraction)
 
     def end(self, at: int, result: R) -> R:
-        """The result, told."""
+        """Return the result, told."""
         self._done += self._weights[at]
         self(0.0)
         return result
@@ -152,7 +152,7 @@ class _Result(Generic[R]):
 
 
 def _do(work: Work[C, T, R], shared: Shared[C] | Lost, at: int, task: T) -> _Result[R | Lost]:
-    """What a worker does; it answers Lost where what is common has not come to it."""
+    """Return what a worker does; it answers Lost where what is common has not come to it."""
     if isinstance(shared, Lost):
         return _Result(at, shared)
 

@@ -41,7 +41,7 @@ def show(text: str, stream: TextIO | None) -> None:
 
 
 def _silence(stream: TextIO) -> None:
-    """What is still in the stream's buffer would fail again when Python ends."""
+    """Silence the stream: what is still in its buffer would fail again when Python ends."""
     with suppress(OSError, ValueError, AttributeError):  # a stream without a file number has no such end
         away = os.open(os.devnull, os.O_WRONLY)
         os.dup2(away, stream.fileno())
@@ -50,7 +50,7 @@ def _silence(stream: TextIO) -> None:
 
 @contextmanager
 def bars(quiet: bool) -> Iterator[Progress]:
-    """A progress function for as long as the work lasts; silent where nobody looks."""
+    """Yield a progress function for as long as the work lasts; silent where nobody looks."""
     if quiet or not sys.stderr.isatty():
         yield silent
         return

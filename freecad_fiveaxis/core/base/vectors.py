@@ -39,8 +39,8 @@ def length(vector: Vectors) -> Floats:
 
 
 def slerp(start: Floats, end: Floats, share: Floats) -> Floats:
-    """Unit vectors (..., 3) at ``share`` (...) of the angle from ``start`` to ``end``, unit vectors by rows
-    (..., 3).
+    """Return unit vectors (..., 3) at ``share`` (...) of the angle from ``start`` to ``end``, unit vectors by
+    rows (..., 3).
 
     Spherical linear interpolation (Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985): on
     the great arc, at an angle that grows evenly with the share. Between equal vectors nothing turns. Opposite
@@ -69,7 +69,7 @@ def _times(factor: Floats, rows: Floats) -> Floats:
 
 
 def _square_to(rows: Floats) -> Floats:
-    """A unit vector (n, 3) square to each of ``rows`` (n, 3)."""
+    """Return a unit vector (n, 3) square to each of ``rows`` (n, 3)."""
     across = np.cross(rows, np.eye(3)[np.abs(rows).argmin(axis=1)])
     return np.asarray(across / _norm(across)[:, None])
 

@@ -30,7 +30,7 @@ OFTEN = 0.1
 
 
 def identity() -> str:
-    """What a worker must have in common with whoever starts it: the versions of Python and of all that
+    """Return what a worker must have in common with whoever starts it: the versions of Python and of all that
     computes."""
     import numpy as np
     import scipy
@@ -106,8 +106,8 @@ def _read_tasks(inward: IO[bytes], tasks: SimpleQueue[bytes]) -> None:
 
 
 def _answer(packed: bytes) -> tuple[int, Any]:
-    """What a task gives or raises. A process that cannot read it, or has no memory for it, ends: others do
-    the task then."""
+    """Return what a task gives or raises. A process that cannot read it, or has no memory for it, ends:
+    others do the task then."""
     work, given, named = pickle.loads(packed)
     try:
         return RESULT, work(*given, **named)

@@ -61,9 +61,9 @@ class Command:
 
 
 def python_code(call: str) -> str:
-    """What a worker's Python runs: ``call``, a function of :mod:`.worker`, of the package that is at work
-    here, in a folder or a zip. No module is looked for where FreeCAD was started; numpy and scipy are found
-    where ours are."""
+    """Return what a worker's Python runs: ``call``, a function of :mod:`.worker`, of the package that is at
+    work here, in a folder or a zip. No module is looked for where FreeCAD was started; numpy and scipy are
+    found where ours are."""
     import numpy as np
     import scipy
 
@@ -83,7 +83,8 @@ def _package_file() -> str:
 
 
 def start(command: Command, code: str = "") -> subprocess.Popen[bytes]:
-    """A process of that command, without a window, whose libraries keep to one thread. Raises OSError."""
+    """Return a process of that command, without a window, whose libraries keep to one thread. Raises
+    OSError."""
     flags = 0
     if sys.platform == "win32":
         flags = subprocess.CREATE_NO_WINDOW
@@ -242,8 +243,8 @@ class WorkerProcesses(Executor):
             self._tasks.popleft().future.cancel()
 
     def _next(self, here: bool = False) -> _Task[Any] | None:
-        """The next task for a thread that works ``here`` or has a worker; None where there is none to come
-        for it."""
+        """Return the next task for a thread that works ``here`` or has a worker; None where there is none to
+        come for it."""
         with self._changed:
             while True:
                 self._changed.wait_for(lambda: self._tasks or self._closed or (here and self._manned))

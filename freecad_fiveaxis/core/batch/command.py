@@ -27,7 +27,7 @@ TEXT = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the batch itself; those of its jobs are those of ``mill``."""
+    """Add the arguments of the batch itself; those of its jobs are those of ``mill``."""
     parser.add_argument(
         "source",
         metavar="JOBS.json|FOLDER",
@@ -139,7 +139,7 @@ def _report_files(arguments: argparse.Namespace, shard: tuple[int, int] | None) 
 
 
 def _worked(jobs: Sequence[BatchJob], crew: Crew | None, progress: Progress) -> dict[str, JobOutcome]:
-    """The outcomes by the jobs' stems."""
+    """Return the outcomes by the jobs' stems."""
     from freecad_fiveaxis.core.base.crew import end_pool
 
     from .run import run_batch

@@ -17,8 +17,8 @@ SERIAL, THREADS, PROCESSES, MPI, DASK = "serial", "threads", "processes", "mpi",
 
 
 def find_crew(name: str, workers: int) -> Crew | None:
-    """The crew of that name; None: one job after the other, here. Raises SettingsError where there is none of
-    it, or its package is missing."""
+    """Return the crew of that name; None: one job after the other, here. Raises SettingsError where there is
+    none of it, or its package is missing."""
     if name == SERIAL:
         return None
     if name == THREADS:
@@ -55,7 +55,7 @@ def _package(module: str, pip: str) -> Any:
 
 
 def _executor(executor: Any) -> Executor:
-    """An executor of another package, which we take at its word."""
+    """Return an executor of another package, which we take at its word."""
     kept: Executor = executor
     return kept
 

@@ -64,7 +64,7 @@ def of_shard(jobs: Sequence[BatchJob], shard: tuple[int, int]) -> list[BatchJob]
 
 
 def read_shard(text: str) -> tuple[int, int]:
-    """The numbers of ``i/n``. Raises SettingsError."""
+    """Return the numbers of ``i/n``. Raises SettingsError."""
     found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", text)
     first, step = map(int, found.groups()) if found else (0, 0)
     if not 1 <= first <= step:
@@ -116,7 +116,7 @@ def _product(options: Mapping[str, Any]) -> Ways:
 
 
 def _values(name: str, value: Any) -> list[Any]:
-    """The values of an option to try. Raises SettingsError for an empty list."""
+    """Return the values of an option to try. Raises SettingsError for an empty list."""
     if value == []:
         raise SettingsError(
             say("{name} has an empty list of values; give one, or leave it out", name=name), name
@@ -128,14 +128,14 @@ def _values(name: str, value: Any) -> list[Any]:
 
 
 def _readable(value: Any) -> str:
-    """A value as part of a name for files."""
+    """Return a value as part of a name for files."""
     text = f"{value:g}" if isinstance(value, float) else str(value).strip("[]").replace(" ", "")
     text = Path(text).stem if text.lower().endswith((".fcm", ".csv", ".stl")) else text
     return re.sub(r"[^\w.+,-]", "-", text)[:LONGEST]
 
 
 def _part_names(parts: Sequence[str]) -> list[str]:
-    """The parts' names; where they are those of others too, with their folder."""
+    """Return the parts' names; where they are those of others too, with their folder."""
     stems = [_stem(part) for part in parts]
     count = Counter(map(str.casefold, stems))
     return [
@@ -150,8 +150,8 @@ def _stem(part: str) -> str:
 
 
 def _labels(parts: Sequence[str]) -> dict[str, str]:
-    """What the report calls each part: nothing where its file's name tells it from the others, else its path
-    from the folder that those of this name share."""
+    """Return what the report calls each part: nothing where its file's name tells it from the others, else
+    its path from the folder that those of this name share."""
     paths = {part: Path(part).resolve() for part in parts}
     same = {
         name: {path for path in paths.values() if path.name == name}
@@ -171,8 +171,8 @@ def _apart(path: Path, others: Iterable[Path]) -> str:
 
 
 def _unique_names(names: Iterable[str]) -> list[str]:
-    """The same names, with a number behind one that another has, in whatever letters, or that the report over
-    all has."""
+    """Return the same names, with a number behind one that another has, in whatever letters, or that the
+    report over all has."""
     stems, taken = list[str](), set[str]()
     for name in names:
         tries = itertools.chain(

@@ -25,8 +25,8 @@ Row = Mapping[str, Any]
 
 
 def ranked(rows: Sequence[Row]) -> list[Row]:
-    """The rows of the report with their ``rank``; those of one part together, the best first, without a rank
-    last, otherwise in their order."""
+    """Return the rows of the report with their ``rank``; those of one part together, the best first, without
+    a rank last, otherwise in their order."""
     return [row for own in _by_part(rows) for row in _ranked_part(own)]
 
 
@@ -55,8 +55,9 @@ def _ranked_part(rows: Sequence[Row]) -> list[Row]:
 
 
 def _merit(row: Row) -> tuple[int, float, float]:
-    """What is smaller is better: 0 for a program that may be used, 1 for one that is NOT SAFE, 2 for none;
-    the percentage that stays unfinished; minutes. A number that is not known is worse than any other."""
+    """Return what is smaller is better: 0 for a program that may be used, 1 for one that is NOT SAFE, 2 for
+    none; the percentage that stays unfinished; minutes. A number that is not known is worse than any
+    other."""
     grave = {FAILED: 2, Light.RED.value: 1}.get(str(row["verdict"]), 0)
     return grave, round(_known(row, "unfinished_percent"), SHARE_DIGITS), _known(row, "minutes")
 
@@ -86,7 +87,7 @@ def _best_line(rows: Sequence[Row]) -> Sentence:
 
 
 def _place(row: Row) -> str:
-    """The name of a job; where reports are merged, with the folder of its files."""
+    """Return the name of a job; where reports are merged, with the folder of its files."""
     return str(row["name"]) if row.get("folder", ".") == "." else f"{row['folder']}/{row['name']}"
 
 

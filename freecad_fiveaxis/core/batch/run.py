@@ -77,7 +77,7 @@ def _here(jobs: Sequence[BatchJob], done: _Done) -> Iterator[JobOutcome]:
 def _in_pool(
     jobs: Sequence[BatchJob], executor: Executor, done: _Done
 ) -> Generator[JobOutcome, None, list[BatchJob]]:  # fmt: skip
-    """Yields the outcomes; returns the jobs whose processes died, or that the executor gave up."""
+    """Yield the outcomes; return the jobs whose processes died, or that the executor gave up."""
     todo, lost = dict[Future[JobOutcome], BatchJob](), list[BatchJob]()
     try:
         for job in jobs:
@@ -103,7 +103,8 @@ def _in_pool(
 
 
 def _outcome(future: Future[JobOutcome], job: BatchJob) -> JobOutcome | None:
-    """What came of a job; None where its process died. Raises SettingsError for what is not its own."""
+    """Return what came of a job; None where its process died. Raises SettingsError for what is not its
+    own."""
     from .work import failed
 
     try:

@@ -29,7 +29,7 @@ Row = Mapping[str, Any]
 
 
 def report_files(out: str, shard: tuple[int, int] | None = None) -> tuple[str, str, str]:
-    """The names of the report's files in the folder ``out``: CSV, page and JSON."""
+    """Return the names of the report's files in the folder ``out``: CSV, page and JSON."""
     name = "batch" if shard is None else f"batch-{shard[0]}-of-{shard[1]}"
     csv_, html, json_ = (os.path.join(out, f"{name}.{kind}") for kind in ("csv", "html", "json"))
     return csv_, html, json_
@@ -53,8 +53,8 @@ def write_report(files: tuple[str, str, str], rows: Sequence[Row]) -> None:
 
 
 def merged(folders: Sequence[str], out: str) -> list[Row]:
-    """The rows of the reports in several folders, the last one's where a job is in several; ``folder`` says
-    where its files are, seen from ``out``. Raises SettingsError for a folder without a report."""
+    """Return the rows of the reports in several folders, the last one's where a job is in several; ``folder``
+    says where its files are, seen from ``out``. Raises SettingsError for a folder without a report."""
     rows = dict[tuple[str, str], Row]()
     for folder in folders:
         found = [
@@ -85,7 +85,7 @@ def counted(rows: Sequence[Row], kept: int = 0) -> Sentence:
 
 
 def as_csv(rows: Sequence[Row]) -> str:
-    """The table with one row a job, lengths in mm, times in minutes."""
+    """Return the table with one row a job, lengths in mm, times in minutes."""
     text = io.StringIO(newline="")
     table = csv.writer(text, lineterminator="\n")
     columns = (*COLUMNS, "folder") if any("folder" in row for row in rows) else COLUMNS
@@ -95,7 +95,7 @@ def as_csv(rows: Sequence[Row]) -> str:
 
 
 def as_html(rows: Sequence[Row]) -> str:
-    """The page: a row a job, with a link to its own; ranks only where there are any."""
+    """Return the page: a row a job, with a link to its own; ranks only where there are any."""
     columns = [name for name in COLUMNS[:-1] if name != "rank" or any(row["rank"] for row in rows)]
     head = "".join(f'<th scope="col">{escape(name.replace("_", " "))}</th>' for name in columns)
     lines = "".join(f"<tr>{''.join(_html_cells(row, columns))}</tr>\n" for row in rows)
@@ -144,7 +144,7 @@ def _seen_from(folder: str, out: str) -> str:
 
 
 def _read(path: str) -> list[Row] | None:
-    """The rows of a batch.json; None where it is none."""
+    """Return the rows of a batch.json; None where it is none."""
     try:
         record = json.loads(read_bytes(path, "report"))
     except (OSError, ValueError, RecursionError):

@@ -78,7 +78,7 @@ class JobOutcome:
 
 
 def not_of_batch(path: str) -> SettingsError:
-    """The error of a file that would be replaced and that no batch wrote."""
+    """Return the error of a file that would be replaced and that no batch wrote."""
     text = say(
         "{path} is there and not of this batch; choose another folder ({out}), or give {overwrite}",
         path=path, out=OUT, overwrite=OVERWRITE,

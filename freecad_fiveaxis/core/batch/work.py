@@ -59,7 +59,7 @@ def run_in_worker(job: BatchJob, progress: Progress = silent) -> JobOutcome:
 
 
 def failed(job: BatchJob, error: BaseException | str) -> JobOutcome:
-    """The outcome of a job that has no program. An error that is not ours is told with its kind."""
+    """Return the outcome of a job that has no program. An error that is not ours is told with its kind."""
     ours = isinstance(error, FiveAxisError | str)
     message = one_line(" ".join(str(error).split()) if ours else f"{type(error).__name__}: {error}".strip())
     row = dict.fromkeys(COLUMNS) | _named(job) | {"verdict": FAILED, "error": message}
@@ -97,7 +97,7 @@ def check_own(job: BatchJob) -> None:
 
 
 def key_of(job: BatchJob, settings: Settings) -> str:
-    """The hash of all that the job is made of. Raises FileError where a file cannot be read."""
+    """Return the hash of all that the job is made of. Raises FileError where a file cannot be read."""
     facts = flat_options(settings) | {"version": __version__, "ending": job.suffix}
     files = [read_part(path).file if path == settings.source else path for path in files_read(settings)]
     hashes = [hashlib.sha256(read_bytes(path, "file")).hexdigest() for path in files]
@@ -146,7 +146,7 @@ def _named(job: BatchJob) -> dict[str, Any]:
 
 
 def _numbers(figures: Figures) -> dict[str, Any]:
-    """The rest of a row; a number that is not known is None."""
+    """Return the rest of a row; a number that is not known is None."""
     numbers = summary(figures)
     facts = verdict(figures, numbers)
     deviation, bound = judged_largest(numbers)
@@ -164,7 +164,7 @@ def _numbers(figures: Figures) -> dict[str, Any]:
 
 
 def _mark(job: BatchJob) -> Mapping[str, Any] | None:
-    """What a batch keeps in NAME.json; None where there is no such file, or it is none of a batch."""
+    """Return what a batch keeps in NAME.json; None where there is no such file, or it is none of a batch."""
     try:
         report = json.loads(read_bytes(job.json, "report"))
     except (FileError, ValueError, RecursionError):

@@ -73,14 +73,14 @@ def run(settings: Settings, progress: Progress = silent) -> Work:
 
 
 def _with_cause(refused: ProgramError, units: tuple[Finding, ...]) -> ProgramError:
-    """The same refusal and, where a file seems to be in another unit, that this is why."""
+    """Return the same refusal and, where a file seems to be in another unit, that this is why."""
     if not units:
         return refused
     return ProgramError(say("{reason}. {cause}", reason=refused.args[0], cause=units[0].text), refused.value)
 
 
 def recover_machine(settings: Settings, progress: Progress = silent) -> Recovered:
-    """The machine that a post had in mind. Raises FiveAxisError where the files cannot be used."""
+    """Return the machine that a post had in mind. Raises FiveAxisError where the files cannot be used."""
     output = settings.recover.machine_file
     if not output:
         raise SettingsError(say("no machine file named; give one with -o OUT.fcm"), None)
@@ -123,7 +123,7 @@ def recover_machine(settings: Settings, progress: Progress = silent) -> Recovere
 
 
 def _refuse_guided(program: Program) -> None:
-    """Raises ProgramError where the controller guides the tip: X Y Z are then its place, whatever the
+    """Raise ProgramError where the controller guides the tip: X Y Z are then its place, whatever the
     machine."""
     if program.guided is None or not program.guided.on.any():
         return
@@ -157,7 +157,7 @@ def _start(settings: Settings) -> tuple[Machine | None, Setup]:
 
 
 def _reader(nc: bytes, start: Machine | None) -> Machine:
-    """The machine that is given, where the program has its letters; else one of the program's."""
+    """Return the machine that is given, where the program has its letters; else one of the program's."""
     letters = rotary_letters(nc)
     if start is not None and {axis.letter for axis in start.rotary} == set(letters):
         return start
@@ -165,7 +165,7 @@ def _reader(nc: bytes, start: Machine | None) -> Machine:
 
 
 def _reader_machine(letters: str) -> Machine:
-    """A machine of these letters, to read words with; nothing else of it is used."""
+    """Return a machine of these letters, to read words with; nothing else of it is used."""
     ways = {"A": (1.0, 0.0, 0.0), "B": (0.0, 1.0, 0.0), "C": (0.0, 0.0, 1.0)}
     first, second = letters[1], letters[0]
     rotary = (Axis(first, True, "table", ways[first]), Axis(second, True, "table", ways[second]))
@@ -184,8 +184,8 @@ def _description(settings: Settings, found: Recovery) -> str:
 
 
 def prove(settings: Settings, progress: Progress = silent) -> Proof:
-    """The program that proves a machine's signs, and its sheet. Raises SettingsError where the limits leave
-    no room."""
+    """Return the program that proves a machine's signs, and its sheet. Raises SettingsError where the limits
+    leave no room."""
     if not settings.output.output:
         raise SettingsError(say("no NC file named; give one with -o OUT.ngc"), None)
     machine, setup, dialect = clamped(settings)
@@ -199,14 +199,14 @@ def prove(settings: Settings, progress: Progress = silent) -> Proof:
 
 
 def as_text(done: Work) -> str:
-    """What was found, for the terminal."""
+    """Return what was found, for the terminal."""
     if isinstance(done, Recovered):
         return f"{title_of(done.settings)}: recover\n" + recovery_text(done.found)
     return f"{done.plan.machine.name}: prove-signs\n" + sheet_text(done.plan, done.program)
 
 
 def as_json(done: Work) -> str:
-    """What was found, for scripts; ``inputs`` is a job file."""
+    """Return what was found, for scripts; ``inputs`` is a job file."""
     inputs: dict[str, Any] = flat_options(done.settings)
     if isinstance(done, Recovered):
         return recovery_json(done.found, inputs)
@@ -214,7 +214,7 @@ def as_json(done: Work) -> str:
 
 
 def as_html(done: Work) -> str:
-    """What was found, as a page of its own."""
+    """Write what was found, as a page of its own."""
     if isinstance(done, Recovered):
         names = f"{title_of(done.settings)} and {Path(done.settings.recover.program).name}"
         return recovery_html(done.found, one_line(names))

@@ -22,7 +22,7 @@ DIALECTS: dict[str, Dialect] = {
 
 
 def find_dialect(name: str) -> Dialect:
-    """The dialect of that name, in any case. Raises SettingsError that lists the names."""
+    """Return the dialect of that name, in any case. Raises SettingsError that lists the names."""
     if name.lower() not in DIALECTS:
         raise SettingsError(
             say(

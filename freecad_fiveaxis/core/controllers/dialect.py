@@ -151,8 +151,8 @@ class Dialect:
         return self.linear_decimals if column < 3 else self.rotary_decimals
 
     def guided(self, how: str) -> Dialect:
-        """The same controller with the tip guided by it, ``how`` one of the names of ``guides``. Raises
-        SettingsError."""
+        """Return the same controller with the tip guided by it, ``how`` one of the names of ``guides``.
+        Raises SettingsError."""
         if how not in self.guides:
             raise SettingsError(self._no_guide(how), how)
         guide = self.guides[how]
@@ -179,8 +179,8 @@ class Dialect:
         )
 
     def fast(self) -> Dialect:
-        """The same controller in its high-speed mode, which stands before a guide. Raises SettingsError where
-        it has none."""
+        """Return the same controller in its high-speed mode, which stands before a guide. Raises
+        SettingsError where it has none."""
         on, off = self.high_speed
         if not on:
             raise SettingsError(
@@ -200,7 +200,7 @@ class Dialect:
         )  # fmt: skip
 
     def check_offset(self, offset: str) -> None:
-        """Raises SettingsError, with those on offer, where the controller has no such work offset."""
+        """Raise SettingsError, with those on offer, where the controller has no such work offset."""
         pattern, words = self.work_offsets
         if not re.fullmatch(pattern, offset):
             raise SettingsError(
@@ -214,8 +214,8 @@ class Dialect:
             )
 
     def remark(self, text: str) -> str:
-        """A comment of printable ASCII that no controller takes for an instruction: no brackets, no ``;``
-        ``%`` or comma.
+        """Return a comment of printable ASCII that no controller takes for an instruction: no brackets, no
+        ``;`` ``%`` or comma.
 
         (LinuxCNC acts on comments as ``(LOGOPEN,file)``.) Accents are dropped, other characters become ``-``.
         """
@@ -225,13 +225,13 @@ class Dialect:
 
 
 def _with(lines: tuple[str, ...], guide: tuple[str, ...], slot: str = "{guide}") -> tuple[str, ...]:
-    """The lines with those of a guide for ``slot``."""
+    """Return the lines with those of a guide for ``slot``."""
     return tuple(one for line in lines for one in (guide if line == slot else (line,)))
 
 
 def feed_distance(dialect: Dialect | None, change: Floats) -> Floats:
-    """What F measures in each block under G94, mm or degrees, for ``change`` (n, 5) of the words, mm and
-    degrees.
+    """Return what F measures in each block under G94, mm or degrees, for ``change`` (n, 5) of the words, mm
+    and degrees.
 
     Without a dialect: over X Y Z alone. NIST RS274NGC 3, 2.1.2.5, and LinuxCNC; Fanuc B-63324EN, 4.3 (see
     ``rotary_in_feed``).

@@ -203,15 +203,15 @@ class _Simplices:
         return _Simplices(self.moved, self.standing, poses, rows, point, own, weight, near)
 
     def farthest(self, g: Floats) -> tuple[Floats, Ints]:
-        """The points (n, 3) of the difference that are least along g (n, 3), and the moved piece's corners in
-        them."""
+        """Return the points (n, 3) of the difference that are least along g (n, 3), and the moved piece's
+        corners in them."""
         own = (_local(self.poses.turn, g) @ self.moved.corner.T).argmin(axis=1)
         other = (g @ self.standing.corner.T).argmax(axis=1)
         at = np.matmul(self.poses.turn, self.moved.corner[own][:, :, None])[:, :, 0] + self.poses.shift
         return at - self.standing.corner[other], own
 
     def place(self) -> Floats:
-        """The moved piece's point (n, 3) next to the standing one."""
+        """Return the moved piece's point (n, 3) next to the standing one."""
         own = (self.weight[:, :, None] * self.moved.corner[self.own]).sum(axis=1)
         return np.asarray(np.matmul(self.poses.turn, own[:, :, None])[:, :, 0] + self.poses.shift)
 
@@ -275,7 +275,8 @@ def _on_edges(point: Floats) -> Floats:
 
 
 def _on_sides(point: Floats) -> tuple[Floats, Bools]:
-    """The weights (n, 4, 4) of the feet on the planes of the sides, and which have none within (n, 4)."""
+    """Return the weights (n, 4, 4) of the feet on the planes of the sides, and which have none within (n,
+    4)."""
     one = point[:, SIDES[:, 0]]
     u, v = point[:, SIDES[:, 1]] - one, point[:, SIDES[:, 2]] - one
     uu, uv, vv = (u * u).sum(axis=2), (u * v).sum(axis=2), (v * v).sum(axis=2)
@@ -291,7 +292,7 @@ def _on_sides(point: Floats) -> tuple[Floats, Bools]:
 
 
 def _in_all(point: Floats) -> tuple[Floats, Bools]:
-    """The weights (n, 4) of 0 in the simplices, and which do not hold it (n,)."""
+    """Return the weights (n, 4) of 0 in the simplices, and which do not hold it (n,)."""
     one = point[:, 0]
     u, v, w = (point[:, k] - one for k in (1, 2, 3))
     vw, wu, uv = crossed(v, w), crossed(w, u), crossed(u, v)

@@ -95,15 +95,16 @@ class FacetTree:
         return 0.0 if self.allowance is None else float(self.allowance[0, 0])
 
     def allowance_of(self, facet: Ints) -> Floats | float:
-        """The allowance (n,) mm of these facets (n,) of the mesh; 0 where no facet has one."""
+        """Return the allowance (n,) mm of these facets (n,) of the mesh; 0 where no facet has one."""
         return 0.0 if self.facet_allowance is None else self.facet_allowance[facet]
 
     def most_of(self, node: Ints) -> Floats | float:
-        """The largest allowance (n,) mm of the facets of these nodes (n,); 0 where no facet has one."""
+        """Return the largest allowance (n,) mm of the facets of these nodes (n,); 0 where no facet has
+        one."""
         return 0.0 if self.allowance is None else self.allowance[0].take(node)
 
     def least_of(self, node: Ints) -> Floats | float:
-        """The least allowance (n,) mm of the facets of these nodes (n,); 0 where no facet has one."""
+        """Return the least allowance (n,) mm of the facets of these nodes (n,); 0 where no facet has one."""
         return 0.0 if self.allowance is None else self.allowance[1].take(node)
 
     def plates(self, node: Ints) -> Plates:
@@ -133,15 +134,15 @@ _TREES: WeakKeyDictionary[Mesh, FacetTree] = WeakKeyDictionary()
 
 
 def facet_tree(mesh: Mesh) -> FacetTree:
-    """The tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and checks
-    ask for it in turn."""
+    """Return the tree over all facets of a mesh: made once, and kept as long as the mesh is, for cures and
+    checks ask for it in turn."""
     if mesh not in _TREES:
         _TREES[mesh] = planted(mesh)
     return _TREES[mesh]
 
 
 def planted(mesh: Mesh) -> FacetTree:
-    """The tree, made anew."""
+    """Return the tree, made anew."""
     a, b, c = (mesh.vertex.take(column, axis=0) for column in mesh.face.T)
     order, depth = _parted(((a + b) + c) / 3.0, mesh.normal)
     corner, normal = _take_columns(order, a, b, c), _take_columns(order, mesh.normal)
@@ -167,7 +168,7 @@ def planted(mesh: Mesh) -> FacetTree:
 
 
 def _take_columns(order: Ints, *tables: Floats) -> Floats:
-    """The rows ``order`` (k,) of tables (f, 3) as columns (3 times as many as tables, k)."""
+    """Return the rows ``order`` (k,) of tables (f, 3) as columns (3 times as many as tables, k)."""
     columns = np.empty((3 * len(tables), len(order)))
     for place, column in enumerate(column for table in tables for column in table.T):
         np.take(column, order, out=columns[place])
@@ -182,7 +183,8 @@ def _first_places(order: Ints, count: int) -> Ints:
 
 
 def _allowances(of_leaf: Floats, counts: list[int]) -> Floats:
-    """The largest and the least allowance (2, n) mm of the nodes of all levels, from those of the leaves."""
+    """Return the largest and the least allowance (2, n) mm of the nodes of all levels, from those of the
+    leaves."""
     most, least = (
         [find(of_leaf.reshape(count, -1), axis=1) for count in counts] for find in (np.max, np.min)
     )
@@ -190,7 +192,7 @@ def _allowances(of_leaf: Floats, counts: list[int]) -> Floats:
 
 
 def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
-    """The facets in the order of the leaves, filled up with copies, and how often they are parted."""
+    """Return the facets in the order of the leaves, filled up with copies, and how often they are parted."""
     depth = max(int(np.floor(np.log2(max(len(centre), 1) / LEAF))), 0)
     width = -(-len(centre) // 2**depth)  # so every node has an even number of facets to part
     order = np.minimum(np.arange(width * 2**depth), len(centre) - 1)[None]
@@ -202,7 +204,7 @@ def _parted(centre: Floats, normal: Floats) -> tuple[Ints, int]:
 
 
 def _part_often(feature: Floats, order: Ints, times: int) -> Ints:
-    """The facets (k,) of nodes (n, k / n) after these are parted so many ``times``."""
+    """Return the facets (k,) of nodes (n, k / n) after these are parted so many ``times``."""
     for _ in range(times):
         order = _part_once(feature, order)
     return order.reshape(-1)
@@ -258,7 +260,7 @@ def _level(corner: Floats, normal: Floats, count: int) -> tuple[Floats, ...]:
 
 
 def _mean(normal: Floats) -> Floats:
-    """The unit mean (3, n) of normals (3, n, facets), or the first of them where they are opposite."""
+    """Return the unit mean (3, n) of normals (3, n, facets), or the first of them where they are opposite."""
     mean = normal.mean(axis=2)
     length = np.linalg.norm(mean, axis=0)
     mean = np.where(length > 1e-3, mean / np.maximum(length, 1e-3), normal[:, :, 0])

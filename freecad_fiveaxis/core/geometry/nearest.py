@@ -48,7 +48,7 @@ class Pieces:
         object.__setattr__(self, "tree", scipy.spatial.cKDTree(self.middle))
 
     def clear_by(self, points: Floats) -> Floats:
-        """A distance (n,) mm that no element is nearer to the points (n, 3) than."""
+        """Return a distance (n,) mm that no element is nearer to the points (n, 3) than."""
         far: Floats = self.tree.query(points)[0]  # type: ignore[attr-defined]
         return np.maximum(far - self.reach, 0.0)
 
@@ -102,7 +102,7 @@ def search(
 
 
 def nearest(points: Floats, elements: Ints, distance2: Floats) -> Floats:
-    """A ``resolve``: distance mm and row of the nearest element."""
+    """Return a ``resolve``: distance mm and row of the nearest element."""
     best = distance2.argmin(axis=1)
     rows = np.arange(len(best))
     return np.column_stack([np.sqrt(distance2[rows, best]), elements[rows, best]])
@@ -194,7 +194,7 @@ class Facets:
         return np.where(inside, height * height, np.maximum(np.minimum(best, third), height * height))
 
     def signed(self, points: Floats, elements: Ints, distance2: Floats) -> Floats:
-        """A ``resolve``: distance mm, below 0 inside the part, and row of the nearest facet.
+        """Return a ``resolve``: distance mm, below 0 inside the part, and row of the nearest facet.
 
         Of facets that are as near (their common edge or corner is nearest) the one decides which is seen most
         from its face.

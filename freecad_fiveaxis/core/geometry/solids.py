@@ -53,7 +53,7 @@ def sphere_facets(centre: Floats, radius: float) -> Floats:
 
 
 def _lathe(rings: list[Floats]) -> Floats:
-    """The facets of a body of rings (SIDES, 3) from its first point to its last."""
+    """Return the facets of a body of rings (SIDES, 3) from its first point to its last."""
     full = [np.broadcast_to(ring, (SIDES, 3)) for ring in rings]
     found = []
     for one, other in itertools.pairwise(full):

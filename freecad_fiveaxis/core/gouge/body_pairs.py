@@ -106,7 +106,7 @@ def _worst_of_tool(found: Sequence[Finding]) -> Iterator[Finding]:
 
 
 def _badness(one: Finding) -> float:
-    """What is deeper is worse, and what is nearer."""
+    """Return what is deeper is worse, and what is nearer."""
     return (one.value or 0.0) if one.hit else -(one.value or 0.0)
 
 
@@ -122,7 +122,7 @@ def _touching(pairs: Sequence[tuple[Carried, Carried]]) -> Iterator[Finding]:
 
 
 def _joints(given: PairCheck, steps: Sequence[Step], columns: Sequence[int]) -> Floats:
-    """The joints (m, k) of the steps in every row of the program, mm and rad."""
+    """Return the joints (m, k) of the steps in every row of the program, mm and rad."""
     off = (given.program.words - given.zero)[:, columns]
     return np.where([step.axis.rotary for step in steps], np.deg2rad(off), off)
 
@@ -198,7 +198,7 @@ class _Levels:
         return best, unproven
 
     def _one(self, level: float, blocks: Ints, met: Meetings, count: int, joined: bool) -> Closest:
-        """The first that is met."""
+        """Return the first that is met."""
         at = int(met.met.argmax())
         place = met.place[at]
         if self.pair.entered is self.pair.moved:
@@ -262,7 +262,7 @@ def _at(closest: Closest) -> Sentence:
 
 
 def _where(given: PairCheck, block: int) -> tuple[int, int, Vector]:
-    """The row to which a block leads, its NC line, and where the tip then is, mm, work frame."""
+    """Return the row to which a block leads, its NC line, and where the tip then is, mm, work frame."""
     row = block + 1
     x, y, z = forward(given.kinematics, words_to_q(given.program.words[row : row + 1]))[0][0].tolist()
     return row, int(given.program.line[row]), (x, y, z)

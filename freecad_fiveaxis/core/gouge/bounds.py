@@ -32,8 +32,8 @@ NEAR = 1e-12
 
 
 def pared(piece: Piece, by: float) -> tuple[Piece, float]:
-    """What is left of a piece when up to ``by`` mm are taken off all around, and how much was; of a cone's
-    flanks only its round is taken. ``piece.most`` must be larger than ``by``."""
+    """Return what is left of a piece when up to ``by`` mm are taken off all around, and how much was; of a
+    cone's flanks only its round is taken. ``piece.most`` must be larger than ``by``."""
     off = min(by, piece.round)
     round_, more = piece.round - off, by - off
     if piece.low_radius != piece.high_radius or more == 0.0:
@@ -45,7 +45,7 @@ def pared(piece: Piece, by: float) -> tuple[Piece, float]:
 
 
 def box_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
-    """The bound (n,) mm in the direction from the piece to the nearest place of the nodes' boxes."""
+    """Return the bound (n,) mm in the direction from the piece to the nearest place of the nodes' boxes."""
     g, begins = toward_box(piece, sweep.tip, sweep.unit, tree.boxes(node))
     return np.asarray(_reached(piece, sweep, g) - begins)
 
@@ -69,7 +69,7 @@ def toward_box(piece: Piece, tip: Floats, axis: Floats, box: Boxes) -> tuple[Flo
 
 
 def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
-    """The smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
+    """Return the smaller one of the bounds (n,) mm along the nodes' normals, both ways."""
     plate = tree.plates(node)
     place, lean = _inner(plate.normal, sweep.tip), _inner(plate.normal, sweep.unit)
     go, turn = _dot(plate.normal, sweep.travel), _dot(plate.normal, sweep.turn)
@@ -79,7 +79,7 @@ def plate_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints)
 
 
 def facet_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints) -> Floats:
-    """The bound (n,) mm for nodes that are facets; infinite for others."""
+    """Return the bound (n,) mm for nodes that are facets; infinite for others."""
     bound, rows = np.full(len(node), np.inf), np.flatnonzero(node >= tree.leaf)
     some = sweep.take(rows)
     bound[rows] = _triangle_bound(piece, some, tree.corners(node.take(rows) - tree.leaf) - some.tip)
@@ -87,7 +87,7 @@ def facet_bound(piece: Piece, sweep: StraightSweep, tree: FacetTree, node: Ints)
 
 
 def _triangle_bound(piece: Piece, sweep: StraightSweep, arm: Floats) -> Floats:
-    """The bound (n,) mm for triangles, corners (3, 3, n) from the tip in the middle of the way."""
+    """Return the bound (n,) mm for triangles, corners (3, 3, n) from the tip in the middle of the way."""
     g, begins = toward_triangle(piece, sweep.unit, arm)
     return np.asarray(_reached(piece, sweep, g) - begins)
 
@@ -116,7 +116,8 @@ def least_depth(piece: Piece, sweep: StraightSweep, point: Floats) -> Floats:
 
 
 def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
-    """The unit direction (3, n) in which the distance from the piece grows at places (3, n) from the tip.
+    """Return the unit direction (3, n) in which the distance from the piece grows at places (3, n) from the
+    tip.
 
     On a core without a room inside, the axis or a disc, it is 0: with it a bound is as large as any.
     """
@@ -138,8 +139,8 @@ def _away(piece: Piece, axis: Floats, place: Floats) -> Floats:
 
 
 def _reached(piece: Piece, sweep: StraightSweep, g: Floats) -> Floats:
-    """The support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's middle
-    tip."""
+    """Return the support (n,) mm of the piece over its way in the unit directions g (3, n), from the way's
+    middle tip."""
     return _swept(piece, sweep, _dot(g, sweep.travel), _inner(g, sweep.unit), _dot(g, sweep.turn))
 
 

@@ -164,14 +164,14 @@ class CarriedMotion:
         return np.asarray(np.min(gaps, axis=0) - bend)
 
     def _turning(self, signs: Sequence[float]) -> Floats:
-        """These signs (k,) for the steps that turn, 0 for the others."""
+        """Return these signs (k,) for the steps that turn, 0 for the others."""
         way = np.zeros(len(self.steps))
         way[self.rotary] = signs
         return way
 
 
 def _turns(axis: Floats, angle: Floats) -> Floats:
-    """The turns (n, 3, 3) about a unit axis (3,) by angles (n,), rad."""
+    """Return the turns (n, 3, 3) about a unit axis (3,) by angles (n,), rad."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     sin, cos = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]

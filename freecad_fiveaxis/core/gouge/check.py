@@ -88,8 +88,8 @@ class GougeCheck:
     ways: WayEntries | None = None
 
     def cases(self, motion: Bytes) -> tuple[tuple[Code, Entries, Floats], ...]:
-        """The three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have none of
-        this kind; ``motion`` (m,) what each block does."""
+        """Return the three kinds of entries: code, entries, and their depths (m,) mm, 0 in blocks that have
+        none of this kind; ``motion`` (m,) what each block does."""
         return _cases(self.cutter, self.above, motion)
 
 
@@ -128,7 +128,8 @@ def check_motion(
 
 
 def program_motion(kinematics: Chain, program: Program, back: float = 0.0) -> SweptMotion:
-    """The way that the machine really goes: block i of the swept motion leads to row i + 1 of the program.
+    """Return the way that the machine really goes: block i of the swept motion leads to row i + 1 of the
+    program.
 
     ``back`` mm: how far above the tip the point lies that the words drive. Where the controller guides the
     tip, its way is taken to be straight and the axis to turn on great arcs.
@@ -182,8 +183,8 @@ def _findings(
 def _spots(
     code: Code, remedy: str, entries: Entries, depth: Floats, tolerance: float, where: Where, whole: float
 ) -> list[Finding]:  # fmt: skip
-    """The deepest block of each of the deepest spots; the first one says how many there are. From a depth of
-    ``whole`` mm on more than the depth may be in the part."""
+    """Return the deepest block of each of the deepest spots; the first one says how many there are. From a
+    depth of ``whole`` mm on more than the depth may be in the part."""
     worst, blocks = spots(depth)
     found = []
     for k, block in enumerate(worst[:MOST_SPOTS].tolist()):

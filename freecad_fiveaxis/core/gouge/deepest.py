@@ -56,7 +56,7 @@ def _from_spine(piece: Piece, axis: Floats, arm: Floats, height: Floats) -> tupl
 
 
 def _unit_on_axis(axis: Floats, along: Floats) -> Floats:
-    """Unit directions (3, n) with ``along`` (n,) of the axis in them, and any way across it."""
+    """Return unit directions (3, n) with ``along`` (n,) of the axis in them, and any way across it."""
     side = np.cross(axis, np.eye(3)[np.abs(axis).argmin(axis=0)].T, axis=0)
     side /= np.linalg.norm(side, axis=0)
     return np.asarray(along * axis + np.sqrt(np.maximum(1.0 - along * along, 0.0)) * side)
@@ -65,8 +65,8 @@ def _unit_on_axis(axis: Floats, along: Floats) -> Floats:
 def support_at(
     piece: Piece, pose: Poses, g: Floats, loose: Floats | float = 0.0, high: Floats | None = None
 ) -> Floats:
-    """The support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be off by
-    ``loose`` (n,); ``high`` (n,) mm: of as much of it as :func:`shortened` says."""
+    """Return the support (n,) mm of the piece at poses in the unit directions g (3, n), where the axis may be
+    off by ``loose`` (n,); ``high`` (n,) mm: of as much of it as :func:`shortened` says."""
     along = (g * pose.axis).sum(axis=0)
     if high is None:
         return np.asarray((g * pose.tip).sum(axis=0) + support(piece, along, loose))
@@ -106,8 +106,8 @@ def _length(vector: Floats) -> Floats:
 
 
 def end_and_side(piece: Piece, pose: Poses, point: Floats) -> tuple[Floats, Floats]:
-    """The directions (3, n) of a frustum's nearer end and of its side at points (3, n). Where a facet is
-    deepest both are equally near, and neither direction alone tells so."""
+    """Return the directions (3, n) of a frustum's nearer end and of its side at points (3, n). Where a facet
+    is deepest both are equally near, and neither direction alone tells so."""
     arm = point - pose.tip
     height = (arm * pose.axis).sum(axis=0)
     out = arm - height * pose.axis
@@ -151,7 +151,7 @@ class Deepest(NamedTuple):
 
 
 def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
-    """The point of each triangle, corners (3, 3, n), that is deepest in the piece, or nearly so.
+    """Return the point of each triangle, corners (3, 3, n), that is deepest in the piece, or nearly so.
 
     From a point of the facet to the nearest of the core, and back to the nearest of the facet: this comes as
     near as can be, and for a ball at once. Inside the core the way goes down the slope of the distance
@@ -184,8 +184,8 @@ def deepest(piece: Piece, pose: Poses, corner: Floats) -> Deepest:
 
 
 def nearest_on_facet(corner: Floats, place: Floats) -> Floats:
-    """The point of each triangle, corners (3, 3, n), that is nearest to a place (3, n): Ericson, Real-Time
-    Collision Detection, 5.1.5."""
+    """Return the point of each triangle, corners (3, 3, n), that is nearest to a place (3, n): Ericson,
+    Real-Time Collision Detection, 5.1.5."""
     a, b, c = (tuple(one) for one in corner)
     ab, ac = _less(b, a), _less(c, a)
     ap, one, two, both = _less(tuple(place), a), dot(ab, ab), dot(ac, ac), dot(ab, ac)

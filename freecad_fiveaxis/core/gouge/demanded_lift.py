@@ -50,9 +50,9 @@ def raise_to_demand(
 def _demanded(
     piece: Piece, body: Body, pose: Poses, way: Floats, points: list[Floats], limit: float
 ) -> tuple[Floats, Bools]:
-    """The lift (n,) mm that these points (3, n) of facets demand, and whether one of them is in the piece on
-    its ``way`` (n,) mm up by more than ``limit`` mm. What is over the piece demands, too: where some of its
-    facet is in the piece, it comes in."""
+    """Return the lift (n,) mm that these points (3, n) of facets demand, and whether one of them is in the
+    piece on its ``way`` (n,) mm up by more than ``limit`` mm. What is over the piece demands, too: where some
+    of its facet is in the piece, it comes in."""
     lift, enters = np.zeros(len(way)), np.zeros(len(way), np.bool_)
     tip, axis, middle = pose.tip.T, pose.axis.T, 0.5 * (piece.low + piece.high)
     for point in points:
@@ -90,8 +90,8 @@ def _on_rim(piece: Piece, pose: Poses, corner: Floats, inside: float) -> list[Fl
 
 
 def _highest_on_rim(outs: Floats, heights: Floats, radius: float, corner: Floats) -> Floats:
-    """The point (3, n) of each facet's plane that is highest on the cylinder, where it lies in the facet;
-    else NaN."""
+    """Return the point (3, n) of each facet's plane that is highest on the cylinder, where it lies in the
+    facet; else NaN."""
     e, f, rise_e, rise_f = (
         outs[1] - outs[0],
         outs[2] - outs[0],

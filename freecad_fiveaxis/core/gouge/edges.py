@@ -47,8 +47,8 @@ class _Edges(NamedTuple):
 
 
 def nearest_on_edges(piece: Piece, axis: Floats, corner: Floats) -> Floats:
-    """The place (3, n) of the edges that is nearest to the core, or nearly so; mm from the tip, as ``corner``
-    (3, 3, n) of the triangles are; ``axis`` (3, n) unit."""
+    """Return the place (3, n) of the edges that is nearest to the core, or nearly so; mm from the tip, as
+    ``corner`` (3, 3, n) of the triangles are; ``axis`` (3, n) unit."""
     side = corner[[1, 2, 0]] - corner
     low, rise = along(corner, axis), along(side, axis)
     mixed = np.einsum("kin,kin->kn", corner, side) - low * rise
@@ -93,7 +93,7 @@ def _nearest_to_spine(edges: _Edges) -> Floats:
 
 
 def _off(edges: _Edges, wide: float, t: Floats) -> Floats:
-    """The distance from the core, squared."""
+    """Return the distance from the core, squared."""
     below, radius = edges.at(t)
     beside = np.maximum(radius - wide, 0.0)
     return np.asarray(beside * beside + below * below)

@@ -84,7 +84,7 @@ def facets_on(
 
 
 def _standing(point: Floats, faces: Mesh, reach: float, tolerance: float, progress: Progress) -> Entries:
-    """The faces about points (n, 3): how deep they go into a ball of radius ``reach`` mm that stands
+    """Return the faces about points (n, 3): how deep they go into a ball of radius ``reach`` mm that stands
     there."""
     upward = np.tile([0.0, 0.0, 1.0], (len(point), 1))
     ball = Body((round_piece(0.0, reach, 0.0),))
@@ -99,8 +99,8 @@ def _standing(point: Floats, faces: Mesh, reach: float, tolerance: float, progre
 
 
 def facet_sags(mesh: Mesh) -> Floats:
-    """The sag (f,) mm: of an arc over the longest side that turns as far as the surface does to a neighbour.
-    Edges count not."""
+    """Return the sag (f,) mm: of an arc over the longest side that turns as far as the surface does to a
+    neighbour. Edges count not."""
     one, two = mesh.coedge_face.T
     turn = np.arccos(np.clip((mesh.normal[one] * mesh.normal[two]).sum(axis=1), -1.0, 1.0))
     turn[(two < 0) | (turn > EDGE)] = 0.0

@@ -133,7 +133,7 @@ def _entering(fixture: Fixture, check: GougeCheck, program: Program, tolerance: 
 
 
 def _unproven(fixture: Fixture, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:
-    """What is not proven of rapids whose axes may run independently."""
+    """Yield what is not proven of rapids whose axes may run independently."""
     found = find_unproven(check.ways, program, tolerance)
     if found is None:
         return

@@ -89,12 +89,13 @@ def buried_blocks(tree: FacetTree, body: Body, swept: SweptMotion, depth: Floats
 
 
 def crossing_depth(body: Body) -> float:
-    """The depth (mm) from which on the body's core may be through the surface."""
+    """Return the depth (mm) from which on the body's core may be through the surface."""
     return CROSSED * _middle(body.pieces[0])[1] if body.pieces else np.inf
 
 
 def _middle(piece: Piece) -> tuple[float, float]:
-    """A point on the axis, its height, and the radius of a ball about it that lies in the piece, mm."""
+    """Return a point on the axis, its height, and the radius of a ball about it that lies in the piece,
+    mm."""
     if piece.round > 0.0:
         return piece.low, piece.round
     return 0.5 * (piece.low + piece.high), min(

@@ -147,7 +147,7 @@ class JointSpace(NamedTuple):
 
     @staticmethod
     def _corners(half: Floats) -> list[Floats]:
-        """What leads to each corner (n, 5): the first axis' lower end first, of each the second's."""
+        """Return what leads to each corner (n, 5): the first axis' lower end first, of each the second's."""
         turns = [(-1.0, 1.0) if half[:, j].any() else (0.0,) for j in (3, 4)]
         return [half * np.array([0.0, 0.0, 0.0, a, b]) for a, b in product(*turns)]
 

@@ -33,8 +33,8 @@ def leave_out(
     progress: Progress = silent,
     above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
-    """The rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends the body
-    can rise, and their axes (n, 3); findings say what is left out.
+    """Return the rows between which body and part stay apart but for ``tolerance`` mm, and from whose ends
+    the body can rise, and their axes (n, 3); findings say what is left out.
 
     ``path``: with the cutter's hubs for its centres (:func:`~.cl_offset.cl_offset_path`), ``back`` mm above
     the tip; ``above`` mm: how far over it the point lies that goes straight. Shank and holder count as the
@@ -49,8 +49,8 @@ def keep_away(
     allowance: float,
     progress: Progress = silent, above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
-    """The rows between which a body, ``grown`` by an ``allowance`` mm, keeps out of faces to avoid, and out
-    of which it can rise so, and their axes (n, 3); the rest as for :func:`leave_out`."""
+    """Return the rows between which a body, ``grown`` by an ``allowance`` mm, keeps out of faces to avoid,
+    and out of which it can rise so, and their axes (n, 3); the rest as for :func:`leave_out`."""
     without = _Without(tree, grown, tolerance, back, progress, above, allowance)
     return without.trapped(*without.entering(path, axis))
 
@@ -69,7 +69,7 @@ class _Without:
     allowance: float | None = None
 
     def entering(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-        """The path without the rows between which the body enters, and its axes."""
+        """Return the path without the rows between which the body enters, and its axes."""
         entries = self._entries(path, axis, _joined(path))
         if not entries.depth.any():
             return path, axis
@@ -100,8 +100,8 @@ class _Without:
         return _left(path, axis, out, why, depth, (x, y, z), remedy, self.allowance is None)
 
     def trapped(self, path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-        """The path without the rows under an overhang up to the ends of polylines: a retract there would go
-        through the part."""
+        """Return the path without the rows under an overhang up to the ends of polylines: a retract there
+        would go through the part."""
         ends = self._trapped_ends(path, axis)
         if not len(ends):
             return path, axis
@@ -150,7 +150,7 @@ class _Without:
 
 
 def _joined(path: OffsetPath) -> Ints:
-    """The blocks (k,) between rows of one polyline."""
+    """Return the blocks (k,) between rows of one polyline."""
     return np.flatnonzero(np.diff(path.polyline) == 0)
 
 
@@ -164,7 +164,7 @@ def _left(
     remedy: str,
     part: bool,
 ) -> tuple[OffsetPath, Floats]:
-    """The path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its
+    """Return the path without the rows ``out`` (n,), and its axes; ``why``: the reason, given on which of its
     passes; ``remedy``: what helps; ``part``: whether it is for the part, not for faces to avoid."""
     steps, joined = np.linalg.norm(np.diff(path.point, axis=0), axis=1), _joined(path)
     length = float(steps[joined[(out[1:] | out[:-1])[joined]]].sum())
@@ -195,7 +195,7 @@ def _left(
 
 
 def _divided(path: OffsetPath, axis: Floats, deep: Bools, part: float) -> tuple[OffsetPath, Floats, Ints]:
-    """The path with the blocks ``deep`` (n - 1,) in parts of at most ``part`` mm, its axes, and those
+    """Return the path with the blocks ``deep`` (n - 1,) in parts of at most ``part`` mm, its axes, and those
     parts."""
     length = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
     pieces = np.ones(len(axis), np.int64)

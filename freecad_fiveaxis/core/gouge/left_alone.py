@@ -31,7 +31,7 @@ def lead_over_others(begin: Floats, end: Floats, mesh: Mesh, chosen: Bools) -> B
 
 
 def _distance(point: Floats, mesh: Mesh, some: Bools) -> Floats:
-    """The distances (n,) mm of points from some facets of the mesh."""
+    """Return the distances (n,) mm of points from some facets of the mesh."""
     corner = np.ascontiguousarray(mesh.vertex[mesh.face[some]].transpose(1, 0, 2))
     facets = Facets(corner, mesh.normal[some])
     return search(point, facets.pieces(), facets.squared, nearest, 2)[:, 0]

@@ -96,7 +96,7 @@ def lift_path(
     progress: Progress = silent,
     above: float = 0.0, aside: Ints = NO_ROWS,
 ) -> Lifted:  # fmt: skip
-    """The path with the cutter lifted out of the part, so that it is nowhere deeper in than half of
+    """Return the path with the cutter lifted out of the part, so that it is nowhere deeper in than half of
     ``tolerance`` mm.
 
     ``back`` mm: how far above the tip the point lies that the path gives; ``above`` mm: the one
@@ -146,7 +146,7 @@ class _Going:
         self._progress, self._stage, self._low, self._high, self._done = progress, (0.0, 0.0), 0.0, 0.0, 0.0
 
     def stage(self, low: float, high: float) -> _Going:
-        """What comes next takes the whole from ``low`` to ``high``."""
+        """Return what comes next takes the whole from ``low`` to ``high``."""
         self._stage = low, high
         self.round(0, 1)
         return self
@@ -205,8 +205,8 @@ class _Lifter:
     aside: Ints
 
     def trapped(self, way: _Way) -> Ints:
-        """The rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves, meets
-        the part. Where the next cut goes on from the same place nothing comes or leaves."""
+        """Return the rows (k,) where cuts begin or end and the way up, along which the tool comes or leaves,
+        meets the part. Where the next cut goes on from the same place nothing comes or leaves."""
         link_moves = np.flatnonzero(~way.cuts & (np.abs(np.diff(way.tip, axis=0)).max(axis=1) > STILL_MM))
         cut = np.append(way.cuts, False) | np.append(False, way.cuts)
         ends: Ints = np.unique(np.concatenate([link_moves, link_moves + 1]))
@@ -216,8 +216,8 @@ class _Lifter:
         return ends[under]
 
     def rows(self, key: Floats, beside: Bools | None = None) -> _Rows:
-        """The rows at these places (k,), lifted until the cutter is nowhere deeper in than ROOM of the aim;
-        those that stand ``beside`` (k,) rows above an overhang until nothing of the part is over them,
+        """Return the rows at these places (k,), lifted until the cutter is nowhere deeper in than ROOM of the
+        aim; those that stand ``beside`` (k,) rows above an overhang until nothing of the part is over them,
         either."""
         block = np.minimum(key.astype(np.int64), len(self.given) - 1)
         pose = self.given.pose(block, key - block)
@@ -319,8 +319,8 @@ class _Lifter:
         return way
 
     def _under(self, way: _Way) -> Bools:
-        """The rows (n,) from which the way up meets the part, in unbroken groups beside blocks to lifted rows
-        that enter, or up to trapped ends."""
+        """Return the rows (n,) from which the way up meets the part, in unbroken groups beside blocks to
+        lifted rows that enter, or up to trapped ends."""
         lifted = np.flatnonzero(way.cuts & ~way.clear & ((way.lift[1:] > 0.0) | (way.lift[:-1] > 0.0)))
         swept = straight_motion(way.tip, way.axis, self.above)
         enters = which_enter(self.cutter, self.tree, swept, self.aim, lifted, self.going)
@@ -339,7 +339,7 @@ def _aside(way: _Way) -> Floats:
 
 
 def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
-    """The way with one of the rows (k,) in each of these blocks (k,), and which blocks are new."""
+    """Return the way with one of the rows (k,) in each of these blocks (k,), and which blocks are new."""
     cuts = np.insert(way.cuts, blocks, True)
     new, row = np.zeros(len(cuts), np.bool_), np.arange(1, len(blocks) + 1) + blocks
     new[row - 1] = new[row] = True
@@ -351,13 +351,13 @@ def _put_in(way: _Way, blocks: Ints, rows: _Rows) -> tuple[_Way, Bools]:
 
 
 def _row(way: _Way) -> Ints:
-    """The row (n,) of the path given that each row of the way is, or leads to."""
+    """Return the row (n,) of the path given that each row of the way is, or leads to."""
     return np.ceil(way.key).astype(np.int64)
 
 
 def _rows(path: CLPath, way: _Way, back: float) -> CLPath:
-    """The path with the rows of the way: those put in take face, normal and feed from the row that they lead
-    to."""
+    """Return the path with the rows of the way: those put in take face, normal and feed from the row that
+    they lead to."""
     columns = {
         name: getattr(path, name)[_row(way)]
         for name in ("motion", "feed", "contact", "normal", "face", "coedge", "pass_")
@@ -366,7 +366,7 @@ def _rows(path: CLPath, way: _Way, back: float) -> CLPath:
 
 
 def _findings(path: CLPath, way: _Way) -> tuple[Finding, ...]:
-    """What was lifted, over which length, and where most."""
+    """Return what was lifted, over which length, and where most."""
     if not (way.lift > 0.0).any():
         return ()
     worst = int(way.lift.argmax())

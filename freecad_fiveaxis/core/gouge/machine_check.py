@@ -78,7 +78,7 @@ def check_machine(
 
 
 def _unplaced(given: InMachine) -> Iterator[Finding]:
-    """What cannot be looked at without the tool's length."""
+    """Yield what cannot be looked at without the tool's length."""
     missing = [one.name for one in given.machine.bodies if needs_length(given.machine, one)]
     if given.length is None and missing:
         text = say(
@@ -108,7 +108,7 @@ def is_held(machine: Machine, body: MachineBody) -> bool:
 
 
 def locked_letters(machine: Machine, body: MachineBody) -> str:
-    """The axes of the table between the body's carrier and the work."""
+    """Return the axes of the table between the body's carrier and the work."""
     table = [axis.letter for axis in machine.fitted if axis.side == "table"]
     return "".join(table if body.carrier == BASE else table[: table.index(body.carrier)])
 
@@ -171,7 +171,7 @@ def _against_part(
 def _of_bodies(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
 ) -> tuple[Finding, ...]:
-    """What bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
+    """Return what bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
     head."""
     machine, setup, kinematics = given.machine, given.setup, given.kinematics
     rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
@@ -185,7 +185,7 @@ def _of_bodies(
 
 
 def _spindle(given: InMachine) -> Body:
-    """What the spindle carries, heights from the tip; nothing where the tool's length is not known."""
+    """Return what the spindle carries, heights from the tip; nothing where the tool's length is not known."""
     return Body(()) if given.length is None else spindle_body(given.machine, given.length + given.back)
 
 
@@ -196,7 +196,7 @@ def _stack(given: InMachine) -> Body:
 def _entering(
     name: str, entered: str, check: GougeCheck, given: InMachine, program: Program, tolerance: float
 ) -> Iterator[Finding]:
-    """What enters a body that is told of as ``name``; ``entered`` as in a Hit."""
+    """Yield what enters a body that is told of as ``name``; ``entered`` as in a Hit."""
     worst = find_worst(check, program)
     if worst is None:
         return
@@ -221,7 +221,7 @@ def _places(worst: Worst, given: InMachine, program: Program) -> tuple[Sentence,
 
 
 def _unproven(name: str, check: GougeCheck, program: Program, tolerance: float) -> Iterator[Finding]:
-    """What is not proven of rapids whose axes may run independently."""
+    """Yield what is not proven of rapids whose axes may run independently."""
     found = find_unproven(check.ways, program, tolerance)
     if found is None:
         return

@@ -238,7 +238,7 @@ class MachineInPose:
         )
 
     def _at_pole(self, stack: Body, tip: Floats, axis: Floats, angles: Floats, limit: float) -> Bools:
-        """The same of poses at the pole, where the first word is free."""
+        """Return the same of poses at the pole, where the first word is free."""
         words = _spread_words(float(self.given.kinematics.low[3]), float(self.given.kinematics.high[3]))
         row = np.repeat(np.arange(len(tip)), len(words))
         turned = np.column_stack([np.tile(words, len(tip)), angles[row, 1]])
@@ -351,7 +351,7 @@ def _holds_sample(piece: Piece, body: HeldBody, tip: Floats, axis: Floats, limit
 
 
 def _around(stack: Body) -> Piece:
-    """A cylinder about all of a stack."""
+    """Return a cylinder about all of a stack."""
     low, high = (
         min(one.low - one.round for one in stack.pieces),
         max(one.high + one.round for one in stack.pieces),
@@ -370,7 +370,7 @@ def _is_not_parted(piece: Piece, body: HeldBody, tip: Floats, axis: Floats) -> B
 
 
 def _different(angles: Floats) -> tuple[Ints, Ints]:
-    """The first rows (k,) of different ones of angles (n, 2), and which of them each is (n,)."""
+    """Return the first rows (k,) of different ones of angles (n, 2), and which of them each is (n,)."""
     _, first, which = np.unique(angles[:, 0] + 1j * angles[:, 1], return_index=True, return_inverse=True)
     return first, which.reshape(-1)
 

@@ -77,8 +77,8 @@ def obstacles(
     axis: Floats,
     height: Floats | None = None,
 ) -> Ints:
-    """What is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where the
-    surface has the unit ``normal`` (n, 3), with the unit ``axis`` (n, 3). ``height`` (n,) mm as of
+    """Return what is in the way (n,) of :class:`Obstacle` of the tool that touches ``point`` (n, 3) mm, where
+    the surface has the unit ``normal`` (n, 3), with the unit ``axis`` (n, 3). ``height`` (n,) mm as of
     :func:`part_heights`, where it is known: of a tool that stands above all of the part nothing more is
     asked."""
     met, body = np.full(len(point), int(Obstacle.NONE)), reacher.body
@@ -146,8 +146,8 @@ def part_heights(tree: FacetTree, normal: Floats) -> Floats:
 
 
 def _each_once(point: Floats) -> Floats:
-    """The different ones (k, 3) of points (3, n), ascending: as ``np.unique`` of rows, which compares them
-    one with another."""
+    """Return the different ones (k, 3) of points (3, n), ascending: as ``np.unique`` of rows, which compares
+    them one with another."""
     order = np.lexsort(point[::-1])
     point = point.take(order, axis=1)
     new = np.append(True, (np.diff(point, axis=1) != 0.0).any(axis=0))[: len(order)]
@@ -162,9 +162,9 @@ def is_above(body: Body, tip: Floats, axis: Floats, normal: Floats, height: Floa
 
 
 def tip_at(cutter: Cutter, point: Floats, normal: Floats, axis: Floats) -> Floats:
-    """The tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner, or a barrel's flank:
-    its corner circle leans towards the surface, and with an axis along the normal the middle of its bottom
-    stands on the point."""
+    """Return the tips (n, 3) mm of a cutter that touches these points (n, 3) with its corner, or a barrel's
+    flank: its corner circle leans towards the surface, and with an axis along the normal the middle of its
+    bottom stands on the point."""
     if (barrel := cutter.barrel) is not None:
         return np.asarray(point + cutter.corner * (normal - axis) + barrel.hub_shift(normal, axis))
     across = normal - dot(normal.T, axis.T)[:, None] * axis

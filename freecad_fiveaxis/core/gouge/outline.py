@@ -35,9 +35,9 @@ class Outline(NamedTuple):
 
 
 def outline(body: Body) -> Outline:
-    """The outline of a body whose pieces stand upon each other in their order, as :func:`~.body.body_of`
-    makes them. Of a cutter that ends within its corner circles the body holds all of them; the outline ends
-    where the next piece begins."""
+    """Return the outline of a body whose pieces stand upon each other in their order, as
+    :func:`~.body.body_of` makes them. Of a cutter that ends within its corner circles the body holds all of
+    them; the outline ends where the next piece begins."""
     rows: list[Outline] = []
     at, part = np.array([0.0, body.pieces[0].low - body.pieces[0].round]), body.pieces[0].part
     for piece, after in zip(body.pieces, (*body.pieces[1:], None), strict=True):
@@ -52,7 +52,7 @@ def outline(body: Body) -> Outline:
 
 
 def _above(piece: Piece, height: float) -> Piece:
-    """What of a frustum is above that height; it may begin within the piece below it."""
+    """Return what of a frustum is above that height; it may begin within the piece below it."""
     if piece.round > 0.0 or not piece.low < height < piece.high:
         return piece
     share = (height - piece.low) / (piece.high - piece.low)
@@ -100,7 +100,8 @@ def _side(piece: Piece, after: Piece | None) -> tuple[Floats, Floats]:
 
 
 def _bulging_side(piece: Piece) -> tuple[Floats, Floats]:
-    """The same along a piece with a bulge: lower rounding, arc, and the side up to where its core ends."""
+    """Return the same along a piece with a bulge: lower rounding, arc, and the side up to where its core
+    ends."""
     middle, crest = piece.arc
     begins = math.asin((piece.low - crest) / piece.bulge)
     lower, arc = np.linspace(-0.5 * math.pi, begins, STRETCHES + 1), np.linspace(begins, 0.0, STRETCHES + 1)

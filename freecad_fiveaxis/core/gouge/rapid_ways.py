@@ -233,7 +233,8 @@ class _Search:
         return np.isinf(self.floors[block])
 
     def _open(self, piece: Piece, pairs: _Pairs, hulls: Hulls) -> Ints:
-        """The rows (k,) whose bounds are all above what is known; from the cheapest bound to the dearest."""
+        """Return the rows (k,) whose bounds are all above what is known; from the cheapest bound to the
+        dearest."""
         core, off = self._core(piece)
         rows, floor = (
             np.arange(len(pairs.node)),
@@ -247,8 +248,8 @@ class _Search:
         return rows.take(np.flatnonzero(most > floor.take(rows)))
 
     def _core(self, piece: Piece) -> tuple[Piece, float]:
-        """What is left of the piece without the limit, and what was taken off; all of a piece that is no
-        thicker than that."""
+        """Return what is left of the piece without the limit, and what was taken off; all of a piece that is
+        no thicker than that."""
         return pared(piece, self.limit if piece.most > self.limit else 0.0)
 
     def _toward_node(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
@@ -256,8 +257,8 @@ class _Search:
         return hulls.reached(piece, g) - begins
 
     def _along_box(self, piece: Piece, hulls: Hulls, node: Ints) -> Floats:
-        """The least of the bounds along the directions of the node's box: wide boxes of joints are beside it
-        in one of them."""
+        """Return the least of the bounds along the directions of the node's box: wide boxes of joints are
+        beside it in one of them."""
         box = self.tree.boxes(node)
         arm = along(box.ways, box.middle - hulls.pose.tip)
         ways = zip(box.ways, arm, box.half, strict=True)
@@ -319,7 +320,8 @@ class _Search:
     def _facet_bound(
         self, piece: Piece, hulls: Hulls, arm: Floats, directions: tuple[Floats, ...]
     ) -> tuple[Floats, Floats]:
-        """The least of the bounds (n,) mm along these directions (3, n), and the direction it is along."""
+        """Return the least of the bounds (n,) mm along these directions (3, n), and the direction it is
+        along."""
         most, best = np.full(arm.shape[2], np.inf), directions[0]
         for g in directions:
             bound = hulls.reached(piece, g) - along(arm, g).min(axis=0)

@@ -82,13 +82,14 @@ class RestMaterial:
     spacing: float
 
     def uncut(self, above: float) -> tuple[float, float]:
-        """The area (mm2) on which more than ``above`` mm is left, and how much more there is on it (mm3)."""
+        """Return the area (mm2) on which more than ``above`` mm is left, and how much more there is on it
+        (mm3)."""
         more = self.height > above
         return float(self.area[more].sum()), float(((self.height - above) * self.area)[more].sum())
 
     def taken(self, below: float) -> tuple[float, float]:
-        """The area (mm2) on which more than ``below`` mm is taken off too deep, and how much more there is on
-        it (mm3)."""
+        """Return the area (mm2) on which more than ``below`` mm is taken off too deep, and how much more
+        there is on it (mm3)."""
         more = self.height < -below
         return float(self.area[more].sum()), float(((-self.height - below) * self.area)[more].sum())
 
@@ -165,7 +166,7 @@ def _halved(corner: Floats, apex: Ints) -> Floats:
 
 
 def surface_samples(mesh: Mesh, spacing: float, facets: Bools | None = None) -> tuple[Floats, Ints, Floats]:
-    """The middles (k, 3) of the surface's parts, their facets (k,) and areas (k,) mm2."""
+    """Return the middles (k, 3) of the surface's parts, their facets (k,) and areas (k,) mm2."""
     corner, facet = surface_parts(mesh, spacing, facets)
     area = 0.5 * np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
     return corner.mean(axis=1), facet, area
@@ -188,7 +189,7 @@ class _Way:
     spacing: float
 
     def place(self, at: Floats) -> tuple[Ints, Floats]:
-        """The rows of ``block`` and the u that the way has come to after so many mm (n,)."""
+        """Return the rows of ``block`` and the u that the way has come to after so many mm (n,)."""
         return _place(self.length, at)
 
 
@@ -222,7 +223,7 @@ def _sampled(lowest: Piece, swept: SweptMotion, blocks: Ints, spacing: float) ->
 
 
 def _middle(piece: Piece, pose: Poses) -> Floats:
-    """The middle of a piece's lower disc, of a bulge that between its ends, at each pose (3, n)."""
+    """Return the middle of a piece's lower disc, of a bulge that between its ends, at each pose (3, n)."""
     height = piece.low if piece.bulge == 0.0 else 0.5 * (piece.low + piece.arc[1])
     return np.asarray(pose.tip + height * pose.axis)
 
@@ -239,7 +240,8 @@ def _wide(piece: Piece) -> tuple[float, float]:
 
 
 def _sampled_enough(body: Body, swept: SweptMotion, blocks: Ints, point: Floats) -> tuple[_Way, int]:
-    """The sampled way, and how many samples must be looked at for all that could touch one of some points (n,
+    """Return the sampled way, and how many samples must be looked at for all that could touch one of some
+    points (n,
     3) to be among them; where that is too many, the samples lie farther apart."""
     lowest = _lowest_piece(body)
     flat, wide = _wide(lowest)
@@ -258,8 +260,8 @@ def _lowest_piece(body: Body) -> Piece:
 
 
 def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Floats]:
-    """The samples (n, k) from which to follow: of so many the lowest, then the lowest away from that, and so
-    on; and the height (n,) mm at the lowest."""
+    """Return the samples (n, k) from which to follow: of so many the lowest, then the lowest away from that,
+    and so on; and the height (n,) mm at the lowest."""
     near = np.asarray(way.tree.query(point, k=count)[1]).reshape(len(point), count)
     there, place = near.ravel(), np.repeat(point, near.shape[1], axis=0).T
     pose = Poses(way.pose.tip.take(there, axis=1), way.pose.axis.take(there, axis=1))
@@ -274,8 +276,8 @@ def _starts(body: Body, way: _Way, point: Floats, count: int) -> tuple[Ints, Flo
 
 
 def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -> tuple[Floats, Ints]:
-    """The least height (n,) of points and the block where it is; where a sample near it leaves no more than
-    ``enough`` mm, the height there."""
+    """Return the least height (n,) of points and the block where it is; where a sample near it leaves no more
+    than ``enough`` mm, the height there."""
     if enough == -np.inf:
         return _lowest(body, way, point, _starts(body, way, point, count)[0])
     near = np.asarray(way.tree.query(point)[1])
@@ -293,8 +295,8 @@ def _screened(body: Body, way: _Way, point: Floats, count: int, enough: float) -
 
 
 def _lowest(body: Body, way: _Way, point: Floats, starts: Ints) -> tuple[Floats, Ints]:
-    """The least height (n,) of points on the way about some samples (n, k) each, and the block where it
-    is."""
+    """Return the least height (n,) of points on the way about some samples (n, k) each, and the block where
+    it is."""
     place, middle = np.repeat(point, starts.shape[1], axis=0).T, way.at[starts.ravel()]
     row, _ = way.place(middle)
     low, high = (
@@ -333,7 +335,7 @@ def _height(body: Body, pose: Poses, place: Floats) -> Floats:
 
 
 def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
-    """A finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
+    """Return a finding where more than ``above`` mm is left somewhere: area, largest height and its place."""
     area, volume = remainder.uncut(above)
     if area == 0.0:
         return ()
@@ -352,8 +354,8 @@ def uncut_finding(remainder: RestMaterial, above: float) -> tuple[Finding, ...]:
 
 
 def too_deep_finding(remainder: RestMaterial, tolerance: float) -> tuple[Finding, ...]:
-    """A finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth and its
-    place."""
+    """Return a finding where the cutter takes off more than ``tolerance`` mm too much somewhere: area, depth
+    and its place."""
     area, volume = remainder.taken(tolerance)
     if area == 0.0:
         return ()

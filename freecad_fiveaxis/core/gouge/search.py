@@ -97,8 +97,8 @@ def find_entries(
     blocks: Ints | None = None,
     progress: Progress = silent,
 ) -> Entries:  # fmt: skip
-    """The entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the others'
-    stay empty.
+    """Return the entries deeper than ``limit`` mm in these ``blocks`` (k,), all where None is given; the
+    others' stay empty.
 
     Depth and bound differ by at most ``accuracy`` mm (a tenth of the limit) or RELATIVE, but for blocks that
     bend too much.
@@ -276,8 +276,8 @@ class _Search:
     def _pruned(
         self, piece: Piece, clusters: Clusters, owner: Ints, sweep: Ints, node: Ints
     ) -> tuple[Ints, Ints, Bools]:
-        """The pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the place of
-        their floors."""
+        """Return the pairs that may hold more than is known, and which of them do enter; ``owner`` (n,) the
+        place of their floors."""
         kept, deep = [], []
         for first in range(0, len(sweep), SLICE):
             some, place = sweep[first : first + SLICE], owner.take(sweep[first : first + SLICE])
@@ -359,8 +359,8 @@ class _Search:
                 raise_to_demand(lift, some.block, piece, body, pose, way, some.corner, self.limit)
 
     def _refine(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
-        """The depth of the pairs, some of each block at a time: what they tell makes many of the others
-        superfluous."""
+        """Refine the depth of the pairs, some of each block at a time: what they tell makes many of the
+        others superfluous."""
         parts = -(-len(left.block) // AT_ONCE)
         for k in range(parts):
             rows = np.arange(k, len(left.block), parts)
@@ -369,7 +369,7 @@ class _Search:
             self._refine_some(piece, some.picked(rows), ticks)
 
     def _more(self, left: _Left) -> Floats | float:
-        """The allowance (n,) mm of the facets of pairs."""
+        """Return the allowance (n,) mm of the facets of pairs."""
         return self.tree.most_of(self.tree.leaf + left.leaf)
 
     def _refine_some(self, piece: Piece, left: _Left, ticks: _Ticks) -> None:
@@ -393,8 +393,8 @@ class _Search:
     def _most(
         self, piece: Piece, left: _Left, pose: Poses, point: Floats, g: Floats
     ) -> tuple[Floats, Floats, Floats]:
-        """The bound (n,) mm over the stretch; along g, how much of it comes from the way between the poses,
-        and what is left half-way.
+        """Return the bound (n,) mm over the stretch; along g, how much of it comes from the way between the
+        poses, and what is left half-way.
 
         Only along g do both shrink as the pair is divided; the normal's bound may be the better one, but it
         does not become better.
@@ -446,8 +446,8 @@ class _Search:
 def _divided(
     clusters: Clusters, tree: FacetTree, sweep: Ints, node: Ints, enters: Bools
 ) -> tuple[Ints, Ints]:
-    """The larger partner of each pair replaced by its children; the cluster where it does enter, because only
-    blocks can tell that they know of deeper places."""
+    """Return the larger partner of each pair replaced by its children; the cluster where it does enter,
+    because only blocks can tell that they know of deeper places."""
     by_way = clusters.arity.take(sweep) > 0
     by_way &= enters | (node >= tree.leaf) | (LONGER * clusters.size.take(sweep) > tree.size.take(node))
     one, two = np.flatnonzero(by_way), np.flatnonzero(~by_way)

@@ -12,7 +12,7 @@ MOST_SPOTS = 10
 
 
 def spots(depth: Floats) -> tuple[Ints, int]:
-    """The deepest block of each spot, deepest first, and how many blocks (m,) have a depth above 0."""
+    """Return the deepest block of each spot, deepest first, and how many blocks (m,) have a depth above 0."""
     rows = np.flatnonzero(depth > 0.0)
     if not len(rows):
         return rows, 0

@@ -68,8 +68,8 @@ class SweptMotion:
 
 
 def straight_motion(tips: Floats, axes: Floats, above: float = 0.0) -> SweptMotion:
-    """The swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines the
-    point ``above`` mm over the tip (n, 3) mm."""
+    """Return the swept motion as it is commanded: the unit axis (n, 3) on great arcs, and on straight lines
+    the point ``above`` mm over the tip (n, 3) mm."""
     points = tips + above * axes if above else tips
     start, end = _columns(points[:-1]), _columns(points[1:])
     first, last = _columns(axes[:-1]), _columns(axes[1:])
@@ -121,8 +121,8 @@ def _on_arc(first: Floats, last: Floats, angle: Floats, u: Floats) -> Floats:
 
 
 def real_motion(kinematics: Chain, words: Floats, back: float = 0.0) -> SweptMotion:
-    """The swept motion on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm and
-    **degrees**.
+    """Return the swept motion on the machine, all axes moving linearly between rows of ``words`` (n, 5), mm
+    and **degrees**.
 
     ``back`` mm: the point that the words drive lies so far above the tip (the ball's centre is driven).
     Raises ProgramError for words that cannot be used.
@@ -159,8 +159,8 @@ class MotionSegments(NamedTuple):
 
 
 def segments_of(swept: SweptMotion, blocks: Ints, reach: float, least: float) -> MotionSegments:
-    """These blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the straight
-    way by more than ``least`` mm, as far as MOST_PARTS allow."""
+    """Return these blocks (k,) in stretches in which no point up to ``reach`` mm from the tip leaves the
+    straight way by more than ``least`` mm, as far as MOST_PARTS allow."""
     bent = 0.125 * (swept.bend_tip[blocks] + reach * swept.bend_axis[blocks])
     count = np.clip(np.ceil(np.sqrt(bent / least)), 1, MOST_PARTS).astype(np.int64)
     block, share = np.repeat(blocks, count), np.repeat(1.0 / count, count)
@@ -185,7 +185,7 @@ class StraightSweep(NamedTuple):
 
     @classmethod
     def of(cls, column: Floats) -> StraightSweep:
-        """The way whose rows these are."""
+        """Return the way whose rows these are."""
         if len(column) < 11:
             return cls(
                 column,
@@ -201,7 +201,7 @@ class StraightSweep(NamedTuple):
         return cls(column, column[0:3], column[3:6], column[6:9], column[9], column[10], turn, cosine)
 
     def take(self, rows: Ints) -> StraightSweep:
-        """Some of them."""
+        """Return some of them."""
         return StraightSweep.of(self.column.take(rows, axis=1))
 
 
@@ -227,8 +227,8 @@ class Clusters(NamedTuple):
 
 
 def clusters_of(swept: SweptMotion, parts: MotionSegments, reach: float, levels: int = 3) -> Clusters:
-    """The table over stretches that follow one another; ``reach`` mm from the tip to the farthest point of
-    the body."""
+    """Return the table over stretches that follow one another; ``reach`` mm from the tip to the farthest
+    point of the body."""
     start, end = swept.pose(parts.block, parts.start), swept.pose(parts.block, parts.end)
     share = 0.125 * (parts.end - parts.start) ** 2
     bend_tip, bend_axis = share * swept.bend_tip[parts.block], share * swept.bend_axis[parts.block]
@@ -284,8 +284,8 @@ def _joined(
     straight: tuple[Floats, ...], start: Poses, end: Poses, first: Ints, last: Ints, bend_tip: Floats,
     bend_axis: Floats
 ) -> tuple[Floats, Floats]:  # fmt: skip
-    """What ways from ``start`` to ``end`` (n,), with their own bends, leave the straight ones (k,) by that
-    lead over those from ``first`` to ``last`` (k,).
+    """Return what ways from ``start`` to ``end`` (n,), with their own bends, leave the straight ones (k,) by
+    that lead over those from ``first`` to ``last`` (k,).
 
     Both their ends are compared with the point of the straight way at which its tip is nearest; what lies
     between them leaves that by no more than the farther end and its own bend.

@@ -75,7 +75,7 @@ def table_slab(height: float, kinematics: Chain, program: Program) -> Mesh:
 
 
 def _below(entries: Entries | WayEntries, program: Program, tolerance: float) -> Finding:
-    """The finding of the deepest block, which says how many there are."""
+    """Return the finding of the deepest block, which says how many there are."""
     block, count = int(entries.depth.argmax()), int(np.count_nonzero(entries.depth))
     depth, line, (x, y, z) = (
         float(entries.depth[block]),

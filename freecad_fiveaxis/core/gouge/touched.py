@@ -23,15 +23,15 @@ AXIAL = 1e-12
 
 
 def points_touched(piece: Piece, pose: Poses, corner: Floats) -> list[Floats]:
-    """The points (3, n) mm of facets, corners (3, 3, n) mm, that the piece touches: one of the facet's plane,
-    NaN where it is not in the facet, and one of each edge, where what it demands is concave."""
+    """Return the points (3, n) mm of facets, corners (3, 3, n) mm, that the piece touches: one of the facet's
+    plane, NaN where it is not in the facet, and one of each edge, where what it demands is concave."""
     edges = [_highest_over(piece, pose, corner[k], corner[(k + 1) % 3]) for k in range(3)]
     return [_touched(piece, pose, corner), *edges]
 
 
 def _touched(piece: Piece, pose: Poses, corner: Floats) -> Floats:
-    """The point (3, n) of each facet's plane at which a piece that comes down touches it, where that is in
-    the facet; or NaN."""
+    """Return the point (3, n) of each facet's plane at which a piece that comes down touches it, where that
+    is in the facet; or NaN."""
     a, ab, ac = corner[0], corner[1] - corner[0], corner[2] - corner[0]
     normal = np.cross(ab, ac, axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -55,8 +55,8 @@ def _in_facet(arm: Floats, ab: Floats, ac: Floats) -> Bools:
 
 
 def _highest_over(piece: Piece, pose: Poses, begin: Floats, end: Floats) -> Floats:
-    """The point (3, n) from ``begin`` to ``end`` (3, n) that is highest over the underside of a piece, by
-    golden section; about the nearest to the axis where none is under it."""
+    """Return the point (3, n) from ``begin`` to ``end`` (3, n) that is highest over the underside of a piece,
+    by golden section; about the nearest to the axis where none is under it."""
     arm, way = begin - pose.tip, end - begin
     height, rise = (arm * pose.axis).sum(axis=0), (way * pose.axis).sum(axis=0)
     out, go = arm - height * pose.axis, way - rise * pose.axis

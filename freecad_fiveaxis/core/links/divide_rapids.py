@@ -203,7 +203,7 @@ def _insert_words(joints: JointPath, kinematics: Chain, at: Ints, words: Floats)
 
 
 def _moved(finding: Finding, at: Ints) -> Finding:
-    """The finding at the row that its own has become."""
+    """Return the finding at the row that its own has become."""
     if finding.block is None:
         return finding
     return replace(finding, block=finding.block + int(np.searchsorted(at, finding.block, side="right")))

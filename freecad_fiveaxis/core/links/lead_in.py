@@ -119,7 +119,7 @@ def find_ends(path: CLPath, above: float = 0.0) -> Ends:
 
 
 def _along(path: CLPath, row: Ints, inner: Ints, above: float) -> Floats:
-    """Unit directions (e, 3) from the inner row on, made perpendicular to the normal; 0 where there is
+    """Return unit directions (e, 3) from the inner row on, made perpendicular to the normal; 0 where there is
     none."""
     point = [path.tip[rows] + above * path.axis[rows] for rows in (row, inner)]
     way, normal = point[0] - point[1], path.normal[row]
@@ -129,7 +129,7 @@ def _along(path: CLPath, row: Ints, inner: Ints, above: float) -> Floats:
 
 
 def _chords(options: LeadOptions) -> int:
-    """The number of chords of a quarter circle that stay within the tolerance."""
+    """Return the number of chords of a quarter circle that stay within the tolerance."""
     half = np.arccos(max(1.0 - options.tolerance / options.radius, np.cos(0.5 * QUARTER)))
     return int(np.ceil(QUARTER / (2.0 * half) - 1e-9))
 
@@ -151,7 +151,7 @@ def arcs_at(path: CLPath, ends: Ends, radius: Floats, chords: int) -> Arcs:
 
 
 def _free_radius(path: CLPath, ends: Ends, tree: FacetTree, body: Body, options: LeadOptions) -> Floats:
-    """The radius (e,) mm at each end with which the tool is free, 0 where none is."""
+    """Return the radius (e,) mm at each end with which the tool is free, 0 where none is."""
     radius = np.full(len(ends.row), options.radius)
     left = np.flatnonzero(ends.along.any(axis=1))
     radius[~ends.along.any(axis=1)] = 0.0
@@ -184,7 +184,7 @@ def _free(path: CLPath, ends: Ends, arcs: Arcs, tree: FacetTree, body: Body, opt
 def _needless(
     path: CLPath, ends: Ends, arcs: Arcs, tree: FacetTree, body: Body, options: LeadOptions
 ) -> Ints:
-    """The raised rows that are not needed: near links that are free from arc to arc, without them."""
+    """Return the raised rows that are not needed: near links that are free from arc to arc, without them."""
     place = path.tip.copy()
     place[ends.outer] = arcs.over
     pairs = _near_pairs(ends)
@@ -199,7 +199,7 @@ def _needless(
 
 
 def _near_pairs(ends: Ends) -> Ints:
-    """The upper rows (g,) over the polyline's end of near links with an arc at either end."""
+    """Return the upper rows (g,) over the polyline's end of near links with an arc at either end."""
     entry = ends.outer < ends.row
     outer = np.where(entry, ends.outer - 1, ends.outer)
     return np.unique(outer[ends.near])
@@ -209,7 +209,7 @@ def _near_pairs(ends: Ends) -> Ints:
 
 
 def _put_in(path: CLPath, ends: Ends, arcs: Arcs, dropped: Ints) -> CLPath:
-    """The path with the arcs' rows put in and ``dropped`` (d,) rows left out."""
+    """Return the path with the arcs' rows put in and ``dropped`` (d,) rows left out."""
     kept = np.setdiff1d(np.arange(len(path.tip)), dropped)
     point = np.concatenate([arcs.point, arcs.over[:, None]], axis=1)
     count = point.shape[1]
@@ -224,15 +224,15 @@ def _put_in(path: CLPath, ends: Ends, arcs: Arcs, dropped: Ints) -> CLPath:
 
 
 def _feed_on_part(path: CLPath, ends: Ends) -> Floats:
-    """The feeds (n,) mm/min of the path, but that an arc comes to the part at that of the cut."""
+    """Return the feeds (n,) mm/min of the path, but that an arc comes to the part at that of the cut."""
     feed, entry = path.feed.copy(), ends.outer < ends.row
     feed[ends.row[entry]] = path.feed[ends.inner[entry]]
     return feed
 
 
 def _feeds(path: CLPath, ends: Ends, arcs: Arcs) -> Floats:
-    """The feeds (e, k + 1) mm/min of the arcs' rows and the one over them: that of the cut, along the axis
-    that of the plunge."""
+    """Return the feeds (e, k + 1) mm/min of the arcs' rows and the one over them: that of the cut, along the
+    axis that of the plunge."""
     entry = ends.outer < ends.row
     cut = path.feed[np.maximum(ends.row, ends.inner)]
     feed = np.repeat(cut[:, None], arcs.point.shape[1] + 1, axis=1)
@@ -245,7 +245,8 @@ def _feeds(path: CLPath, ends: Ends, arcs: Arcs) -> Floats:
 
 
 def _rows(path: CLPath, source: Ints, tip: Floats, feed: Floats, new: Bools) -> CLPath:
-    """The path of these rows (n,): the ``new`` ones are links off the part with the axis of their source."""
+    """Return the path of these rows (n,): the ``new`` ones are links off the part with the axis of their
+    source."""
     axis, row = path.axis[source], new[:, None]
     return replace(
         path, tip=tip, axis=axis, feed=feed, motion=np.where(new, np.int8(Motion.LINK), path.motion[source]),

@@ -102,13 +102,13 @@ def find_gaps(path: CLPath) -> Gaps:
 
 
 def _turning_less(gaps: Gaps, path: CLPath, most: float) -> Gaps:
-    """The gaps over which the axis turns by no more than ``most`` rad."""
+    """Return the gaps over which the axis turns by no more than ``most`` rad."""
     rows = np.flatnonzero(dot(path.axis[gaps.last].T, path.axis[gaps.first].T) >= np.cos(most))
     return gaps if len(rows) == len(gaps.last) else Gaps(gaps.last[rows], gaps.first[rows], gaps.worth[rows])
 
 
 def _within_limits(gaps: Gaps, path: CLPath, kinematics: Chain | None) -> Gaps:
-    """The gaps over which the axis turns straight without leaving the machine's limits."""
+    """Return the gaps over which the axis turns straight without leaving the machine's limits."""
     if kinematics is None:
         return gaps
     rows = np.flatnonzero(turns_within_limits(kinematics, path.axis[gaps.last], path.axis[gaps.first]))
@@ -154,7 +154,7 @@ def _free(
 
 
 def _linked(path: CLPath, last: Ints, first: Ints, height: Floats) -> CLPath:
-    """The path with near links (g,) in place of what lies between these rows."""
+    """Return the path with near links (g,) in place of what lies between these rows."""
     between = np.zeros(len(path.tip) + 1, np.int64)
     between[last + 1] += 1
     between[first] -= 1

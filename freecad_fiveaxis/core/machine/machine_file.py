@@ -78,7 +78,7 @@ FREECAD_VERSION = "26.3.0"
 
 @cache
 def shipped_machines() -> tuple[str, ...]:
-    """The names of the machines that come with the program, sorted."""
+    """Return the names of the machines that come with the program, sorted."""
     return tuple(sorted(path.stem for path in machine_folder().glob("*" + SUFFIX)))
 
 
@@ -91,8 +91,8 @@ def machine_folder() -> Path:
 
 
 def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
-    """The machine of that shipped name, or of that ``.fcm`` file (anything with a folder or the suffix is a
-    file).
+    """Return the machine of that shipped name, or of that ``.fcm`` file (anything with a folder or the suffix
+    is a file).
 
     Raises MachineError with file, key and remedy for an unknown name or an unusable file, FileError for a
     missing one.
@@ -111,7 +111,7 @@ def load_machine(name_or_path: str | os.PathLike[str]) -> Machine:
 
 
 def machine_path(given: str) -> Path | None:
-    """The file of a shipped name, or what is given as a file; None for a name that is not known."""
+    """Return the file of a shipped name, or what is given as a file; None for a name that is not known."""
     if given in shipped_machines():
         return machine_folder() / (given + SUFFIX)
     return Path(given) if Path(given).suffix.lower() == SUFFIX or os.sep in given or "/" in given else None
@@ -126,7 +126,7 @@ def _load_file(path: Path) -> Machine:
 
 
 def _beside(machine: Machine, path: Path) -> Machine:
-    """The machine, the files of its bodies beside its own."""
+    """Return the machine, the files of its bodies beside its own."""
     if not any(body.file for body in machine.bodies):
         return machine
     return replace(
@@ -139,8 +139,8 @@ def _beside(machine: Machine, path: Path) -> Machine:
 
 @lru_cache(maxsize=64)
 def _read(content: bytes) -> Machine:
-    """A window reads the same few files with every letter that is typed (1.5 ms each); what a file says now
-    counts."""
+    """Return a window reads the same few files with every letter that is typed (1.5 ms each); what a file
+    says now counts."""
     return read_machine(parse_json(content))
 
 
@@ -209,7 +209,7 @@ def _check_whole(axes: JsonObject) -> None:
 
 
 def _extra(data: JsonObject, unit: float) -> dict[str, Any]:
-    """What stands under ``fiveaxis``, as fields of Machine; what does not keeps its default."""
+    """Return what stands under ``fiveaxis``, as fields of Machine; what does not keeps its default."""
     where = "fiveaxis."
     extra = get_object(data, "", "fiveaxis") if "fiveaxis" in data else {}
     readers: dict[str, Callable[[str], Any]] = {
@@ -308,7 +308,7 @@ def _parent(letter: str, axes: JsonObject) -> str | None:
 
 
 def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
-    """The letters from the work over the base to the tool, from the links alone."""
+    """Return the letters from the work over the base to the tool, from the links alone."""
     for letter, carrier in parent.items():
         if carrier is not None and axes[carrier].side != axes[letter].side:
             sides = say(
@@ -335,8 +335,8 @@ def _work_to_tool(axes: Mapping[str, Axis], parent: Mapping[str, str | None]) ->
 
 
 def _outwards(carrier: str | None, axes: Mapping[str, Axis], parent: Mapping[str, str | None]) -> list[str]:
-    """The letters from ``carrier`` (itself left out) away from the base; chains of linear axes only come
-    first."""
+    """Return the letters from ``carrier`` (itself left out) away from the base; chains of linear axes only
+    come first."""
     chains = [
         [letter, *_outwards(letter, axes, parent)] for letter in sorted(axes) if parent[letter] == carrier
     ]
@@ -372,12 +372,13 @@ def save_machine(machine: Machine, path: str | os.PathLike[str], overwrite: bool
 
 
 def machine_bytes(machine: Machine) -> bytes:
-    """The machine as the text of a ``.fcm`` file. Raises MachineError for an axis without a maximum rate."""
+    """Return the machine as the text of a ``.fcm`` file. Raises MachineError for an axis without a maximum
+    rate."""
     return file_bytes(_data(machine))
 
 
 def file_bytes(data: JsonObject) -> bytes:
-    """The objects of a machine file as its text, each vector in one line."""
+    """Return the objects of a machine file as its text, each vector in one line."""
     text = VECTOR.sub(lambda found: "[" + " ".join(found[1].split()) + "]", json.dumps(data, indent=4)) + "\n"
     return text.encode()
 
@@ -460,7 +461,8 @@ def _axis_data(machine: Machine, letter: str) -> dict[str, Any]:
 
 
 def _degrees(radians: float) -> float:
-    """The shortest number of degrees that is read back as exactly these radians, where there is one."""
+    """Return the shortest number of degrees that is read back as exactly these radians, where there is
+    one."""
     degrees = math.degrees(radians)
     if math.isinf(degrees):
         return degrees

@@ -259,14 +259,14 @@ class Machine:
 
 
 def fitted_columns(letters: str) -> list[int]:
-    """The columns of the words whose axes the machine really has, by the letters of all ("XYZA-": 0 1 2
-    3)."""
+    """Return the columns of the words whose axes the machine really has, by the letters of all ("XYZA-": 0 1
+    2 3)."""
     return [column for column, letter in enumerate(letters) if letter not in STAND_INS]
 
 
 def with_stand_ins(name: str, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
-    """The axes with stand-ins for the rotary ones that are missing, nearest to the tool, where they move
-    nothing.
+    """Return the axes with stand-ins for the rotary ones that are missing, nearest to the tool, where they
+    move nothing.
 
     Beside one axis stands one across it and the tool: no axis that the machine reaches is then near a pole.
     Raises MachineError where a single rotary axis is parallel to the tool.

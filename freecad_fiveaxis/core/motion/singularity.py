@@ -54,8 +54,8 @@ class Singularity:
 
 
 def find_singular(kinematics: Chain, words: Floats, cone: float) -> Singularity:
-    """The singular blocks among ``words`` (m, 5) mm and **degrees**; ``cone`` half angle of the singular
-    cone, rad."""
+    """Return the singular blocks among ``words`` (m, 5) mm and **degrees**; ``cone`` half angle of the
+    singular cone, rad."""
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     count = len(words)
     least, rotary, axis, singular = np.zeros(count), np.zeros(count), np.zeros(count), np.zeros(count, bool)
@@ -75,7 +75,7 @@ def find_singular(kinematics: Chain, words: Floats, cone: float) -> Singularity:
 
 
 def in_cone(kinematics: Chain, words: Floats, cone: float) -> Bools:
-    """The blocks (m,) among ``words`` (m, 5) mm and **degrees** whose real tool axis comes inside the
+    """Return the blocks (m,) among ``words`` (m, 5) mm and **degrees** whose real tool axis comes inside the
     singular cone, however far they turn; ``cone`` half angle, rad. Row 0 is no block: False."""
     pair = RotaryPair.of(kinematics.direction[3], kinematics.direction[4])
     inside = find_singular(kinematics, words, cone).least_sine < _cone_measure(pair, cone)
@@ -84,7 +84,7 @@ def in_cone(kinematics: Chain, words: Floats, cone: float) -> Bools:
 
 
 def _cone_measure(pair: RotaryPair, cone: float) -> float:
-    """The measure at ``cone`` rad from the pole: ``cos(cone) = cos b cos g + H cos d`` (symbols of
+    """Return the measure at ``cone`` rad from the pole: ``cos(cone) = cos b cos g + H cos d`` (symbols of
     rotary_pair)."""
     cos_d = (math.cos(cone) - (pair.near + 1.0 - pair.reach)) / pair.reach
     if cos_d <= 0.0:
@@ -129,6 +129,6 @@ def _half_sine_squared(angle: Floats) -> Floats:
 
 
 def _lean(pair: RotaryPair, sin_b: float, second: Floats) -> Floats:
-    """The n part of ``R2 ez``: ``cos b sin g - sin b cos g cos d = sin(g - b) + 2 sin b cos g sin^2(d /
-    2)``."""
+    """Return the n part of ``R2 ez``: ``cos b sin g - sin b cos g cos d = sin(g - b) + 2 sin b cos g sin^2(d
+    / 2)``."""
     return np.asarray(2.0 * sin_b * (pair.aside + pair.cos_g * np.sin(0.5 * second) ** 2))

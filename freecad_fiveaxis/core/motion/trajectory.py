@@ -78,7 +78,7 @@ class Motion:
     b_step: Floats
 
     def take(self, rows: Any) -> Motion:
-        """The motion of some blocks, by index or slice; an index may come more than once."""
+        """Return the motion of some blocks, by index or slice; an index may come more than once."""
 
         def pick(column: Floats) -> Floats:
             return np.asarray(column[rows]) if column.ndim else column
@@ -88,7 +88,7 @@ class Motion:
 
 
 def frames(kinematics: Chain) -> Frames:
-    """The chain's constants in its two rotary frames."""
+    """Return the chain's constants in its two rotary frames."""
     x, z = np.array((1.0, 0.0, 0.0)), np.array((0.0, 0.0, 1.0))
     first, second = _basis(kinematics.direction[3], x), _basis(kinematics.direction[4], z)
     gain = np.zeros((9, 3))
@@ -130,13 +130,13 @@ def combine(factors: Floats, columns: Sequence[Floats], constant: float = 0.0) -
 
 
 def turned(x: Floats, y: Floats, cos: Floats, sin: Floats) -> tuple[Floats, Floats]:
-    """The vector (x, y) turned by the angle of ``cos``, ``sin``."""
+    """Return the vector (x, y) turned by the angle of ``cos``, ``sin``."""
     return cos * x - sin * y, sin * x + cos * y
 
 
 def flat_length(x: Floats, y: Floats) -> Floats:
-    """The length of (x, y): four times as fast as np.hypot, and no component here is near the ends of a
-    float's range."""
+    """Return the length of (x, y): four times as fast as np.hypot, and no component here is near the ends of
+    a float's range."""
     return np.asarray(np.sqrt(x * x + y * y))
 
 
@@ -168,7 +168,7 @@ def checked_words(words: ArrayLike) -> Floats:
 
 
 def motion(frame: Frames, start: Floats, end: Floats) -> Motion:
-    """The blocks that lead from words ``start`` to words ``end``, both (m, 5), mm and **degrees**."""
+    """Return the blocks that lead from words ``start`` to words ``end``, both (m, 5), mm and **degrees**."""
     arm, a, b = _arm(frame, start)
     end_arm, end_a, end_b = _arm(frame, end)
     return Motion(arm, tuple(q - p for p, q in zip(arm, end_arm, strict=True)), a, end_a - a, b, end_b - b)
@@ -181,8 +181,8 @@ def _arm(frame: Frames, words: Floats) -> tuple[Columns, Floats, Floats]:
 
 
 def chained_motion(frame: Frames, words: Floats) -> tuple[Motion, Pose]:
-    """The m - 1 blocks between successive rows of words (m, 5), mm and **degrees**; and the poses of all
-    rows."""
+    """Return the m - 1 blocks between successive rows of words (m, 5), mm and **degrees**; and the poses of
+    all rows."""
     arm, a, b = _arm(frame, words)
     step = tuple(np.diff(p) if p.ndim else np.asarray(0.0) for p in arm)
     start = tuple(p[:-1] if p.ndim else p for p in arm)
@@ -191,7 +191,7 @@ def chained_motion(frame: Frames, words: Floats) -> tuple[Motion, Pose]:
 
 
 def at(move: Motion, u: Floats) -> Pose:
-    """The poses at ``u``, which is of the columns' shape or broadcasts with it."""
+    """Return the poses at ``u``, which is of the columns' shape or broadcasts with it."""
     arm = tuple(p if p.ndim == 0 else p + u * step for p, step in zip(move.arm, move.arm_step, strict=True))
     a, b = move.a + u * move.a_step, move.b + u * move.b_step
     return Pose(arm, np.cos(a), np.sin(a), np.cos(b), np.sin(b))
@@ -217,12 +217,12 @@ def outer(at_: Pose, y: Vectors) -> Vectors:
 
 
 def tip(frame: Frames, at_: Pose) -> Vectors:
-    """The tip, columns of the first frame, mm."""
+    """Return the tip, columns of the first frame, mm."""
     return outer(at_, inner(frame, at_))
 
 
 def axis(frame: Frames, at_: Pose) -> Vectors:
-    """The unit tool axis, columns of the first frame."""
+    """Return the unit tool axis, columns of the first frame."""
     tx, tz = (
         float(frame.tool[0]),
         np.asarray(frame.tool[2]),
@@ -239,7 +239,7 @@ def to_work(frame: Frames, vector: Vectors) -> Vectors:
 
 
 def derivatives(frame: Frames, move: Motion, u: Floats) -> tuple[Vectors, Vectors, Vectors]:
-    """The tip and its first and second derivative by u, columns of the first frame, mm. ``u`` has the
+    """Return the tip and its first and second derivative by u, columns of the first frame, mm. ``u`` has the
     columns' shape.
 
     With ``J`` the quarter turn about an axis and ``'`` the derivative by u (w, v, s, a, b are linear in u):
@@ -273,7 +273,8 @@ def _mixed(frame: Frames, v: Vectors, now: Pose) -> Vectors:
 
 
 def axis_motion(frame: Frames, move: Motion) -> Motion:
-    """The motion whose tip is the tool axis: no lever but the tool's unit vector, the same two turns."""
+    """Return the motion whose tip is the tool axis: no lever but the tool's unit vector, the same two
+    turns."""
     arm = tuple(np.asarray(value) for value in (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, *frame.tool))
     return Motion(arm, (np.asarray(0.0),) * 9, move.a, move.a_step, move.b, move.b_step)
 
@@ -282,7 +283,8 @@ def axis_motion(frame: Frames, move: Motion) -> Motion:
 
 
 def tip_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
-    """The real tip, work frame, mm: (m, 3) for ``u`` (m,) or a number, (m, k, 3) for ``u`` (m, k) or (1, k).
+    """Return the real tip, work frame, mm: (m, 3) for ``u`` (m,) or a number, (m, k, 3) for ``u`` (m, k) or
+    (1, k).
 
     ``start``, ``end`` (m, 5): the words at u = 0 and u = 1, mm and **degrees**.
     """
@@ -292,7 +294,7 @@ def tip_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) ->
 
 
 def axis_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -> Floats:
-    """The real unit tool axis, work frame; shapes as in :func:`tip_at`."""
+    """Return the real unit tool axis, work frame; shapes as in :func:`tip_at`."""
     frame = frames(kinematics)
     move, at_u = _broadcast(frame, start, end, u)
     return _rows(to_work(frame, axis(frame, at(move, at_u))), move, at_u)
@@ -301,7 +303,8 @@ def axis_at(kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike) -
 def tip_derivatives_at(
     kinematics: Chain, start: ArrayLike, end: ArrayLike, u: ArrayLike
 ) -> tuple[Floats, Floats, Floats]:
-    """The real tip and its first and second derivative by u, work frame, mm; shapes as in :func:`tip_at`."""
+    """Return the real tip and its first and second derivative by u, work frame, mm; shapes as in
+    :func:`tip_at`."""
     frame = frames(kinematics)
     move, at_u = _broadcast(frame, start, end, u)
     p, first, second = (_rows(to_work(frame, v), move, at_u) for v in derivatives(frame, move, at_u))

@@ -77,8 +77,8 @@ def slot_texts(
     modulo: bool = False,
     start: Mapping[str, str] = NO_START,
 ) -> dict[str, str]:  # fmt: skip
-    """The text of every slot. ``letters`` of the words; ``modulo``: some rotary word is taken by the shorter
-    way; ``start``: the words of a safe start.
+    """Return the text of every slot. ``letters`` of the words; ``modulo``: some rotary word is taken by the
+    shorter way; ``start``: the words of a safe start.
 
     Raises SettingsError where the controller has no such work offset, or needs a tool number and there is
     none.
@@ -121,8 +121,8 @@ def slot_texts(
 
 
 def _cutter(dialect: Dialect, options: PostOptions) -> str:
-    """A comment as ``(T3 BALL 10 MM, L 120.000)``. Its commas are harmless: no instruction begins with a tool
-    or a cutter."""
+    """Return a comment as ``(T3 BALL 10 MM, L 120.000)``. Its commas are harmless: no instruction begins with
+    a tool or a cutter."""
     number = "" if options.tool is None else f"T{options.tool} "
     length = "" if options.length is None else f", L {options.length:.3f}"
     text = (number + (options.cutter or "cutter as the operator has set it") + length).upper()
@@ -138,7 +138,7 @@ def _tool(dialect: Dialect, options: PostOptions) -> str:
 
 
 def framed(dialect: Dialect, slots: dict[str, str], blocks: int) -> tuple[bytes, bytes]:
-    """The text before and after the ``blocks`` lines of motion."""
+    """Return the text before and after the ``blocks`` lines of motion."""
     head, tail = ([line.format(**slots) for line in lines] for lines in (dialect.head, dialect.tail))
     if dialect.number_all:
         after = len(head) + blocks
@@ -151,8 +151,8 @@ def framed(dialect: Dialect, slots: dict[str, str], blocks: int) -> tuple[bytes,
 
 
 def numbered_anew(dialect: Dialect, lines: list[str]) -> list[str]:
-    """The lines of a whole program, to which some without a number were added, with the numbers that the
-    dialect wants on all."""
+    """Return the lines of a whole program, to which some without a number were added, with the numbers that
+    the dialect wants on all."""
     if not dialect.number_all:
         return lines
     bare = re.compile(rf"^{dialect.number_letter}[0-9]+ ")

@@ -30,8 +30,8 @@ UPRIGHT = 1e-9
 
 
 def with_start(dialect: Dialect, start: SafeStart, over_by_tip: bool = False, turns: bool = True) -> Dialect:
-    """The dialect with the lines of a safe start and end, of joint output and of guided, and the line that
-    names the cutter. ``turns``: the machine has rotary axes.
+    """Return the dialect with the lines of a safe start and end, of joint output and of guided, and the line
+    that names the cutter. ``turns``: the machine has rotary axes.
 
     ``over_by_tip``: as ``tip`` above. A guide that gives the tool's length itself leaves no way to a plane
     above the part before it: there the reference point is taken instead."""
@@ -51,7 +51,7 @@ def by_reference(dialect: Dialect, start: SafeStart) -> bool:
 
 
 def _named(head: tuple[str, ...]) -> tuple[str, ...]:
-    """The head with the line that names the cutter, after the title."""
+    """Return the head with the line that names the cutter, after the title."""
     at = next((k for k, line in enumerate(head) if "{title}" in line), -1) + 1
     return (*head[:at], "{cutter}", *head[at:]) if head else head
 
@@ -105,8 +105,8 @@ def _guided_tail(dialect: Dialect, start: SafeStart) -> tuple[str, ...]:
 
 
 def start_words(program: Program, dialect: Dialect, height: float) -> dict[str, str]:
-    """The words of the start's slots: those of block 0, and the ``height`` (mm, a word of Z) of the plane
-    above the part."""
+    """Return the words of the start's slots: those of block 0, and the ``height`` (mm, a word of Z) of the
+    plane above the part."""
     first = program.words[0] if len(program.words) else np.zeros(5)
     tip = program.guided.tip[0] if len(program.words) and program.guided is not None else first
     order = sorted(

@@ -39,8 +39,8 @@ def write_nc(
     progress: Progress = silent,
     height: float = 0.0,
 ) -> bytes:  # fmt: skip
-    """The NC file as ASCII; ``height`` mm: the word of Z of the plane above the part, for a dialect that
-    starts and ends there.
+    """Return the NC file as ASCII; ``height`` mm: the word of Z of the plane above the part, for a dialect
+    that starts and ends there.
      Block i stands in line ``dialect.first_line + i``; numbers are fixed-point, never "-0.0000".
 
     Modal words that do not change are left out (where the dialect is modal), the motion word never. Under G93
@@ -108,8 +108,8 @@ class _AddressWord:
 
 
 def _address_words(program: Program, dialect: Dialect) -> list[_AddressWord]:
-    """The words in the order of the block. Raises ProgramError where the dialect guides and the program is
-    for joints, or not."""
+    """Return the words in the order of the block. Raises ProgramError where the dialect guides and the
+    program is for joints, or not."""
     guided = program.guided if len(program.words) else None
     if len(program.words) and (guided is None) != (dialect.guide is None):
         raise ProgramError(
@@ -151,8 +151,8 @@ def _modal(words: list[Column | Units], vector: bool) -> list[Column | Units]:
 
 
 def _spelt(word: Column | Units, address: _AddressWord, signed: bool) -> list[Part]:
-    """The word as the parts of a block: with a plus sign where the dialect has one, and what stands after the
-    number."""
+    """Return the word as the parts of a block: with a plus sign where the dialect has one, and what stands
+    after the number."""
     parts: list[Part] = [word]
     shown = np.ones(len(word.values), np.bool_) if word.show is None else word.show
     if signed:

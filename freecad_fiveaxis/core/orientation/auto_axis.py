@@ -229,7 +229,7 @@ def find_contacts(path: OffsetPath, mesh: Mesh, reacher: Reacher) -> Contacts:
 
 
 def _joined_at_seams(path: OffsetPath, contact: Ints, first: Ints) -> tuple[Ints, Ints]:
-    """The contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed
+    """Return the contact (n,) of each row and the first row (k,) of each contact, with both ends of a closed
     polyline as one."""
     start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))
     end = np.append(start[1:], len(contact)) - 1
@@ -252,8 +252,8 @@ def _pulled(
     tree: FacetTree,
     progress: Progress,
 ) -> tuple[Floats, Bools]:
-    """The axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest nodes,
-    and what is free."""
+    """Return the axes (k, 3) with those that are not ``free`` (k,) pulled to free directions of the nearest
+    nodes, and what is free."""
     found, free, wanted, out = axis.copy(), free.copy(), [axis], np.flatnonzero(~free)
     if not len(out):
         return found, free
@@ -276,7 +276,7 @@ def _leaned(
     options: AxisOptions,
     progress: Progress,
 ) -> Floats:  # fmt: skip
-    """The axes (k, 3) leaned by lead and tilt where that leaves them ``free`` (k,)."""
+    """Return the axes (k, 3) leaned by lead and tilt where that leaves them ``free`` (k,)."""
     rows = axis[contacts.contact]
     tried = leaned(rows, feed_direction(path, rows), options.lead, options.tilt)[contacts.first]
     good = contacts.free(tried, free, reacher, tree, progress)

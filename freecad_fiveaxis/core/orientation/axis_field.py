@@ -149,7 +149,7 @@ class Freedom:
         return Freedom(self.direction, free, upright, np.concatenate([self.met, more.met]))
 
     def of(self, node: Ints) -> Freedom:
-        """What is free at these nodes (k,)."""
+        """Return what is free at these nodes (k,)."""
         return Freedom(self.direction, self.free[node], self.upright[node], self.met[node])
 
     @property
@@ -180,7 +180,7 @@ def main_directions(mesh: Mesh) -> Floats:
 
 
 def _leaning(main: Floats, turn: float) -> Floats:
-    """Unit vectors (d, 3) that stand ASIDE of others towards ``turn`` rad about them."""
+    """Return unit vectors (d, 3) that stand ASIDE of others towards ``turn`` rad about them."""
     least = np.eye(3)[np.abs(main).argmin(axis=1)]
     across = unit(np.cross(main, least))
     towards = math.cos(turn) * across + math.sin(turn) * np.cross(main, across)
@@ -248,7 +248,7 @@ def _met(
     progress: Progress = silent,
     height: Floats | None = None,
 ) -> Ints:  # fmt: skip
-    """What is in the way (n,) of :class:`Obstacle` there."""
+    """Return what is in the way (n,) of :class:`Obstacle` there."""
     met = np.empty(len(stand), np.int64)
     for first in range(0, len(stand), BATCH):
         progress("axis field", first / len(stand))
@@ -275,8 +275,8 @@ def find_freedom(
 
 
 def with_way_out(reacher: Reacher, tree: FacetTree) -> Reacher:
-    """The tool as it would be if it were in all places at once on its way out of the part's box along its
-    axis."""
+    """Return the tool as it would be if it were in all places at once on its way out of the part's box along
+    its axis."""
     return replace(reacher, far=2.0 * float(np.linalg.norm(tree.half[:, 0])) + tree.most_allowance)
 
 
@@ -289,8 +289,8 @@ def _tried(
     height: Floats,
     progress: Progress,
 ) -> Freedom:
-    """What is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,) mm of
-    the part there."""
+    """Return what is free at the nodes ``rows`` (k,) of directions (d, 3) within the limits; ``height`` (k,)
+    mm of the part there."""
     stand, normal, fits = nodes.stand[rows], nodes.normal[rows], nodes.fits[rows]
     along = normal @ direction.T
     tried = (along > math.cos(WIDEST + reacher.cutter.undercut)) & fits[:, None]
@@ -334,8 +334,8 @@ def find_field(
 
 
 def _first_guess(normal: Floats, freedom: Freedom) -> Floats:
-    """The normals (n, 3) where these are free, else the nearest direction of the set cover, else any that is
-    free."""
+    """Return the normals (n, 3) where these are free, else the nearest direction of the set cover, else any
+    that is free."""
     cover = _set_cover(normal, freedom)
     axis, got = nearest_free(
         normal, normal, replace(freedom, direction=freedom.direction[cover], free=freedom.free[:, cover])
@@ -387,8 +387,8 @@ def _nearest_of_few(axis: Floats, normal: Floats, freedom: Freedom) -> tuple[Flo
 def _smoothed(
     axis: Floats, normal: Floats, about: tuple[Ints, Floats], freedom: Freedom, strict: Bools
 ) -> Floats:
-    """The field after ROUNDS means ``about`` each node: its neighbours (n, k) and their weights (n, k).
-    ``strict`` (n,): what takes a free direction itself, whatever is near it."""
+    """Return the field after ROUNDS means ``about`` each node: its neighbours (n, k) and their weights (n,
+    k). ``strict`` (n,): what takes a free direction itself, whatever is near it."""
     near, weight = about
     share = weight / np.maximum(weight.sum(axis=1), 1e-9)[:, None]
     for _ in range(ROUNDS):

@@ -63,14 +63,14 @@ class AxisField:
     axis: Floats
 
     def near(self, point: Floats, normal: Floats) -> tuple[Ints, Floats]:
-        """The nodes (k, NEAREST) nearest to points (k, 3) mm with unit normals (k, 3) of those where any axis
-        is free, and their weights: one over the distance, and none for one that is as far off as the next one
-        after them."""
+        """Return the nodes (k, NEAREST) nearest to points (k, 3) mm with unit normals (k, 3) of those where
+        any axis is free, and their weights: one over the distance, and none for one that is as far off as the
+        next one after them."""
         rows, tree = self._tree()
         return self._near(tree, rows, point, normal)
 
     def _tree(self) -> tuple[Ints, scipy.spatial.cKDTree]:
-        """The nodes where any axis is free, and where they are."""
+        """Return the nodes where any axis is free, and where they are."""
         rows = np.flatnonzero(self.freedom.some)
         return rows, scipy.spatial.cKDTree(self.nodes.places()[rows])
 
@@ -85,7 +85,7 @@ class AxisField:
         return node, weight * agreeing(normal[:, None], self.nodes.normal[node]) + 1e-12
 
     def at(self, point: Floats, normal: Floats, progress: Progress = silent) -> Floats:
-        """The unit axis (k, 3) at points (k, 3) mm with unit normals (k, 3)."""
+        """Return the unit axis (k, 3) at points (k, 3) mm with unit normals (k, 3)."""
 
         def mean(some: slice) -> Floats:
             node, weight = self._near(tree, rows, point[some], normal[some])

@@ -165,7 +165,7 @@ def _paired(free: Bools, chosen: list[int]) -> list[int]:
 
 
 def in_order(axis: Floats) -> Floats:
-    """The axes (k, 3) from the most upright on, each the nearest to the one before it."""
+    """Return the axes (k, 3) from the most upright on, each the nearest to the one before it."""
     left = list(np.argsort(-axis[:, 2], kind="stable"))
     order = left[:1]
     left = left[1:]
@@ -204,8 +204,8 @@ def _nodes_of(nodes: Nodes, rows: Ints) -> Nodes:
 
 
 def _unseen(frames: Frames, elsewhere: Bools, mesh: Mesh, keep: Bools, count: int) -> tuple[Finding, ...]:
-    """The area that no frame sees, by the share of the places, and what of it is free under another direction
-    (``elsewhere`` (n,)); nothing where it is no more than a single place."""
+    """Return the area that no frame sees, by the share of the places, and what of it is free under another
+    direction (``elsewhere`` (n,)); nothing where it is no more than a single place."""
     out = frames.frame < 0
     if np.count_nonzero(out) < 2:
         return ()

@@ -34,8 +34,8 @@ def order_with_axes(path: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]
 
 
 def _arranged(path: OffsetPath, rows: Ints, piece: Ints, back: Bools) -> OffsetPath:
-    """The ``rows`` (n,) as polylines ``piece`` (n,): where they are taken ``back`` (n,), what was before a
-    row is after it."""
+    """Return the ``rows`` (n,) as polylines ``piece`` (n,): where they are taken ``back`` (n,), what was
+    before a row is after it."""
     columns = {name: getattr(path, name)[rows] for name in ROW_COLUMNS}
     for one, other in (("before", "after"), ("step_before", "step_after")):
         turned = back[:, None] if columns[one].ndim == 2 else back

@@ -62,8 +62,8 @@ def find_retreats(
 def add_retreats(
     path: OffsetPath, axis: Floats, free: Ints, mesh: Mesh, reacher: Reacher, progress: Progress = silent
 ) -> Ints:  # fmt: skip
-    """What is free (n,) of :class:`Free` at the rows of ``path`` with axes (n, 3), with the ends of each
-    unbroken stretch of free rows counted as a way out where the tool can leave them across its axis."""
+    """Return what is free (n,) of :class:`Free` at the rows of ``path`` with axes (n, 3), with the ends of
+    each unbroken stretch of free rows counted as a way out where the tool can leave them across its axis."""
     if not reacher.cutter.undercut or not len(free):
         return free
     rows = _ends(path.polyline, free > Free.NONE)
@@ -96,8 +96,8 @@ def neck_entering(
 def path_retreats(
     path: OffsetPath, axis: Floats, mesh: Mesh, reacher: Reacher, progress: Progress = silent
 ) -> Floats | None:
-    """The retreat (n, 3) from the first and last row of each polyline, of the other rows their axis; None
-    where all go along their axes (n, 3)."""
+    """Return the retreat (n, 3) from the first and last row of each polyline, of the other rows their axis;
+    None where all go along their axes (n, 3)."""
     if not reacher.cutter.undercut or not len(axis):
         return None
     rows, retreat = _ends(path.polyline, np.ones(len(axis), np.bool_)), np.array(axis)
@@ -109,8 +109,8 @@ def path_retreats(
 
 
 def rows_left_aside(path: CLPath, cutter: Cutter) -> Ints:
-    """The rows (k,) of a linked path between which and its links the tool goes square to its axis: these
-    links were found free, whatever is over them."""
+    """Return the rows (k,) of a linked path between which and its links the tool goes square to its axis:
+    these links were found free, whatever is over them."""
     move, axis = np.diff(path.tip, axis=0), path.axis[:-1]
     length, along = np.linalg.norm(move, axis=1), np.abs((move * axis).sum(axis=1))
     square = (path.motion[1:] == Motion.LINK) & (length > 0.0) & (along < SQUARE * length)
@@ -119,14 +119,14 @@ def rows_left_aside(path: CLPath, cutter: Cutter) -> Ints:
 
 
 def _ends(polyline: Ints, some: Bools) -> Ints:
-    """The first and the last row of each unbroken stretch of ``some`` (n,) rows within a ``polyline``
+    """Return the first and the last row of each unbroken stretch of ``some`` (n,) rows within a ``polyline``
     (n,)."""
     joined = some[1:] & some[:-1] & (polyline[1:] == polyline[:-1])
     return np.flatnonzero(some & ~(np.append(False, joined) & np.append(joined, False)))
 
 
 def _across(axis: Floats) -> Floats:
-    """Unit directions (m, WAYS, 3) across the unit ``axis`` (m, 3), evenly about it."""
+    """Return unit directions (m, WAYS, 3) across the unit ``axis`` (m, 3), evenly about it."""
     least = np.eye(3)[np.abs(axis).argmin(axis=1)]
     one = np.cross(axis, least)
     one /= np.linalg.norm(one, axis=1)[:, None]

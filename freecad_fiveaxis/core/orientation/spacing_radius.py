@@ -43,7 +43,8 @@ UPRIGHT = 1e-9
 def spacing_radius(
     cutter: Cutter, mesh: Mesh, keep: Bools, angle: float, strategy: str, options: AxisOptions, scallop: float
 ) -> float:
-    """The radius, mm, of the ball whose passes along ``angle`` rad may stand as far apart as this cutter's.
+    """Return the radius, mm, of the ball whose passes along ``angle`` rad may stand as far apart as this
+    cutter's.
 
     ``keep`` (f,): the facets that are cut. A tool that follows the surface stands alike everywhere; under a
     fixed axis the facet on which the cutter is narrowest counts for all. How the surface bends along the
@@ -72,8 +73,8 @@ def spacing_radius(
 
 
 def _radius_around(cutter: Cutter, mesh: Mesh, rows: Ints, options: AxisOptions, scallop: float) -> float:
-    """The same of a tool that points at an axis, on the facets ``rows``, for passes around that axis and
-    along it: where the surface slants to the axis, the cutter stands on it aslant."""
+    """Return the same of a tool that points at an axis, on the facets ``rows``, for passes around that axis
+    and along it: where the surface slants to the axis, the cutter stands on it aslant."""
     about = np.array(options.about, float) / np.linalg.norm(options.about)
     outward, _ = away_from(mesh.vertex[mesh.face[rows]].mean(axis=1), np.array(options.through, float), about)
     radii = [np.array([np.inf])]
@@ -112,8 +113,8 @@ def _radii(
     scallop: float,
     bend: float,
 ) -> list[Floats]:
-    """The radii (k,), mm, of the balls that leave the scallop of the cutter, for travel in either sense
-    across the unit ``side`` (n, 3), the tool ``upright`` (n, 3) before it is leaned."""
+    """Return the radii (k,), mm, of the balls that leave the scallop of the cutter, for travel in either
+    sense across the unit ``side`` (n, 3), the tool ``upright`` (n, 3) before it is leaned."""
     radii = []
     for sense in (1.0, -1.0):
         feed = np.cross(side, upright)
@@ -145,7 +146,7 @@ def scallop_of(
 
 
 def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
-    """The curvature, 1/mm, along the passes that hardly any facet exceeds, 0 where none is convex."""
+    """Return the curvature, 1/mm, along the passes that hardly any facet exceeds, 0 where none is convex."""
     way = travel - (normal @ travel)[:, None] * normal
     length = np.linalg.norm(way, axis=1)
     way = way[length > STEEPEST] / length[length > STEEPEST, None]
@@ -155,13 +156,14 @@ def _bend(tensor: Floats, normal: Floats, travel: Floats) -> float:
 
 
 def _least_upright(cutter: Cutter) -> float:
-    """The sine above which a wall is not too steep to count: with the flank of a barrel upright walls are
-    cut."""
+    """Return the sine above which a wall is not too steep to count: with the flank of a barrel upright walls
+    are cut."""
     return STEEPEST if cutter.barrel is None else -UPRIGHT
 
 
 def _few(normal: Floats, travel: Floats, upright: Floats, least: float) -> Floats:
-    """Normals that stand for all alike, without those that look along the passes or away from the tool."""
+    """Return normals that stand for all alike, without those that look along the passes or away from the
+    tool."""
     key = np.unique(np.rint(np.degrees(normal) / SAME_STAND), axis=0)
     few = key / np.linalg.norm(key, axis=1)[:, None]
     return np.asarray(

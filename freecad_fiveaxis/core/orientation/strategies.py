@@ -61,7 +61,7 @@ class AxisOptions:
 
 
 def tool_axes(path: OffsetPath, strategy: str, options: AxisOptions) -> Floats:
-    """Unit axis (n, 3) of every row: the strategy, then lead and tilt.
+    """Return unit axis (n, 3) of every row: the strategy, then lead and tilt.
 
     Raises SettingsError for an unknown strategy, a lead or tilt that is no number, and a fixed axis of no
     length. Lead and tilt follow the order of the rows: order and reverse passes first
@@ -189,7 +189,7 @@ STRATEGIES: dict[str, Strategy] = {
 
 
 def find_strategy(name: str) -> Strategy:
-    """The strategy of that name. Raises SettingsError that lists those known."""
+    """Return the strategy of that name. Raises SettingsError that lists those known."""
     if name not in STRATEGIES:
         raise SettingsError(
             say(
@@ -203,14 +203,15 @@ def find_strategy(name: str) -> Strategy:
 
 
 def leaned(axis: Floats, feed: Floats, lead: float, tilt: Floats | float) -> Floats:
-    """The axis turned by ``lead`` about left, then by ``tilt``, one or (n, 1), about the feed (Rodrigues for
-    perpendicular vectors)."""
+    """Return the axis turned by ``lead`` about left, then by ``tilt``, one or (n, 1), about the feed
+    (Rodrigues for perpendicular vectors)."""
     right = np.cross(feed, axis)
     return np.asarray(np.cos(lead) * (np.cos(tilt) * axis + np.sin(tilt) * right) + np.sin(lead) * feed)
 
 
 def _slerp(start: Floats, end: Floats, share: Floats, instead: Floats) -> Floats:
-    """Unit rows at ``share`` of the angle from ``start`` to ``end``; ``instead`` where they are opposed.
+    """Return unit rows at ``share`` of the angle from ``start`` to ``end``; ``instead`` where they are
+    opposed.
 
     Not :func:`~.vectors.slerp`: its last digits differ, and programs with step weighting would."""
     wide = np.linalg.norm(start + end, axis=1)

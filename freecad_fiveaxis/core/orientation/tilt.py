@@ -84,9 +84,9 @@ def tilt_free(
     max_tilt: float,
     tolerance: float, progress: Progress = silent, above: float = 0.0,
 ) -> tuple[OffsetPath, Floats]:  # fmt: skip
-    """The path, with rows put in, and axes turned by at most ``max_tilt`` rad so that the body stays out of
-    the part but for ``tolerance`` mm wherever that can be; findings say what was turned, and what could not
-    be freed.
+    """Return the path, with rows put in, and axes turned by at most ``max_tilt`` rad so that the body stays
+    out of the part but for ``tolerance`` mm wherever that can be; findings say what was turned, and what
+    could not be freed.
 
     ``axis`` (n, 3) unit, one for each row. Axes stay within the rotary limits of ``kinematics``. Where
     nothing enters that a tilt could free, the very path and axes given come back. ``above`` mm: how far over
@@ -142,8 +142,8 @@ class _Task:
         )
 
     def entering(self, path: OffsetPath, axis: Floats) -> Bools:
-        """The blocks (n - 1,) along the path under these axes (n, 3) where something enters that a tilt might
-        free."""
+        """Return the blocks (n - 1,) along the path under these axes (n, 3) where something enters that a
+        tilt might free."""
         swept, joined = (
             straight_motion(self.tips(path, axis), axis, self.above),
             np.flatnonzero(np.diff(path.polyline) == 0),
@@ -159,8 +159,8 @@ class _Task:
         return np.flatnonzero(which_enter(ball, self.tree, swept, AIM * self.tolerance, blocks))
 
     def hits(self, swept: SweptMotion, blocks: Ints, hopeless: Ints, margin: float = 0.0) -> _Hits:
-        """What enters these blocks; ``hopeless``: where the cutter is not looked at; ``margin`` mm for shank
-        and holder."""
+        """Return what enters these blocks; ``hopeless``: where the cutter is not looked at; ``margin`` mm for
+        shank and holder."""
         limit = self.tolerance
         above = tuple(
             piece._replace(round=piece.round + margin) for piece in self.body.only(SHANK, HOLDER).pieces
@@ -170,13 +170,13 @@ class _Task:
 
 
 def _turned(axis: Floats, offset: Floats) -> Floats:
-    """Unit axes (..., 3) turned by offsets (..., 3) across them."""
+    """Return unit axes (..., 3) turned by offsets (..., 3) across them."""
     angle = np.linalg.norm(offset, axis=-1, keepdims=True)
     return np.asarray(np.cos(angle) * axis + np.sinc(angle / np.pi) * offset)
 
 
 def _near(path: OffsetPath, blocks: Bools, reach: float) -> Bools:
-    """The blocks (n - 1,) within ``reach`` mm of the way, on their own polyline, of those marked."""
+    """Return the blocks (n - 1,) within ``reach`` mm of the way, on their own polyline, of those marked."""
     step = np.linalg.norm(np.diff(path.centre, axis=0), axis=1)
     way = np.append(0.0, np.cumsum(step + (np.diff(path.polyline) != 0) * 4.0 * reach))
     at = np.flatnonzero(blocks)
@@ -189,7 +189,8 @@ def _near(path: OffsetPath, blocks: Bools, reach: float) -> Bools:
 
 
 def _offsets(task: _Task, path: OffsetPath, axis: Floats, window: Bools, progress: Progress) -> Floats:
-    """The offsets (n, 3) of all rows, zero outside the ``window`` (n - 1,) of blocks; some runs at a time."""
+    """Return the offsets (n, 3) of all rows, zero outside the ``window`` (n - 1,) of blocks; some runs at a
+    time."""
     offset = np.zeros_like(axis)
     runs = np.unique(path.polyline[1:][window])
     rows = np.flatnonzero(np.isin(path.polyline, runs))
@@ -238,7 +239,7 @@ class _Runs:
         return cls(task, path, axis, blocks, hopeless, weight, frame, first, np.diff(first, append=len(axis)))
 
     def found(self, tell: Callable[[float], None]) -> Floats:
-        """The offsets (n, 3); none in runs that are no freer by them."""
+        """Return the offsets (n, 3); none in runs that are no freer by them."""
         most = self.task.max_tilt
         angle = np.arange(SPOKES) * (2.0 * np.pi / SPOKES)
         spokes = np.stack([np.cos(angle), np.sin(angle)])
@@ -256,8 +257,8 @@ class _Runs:
         return self.better(offset)
 
     def chosen(self, offset: Floats, states: Floats) -> Floats:
-        """The best way through ``offset`` (n, 3) and, about it, the ``states`` (2, k), of which the first is
-        none."""
+        """Return the best way through ``offset`` (n, 3) and, about it, the ``states`` (2, k), of which the
+        first is none."""
         tried = offset + np.einsum("ks,knc->snc", states, self.frame)
         size = np.linalg.norm(tried, axis=2)
         tried *= np.minimum(1.0, self.task.max_tilt / np.maximum(size, self.task.max_tilt))[:, :, None]
@@ -285,7 +286,7 @@ class _Runs:
         return np.asarray(good)
 
     def penalty(self, tips: Floats, axes: Floats) -> Floats:
-        """What the entering blocks cost the rows (k, n) at their ends."""
+        """Return what the entering blocks cost the rows (k, n) at their ends."""
         hits = self.hits(tips, axes)
         return self.share((ABOVE * hits.above + OF_CUTTER * hits.cutter) * self.weight)
 
@@ -299,15 +300,15 @@ class _Runs:
         return _Hits(*(np.append(column, False).reshape(count, n)[:, :-1] for column in hits))
 
     def share(self, block: Floats) -> Floats:
-        """What blocks (..., n - 1) give to the rows (..., n) at their ends, half each."""
+        """Return what blocks (..., n - 1) give to the rows (..., n) at their ends, half each."""
         none = np.zeros((*block.shape[:-1], 1))
         return np.asarray(
             0.5 * (np.concatenate([block, none], axis=-1) + np.concatenate([none, block], axis=-1))
         )
 
     def change(self, offset: Floats, tips: Floats, axes: Floats) -> Floats:
-        """The cost (k, k, n - 1) of going from state to state: of turning the axis, and the contact about a
-        ring's bottom."""
+        """Return the cost (k, k, n - 1) of going from state to state: of turning the axis, and the contact
+        about a ring's bottom."""
         kind = offset
         if (ring := self.task.cutter.ring) > 0.0:
             seat = (tips + self.task.cutter.corner * axes - self.path.centre) / ring
@@ -320,7 +321,7 @@ class _Runs:
         )
 
     def better(self, offset: Floats) -> Floats:
-        """The offsets of the runs that enter over less of their way than without."""
+        """Return the offsets of the runs that enter over less of their way than without."""
         axes = np.stack([self.axis, _turned(self.axis, offset)])
         summed = np.add.reduceat(self.penalty(self.standing(axes), axes), self.first, axis=1)
         return np.where(np.repeat(summed[1] < summed[0], self.size)[:, None], offset, 0.0)

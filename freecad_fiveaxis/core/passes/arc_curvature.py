@@ -37,8 +37,8 @@ def arc_curvature(one: Floats, two: Floats, normal_one: Floats, normal_two: Floa
 
 
 def arc_centre(one: Floats, two: Floats, normal_one: Floats, normal_two: Floats) -> Floats:
-    """The centre (n, 3) mm of the circle of eq. (8): R from either point, in the plane of chord and mean
-    normal. NaN where there is none: on a flat, and where R is shorter than half the chord."""
+    """Return the centre (n, 3) mm of the circle of eq. (8): R from either point, in the plane of chord and
+    mean normal. NaN where there is none: on a flat, and where R is shorter than half the chord."""
     curvature, across, length = _arc(one, two, normal_one, normal_two)
     with np.errstate(divide="ignore", invalid="ignore"):
         radius = 1.0 / curvature
@@ -67,9 +67,9 @@ def _arc(one: Floats, two: Floats, normal_one: Floats, normal_two: Floats) -> tu
 
 
 def pass_curvature(contact: ContactPath) -> Floats:
-    """The curvature (s,) 1/mm along each segment of the contact path, from its co-edge normals: the mean of
-    both facets' at either end (Lin & Ye, Fig. 7). NaN at the ends of open polylines, where one neighbour is
-    missing, and on segments of no length."""
+    """Return the curvature (s,) 1/mm along each segment of the contact path, from its co-edge normals: the
+    mean of both facets' at either end (Lin & Ye, Fig. 7). NaN at the ends of open polylines, where one
+    neighbour is missing, and on segments of no length."""
     normal, point, line = contact.normal[::2], contact.point, contact.polyline[::2]
     s = len(normal)
     before, after = np.arange(-1, s - 1), np.arange(1, s + 1)

@@ -73,7 +73,7 @@ def _components(one: Ints, two: Ints, count: int) -> Ints:
 
 
 def _grouped(mesh: Mesh, slab: Ints) -> Ints:
-    """The band (f,) of each facet."""
+    """Return the band (f,) of each facet."""
     one, two = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0].T
     same = slab[one] == slab[two]
     return _components(one[same], two[same], len(mesh.face))

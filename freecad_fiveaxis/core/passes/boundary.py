@@ -96,7 +96,7 @@ def _listed(axis: Vector) -> str:
 
 
 def _read_curves(path: str, name: str) -> list[Floats]:
-    """The curves (n, 3) of the file, as they stand there. Raises SettingsError, FileError."""
+    """Return the curves (n, 3) of the file, as they stand there. Raises SettingsError, FileError."""
     runs = read_runs(path, "boundary", MOST_BYTES)
     if not runs or sum(map(len, runs)) > MOST_POINTS:
         raise SettingsError(_unreadable(name), path)
@@ -120,8 +120,8 @@ def _unreadable(name: str) -> Sentence:
 
 
 def _closed(curve: Floats, name: str, number: int) -> Floats:
-    """The curve (n, 3), its last point the first to the last bit. Raises SettingsError for one that is open
-    or no polygon."""
+    """Return the curve (n, 3), its last point the first to the last bit. Raises SettingsError for one that is
+    open or no polygon."""
     gap = float(np.linalg.norm(curve[-1] - curve[0]))
     if len(curve) > 2 and gap > OPEN:
         text = say(

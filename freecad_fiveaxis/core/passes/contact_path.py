@@ -191,7 +191,7 @@ def _planes(offsets: ArrayLike) -> Floats:
 
 
 def _joined(mesh: Mesh, cross: Crossings, crossing: Ints, first: Ints, plain: Bools) -> tuple[Ints, Ints]:
-    """The chains without the crossings between two plain facets of one plane."""
+    """Return the chains without the crossings between two plain facets of one plane."""
     stays = np.ones(len(crossing), dtype=np.bool_)
 
     def look(part: slice) -> None:
@@ -218,8 +218,8 @@ class _Chains(NamedTuple):
 
 
 def _zigzag(chains: _Chains, cross: Crossings, plain: Bools | None) -> _Chains:
-    """The chains with every other plane's the other way round, of the planes that cut facets which are not
-    plain."""
+    """Return the chains with every other plane's the other way round, of the planes that cut facets which are
+    not plain."""
     crossing, first, plane, back = chains
     begin = np.flatnonzero(np.diff(plane, prepend=-1))
     bounds = np.append(first[begin], len(crossing))

@@ -62,14 +62,14 @@ def divide(copy: Copy, value: Floats, levels: Floats, carried: Floats | None = N
 
 
 def _rows(pieces: list[_Piece], columns: Sequence[Sequence[NDArray[Any]]]) -> Any:
-    """The columns (f, 3) of the facets that there are."""
+    """Return the columns (f, 3) of the facets that there are."""
     parts = [np.stack(column, axis=1)[which] for (which, _, _), column in zip(pieces, columns, strict=True)]
     return np.concatenate(parts)
 
 
 def _crossings(mesh: Mesh, table: Floats, value: Floats, level: Ints, levels: Floats) -> tuple[Floats, Ints]:
-    """The new rows of the table, those of a co-edge one after the other, upwards; and the first of each
-    co-edge (e,)."""
+    """Return the new rows of the table, those of a co-edge one after the other, upwards; and the first of
+    each co-edge (e,)."""
     count = len(mesh.coedge_face)
     facet = mesh.coedge_face[:, 0]
     start = (mesh.face_coedge[facet] == np.arange(count)[:, None]).argmax(axis=1)
@@ -108,8 +108,8 @@ _Piece = tuple[Bools, tuple[_Place, _Place, _Place], tuple[Ints, Ints, Ints]]
 
 
 def _strips(copy: Copy, value: Floats, level: Ints, base: Ints) -> tuple[_Strips, Ints]:
-    """The strips, and the corners (f, 3) of the facets in ascending order; ``base`` (e,) the first new vertex
-    of each co-edge."""
+    """Return the strips, and the corners (f, 3) of the facets in ascending order; ``base`` (e,) the first new
+    vertex of each co-edge."""
     order = np.argsort(value, axis=1, kind="stable")
     span = np.take_along_axis(level, order, axis=1)
     count = span[:, 2] - span[:, 0] + 1
@@ -130,8 +130,8 @@ def _place(strips: _Strips, levels: Floats, plane: Ints, side: Ints, end: Bools,
 
 
 def _pieces(strips: _Strips, levels: Floats) -> list[_Piece]:
-    """What facets strips are made of: the first lies on the lower level, the second has B, the third lies on
-    the upper level."""
+    """Return what facets strips are made of: the first lies on the lower level, the second has B, the third
+    lies on the upper level."""
     (ab, bc, ac), slab, (a, b, c) = strips.label, strips.slab, strips.span
     bottom, middle, top = slab == a, slab == b, slab == c
     long, inner = np.full(len(slab), 2), np.full(len(slab), INNER)
@@ -148,8 +148,8 @@ def _pieces(strips: _Strips, levels: Floats) -> list[_Piece]:
 
 
 def _sorted_sides(mesh: Mesh, order: Ints) -> Ints:
-    """The co-edges (f, 3) between the first and the second, the second and the third, the first and the third
-    corner."""
+    """Return the co-edges (f, 3) between the first and the second, the second and the third, the first and
+    the third corner."""
     a, b, c = order.T
     column = [np.where(two == (one + 1) % 3, one, two) for one, two in ((a, b), (b, c), (a, c))]
     return np.asarray(np.take_along_axis(mesh.face_coedge, np.stack(column, axis=1), axis=1))

@@ -57,7 +57,7 @@ def count_in_steps(surface: Surface, value: Floats) -> Floats:
 
 
 def _shares(component: Ints, value: Floats) -> Floats:
-    """The field (v,) as a share of its range in the component, 0 to 1; 0 where it has none."""
+    """Return the field (v,) as a share of its range in the component, 0 to 1; 0 where it has none."""
     count = int(component.max(initial=-1)) + 1
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, component, value)
@@ -76,8 +76,8 @@ def _spread(first: Ints, last: Ints) -> tuple[Ints, Ints]:
 
 
 def _wanted(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
-    """The steps (count,) that the range is worth at each place, by those (m,) of the facets there, and their
-    ``weight`` (m,)."""
+    """Return the steps (count,) that the range is worth at each place, by those (m,) of the facets there, and
+    their ``weight`` (m,)."""
     order = np.lexsort((steps, place))
     place, steps, weight = place[order], steps[order], weight[order]
     last = np.append(np.flatnonzero(np.diff(place)), len(place) - 1)[: len(place)]
@@ -90,8 +90,8 @@ def _wanted(place: Ints, steps: Floats, weight: Floats, count: int) -> Floats:
 
 
 def _counted(component: Ints, share: Floats, worth: Floats) -> Floats:
-    """The steps (v,) from the low end of each component, where the pieces of its range are ``worth`` (c,
-    PIECES) so many; in all a whole number."""
+    """Return the steps (v,) from the low end of each component, where the pieces of its range are ``worth``
+    (c, PIECES) so many; in all a whole number."""
     total = worth.sum(axis=1, keepdims=True)
     worth = worth * np.where(total > 0.0, np.ceil(total) / np.where(total > 0.0, total, 1.0), 0.0)
     before = np.cumsum(worth, axis=1) - worth

@@ -111,18 +111,19 @@ class PassStrategy(Protocol):
         SettingsError, FileError."""
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """The field and its levels. Raises what ``check`` raises."""
+        """Return the field and its levels. Raises what ``check`` raises."""
 
     def untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
-        """The field's findings, and what no pass touches; ``touched`` (n,): facets that passes touch."""
+        """Return the field's findings, and what no pass touches; ``touched`` (n,): facets that passes
+        touch."""
 
 
 def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> ContactPath:
-    """The passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to and fro,
-    in one that spares air, where there is one (:func:`.piece_order.order_pieces`). ``spiral``: closed passes
-    round one another become one long open one (:mod:`.spirals`). Raises SettingsError."""
+    """Return the passes: the level sets of the field, in the ``order`` of slice_mesh; where they may run to
+    and fro, in one that spares air, where there is one (:func:`.piece_order.order_pieces`). ``spiral``:
+    closed passes round one another become one long open one (:mod:`.spirals`). Raises SettingsError."""
     if spiral and found.surface is not None and len(found.levels) > 1 and (np.diff(found.levels) > 0.0).all():
         found = replace(found, value=off_levels(found.value, found.levels))
     contact = _sliced(region, found, {"order": order, "progress": region.progress})
@@ -137,7 +138,7 @@ def cut(region: Region, found: PassField, order: str, spiral: bool = False) -> C
 
 
 def _sliced(region: Region, found: PassField, plain: dict[str, Any]) -> ContactPath:
-    """The passes one after the other, on the surface of the field where it has one."""
+    """Return the passes one after the other, on the surface of the field where it has one."""
     if found.surface is not None:
         return slice_field(found.surface.mesh, found.value, found.levels, **plain)
     if found.upright is not None:
@@ -148,8 +149,8 @@ def _sliced(region: Region, found: PassField, plain: dict[str, Any]) -> ContactP
 def _spirals(
     region: Region, found: PassField, contact: ContactPath
 ) -> tuple[ContactPath, ContactPath] | None:
-    """The passes without the loops of which spirals are made, and the spirals, on the part; None where there
-    is none."""
+    """Return the passes without the loops of which spirals are made, and the spirals, on the part; None where
+    there is none."""
     if not has_loops(contact):
         return None
     rows = np.flatnonzero(region.keep)

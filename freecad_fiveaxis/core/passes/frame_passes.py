@@ -57,8 +57,8 @@ class FramePasses(ConstantScallop):
     frame."""
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps from the border of the territories, or mm across planes in them, one after the other. Where
-        there are no frames the whole region is one, of constant scallop."""
+        """Return steps from the border of the territories, or mm across planes in them, one after the other.
+        Where there are no frames the whole region is one, of constant scallop."""
         if region.frames is None:
             return super().field(region, options)
         region.progress("placing passes", 0.0)
@@ -102,8 +102,8 @@ def _lay_planes(region: Region, options: PassOptions, part: Copy, axis: Floats) 
 
 
 def _across(axis: Floats, angle: float) -> Floats:
-    """The unit normal (3,) of planes that contain the axis and the travel at ``angle`` rad from X; where that
-    runs along the axis, the level one across."""
+    """Return the unit normal (3,) of planes that contain the axis and the travel at ``angle`` rad from X;
+    where that runs along the axis, the level one across."""
     travel = np.array([math.cos(angle), math.sin(angle), 0.0])
     across = np.cross(axis, travel)
     length = float(np.linalg.norm(across))
@@ -111,7 +111,7 @@ def _across(axis: Floats, angle: float) -> Floats:
 
 
 def _territories(whole: Copy, frames: Frames, step: float) -> list[tuple[int, Ints]]:
-    """The frames that have any, with the facets of the copy in them, beyond seams too."""
+    """Return the frames that have any, with the facets of the copy in them, beyond seams too."""
     middle, normal = whole.mesh.vertex[whole.mesh.face].mean(axis=1), np.asarray(whole.mesh.normal)
     owner = frames.at(middle, normal)
     found = list[tuple[int, Ints]]()
@@ -138,8 +138,8 @@ def _beyond_seam(whole: Copy, own: Bools, seen: Bools, step: float) -> Bools:
 
 
 def _one_after_the_other(fields: list[_InFrame]) -> PassField:
-    """The fields of frames as one: none of a frame hangs together with another's, and its levels lie behind
-    those before it."""
+    """Return the fields of frames as one: none of a frame hangs together with another's, and its levels lie
+    behind those before it."""
     surface, begin = fields[0].field.surface, 0.0
     value, levels, frame, findings = list[Floats](), list[Floats](), list[Ints](), list[Finding]()
     for k, (number, one) in enumerate(fields):

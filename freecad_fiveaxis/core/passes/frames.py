@@ -28,8 +28,8 @@ class Frames:
     spacing: float
 
     def at(self, point: Floats, normal: Floats) -> Ints:
-        """The frame (m,) of points (m, 3) mm with unit normals (m, 3): of the nearest place that has one
-        among NEAREST, else -1."""
+        """Return the frame (m,) of points (m, 3) mm with unit normals (m, 3): of the nearest place that has
+        one among NEAREST, else -1."""
         tree = scipy.spatial.cKDTree(np.concatenate([self.point, self.spacing * self.normal], axis=1))
         place = np.concatenate([point, self.spacing * normal], axis=1)
         near = tree.query(place, k=np.arange(1, min(NEAREST, len(self.frame)) + 1))[1]

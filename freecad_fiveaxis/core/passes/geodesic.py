@@ -70,8 +70,9 @@ def frames(vertex: Floats, face: Ints) -> Frames:
 def scallop_metric(
     frame: Frames, tensor: Floats, radius: float, flat: float, least: float = FLATTEST
 ) -> Floats:
-    """The metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a flat;
-    ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r curvature``."""
+    """Return the metric (3, f) 1/mm2 of a ball of ``radius`` mm whose passes stand ``flat`` mm apart on a
+    flat; ``tensor`` (6, f) 1/mm as of :func:`~.scallop.facet_curvature`; ``least``: of ``1 + r
+    curvature``."""
     xx, yy, zz, xy, yz, zx = tensor
 
     def bend(one: Floats, two: Floats) -> Floats:
@@ -95,7 +96,7 @@ def scallop_metric(
 
 
 def as_tensor(frame: Frames, metric: Floats) -> Floats:
-    """The metric as a tensor (6, f) in space: xx, yy, zz, xy, yz, zx."""
+    """Return the metric as a tensor (6, f) in space: xx, yy, zz, xy, yz, zx."""
     (a, b, d), one, two = metric, frame.one.T, frame.two.T
     rows, columns = [0, 1, 2, 0, 1, 2], [0, 1, 2, 1, 2, 0]
     mixed = one[rows] * two[columns] + two[rows] * one[columns]
@@ -103,7 +104,7 @@ def as_tensor(frame: Frames, metric: Floats) -> Floats:
 
 
 def _at_least(metric: Floats, least: float) -> Floats:
-    """The metric with no eigenvalue below ``least``."""
+    """Return the metric with no eigenvalue below ``least``."""
     a, b, d = metric
     mean, half, turn = 0.5 * (a + d), 0.5 * np.hypot(a - d, 2.0 * b), 0.5 * np.arctan2(2.0 * b, a - d)
     high, low = np.maximum(mean + half, least), np.maximum(mean - half, least)
@@ -113,7 +114,7 @@ def _at_least(metric: Floats, least: float) -> Floats:
 
 
 def side_lengths(vertex: Floats, face: Ints, frame: Frames, metric: Floats) -> Floats:
-    """The lengths (3, f) of the sides in the metric, in steps; side k joins corners k and k + 1."""
+    """Return the lengths (3, f) of the sides in the metric, in steps; side k joins corners k and k + 1."""
     side = np.roll(face, -1, axis=1).T, face.T
     way = [vertex[end] - vertex[start] for end, start in zip(*side, strict=True)]
     local = np.array([(row_dot(one, frame.one), row_dot(one, frame.two)) for one in way])
@@ -127,14 +128,15 @@ def gradient(frame: Frames, face: Ints, value: Floats) -> Floats:
 
 
 def steepness(metric: Floats, slope: Floats) -> Floats:
-    """The length (f,) of a gradient (2, f) in the metric: 1 where one level more is one admissible step."""
+    """Return the length (f,) of a gradient (2, f) in the metric: 1 where one level more is one admissible
+    step."""
     (a, b, d), (x, y) = metric, slope
     return np.asarray(np.sqrt(np.maximum((d * x * x - 2.0 * b * x * y + a * y * y) / (a * d - b * b), 0.0)))
 
 
 def step_across(metric: Floats, slope: Floats) -> Floats:
-    """The admissible step (f,) mm across level sets with a gradient (2, f), along that gradient over the
-    surface."""
+    """Return the admissible step (f,) mm across level sets with a gradient (2, f), along that gradient over
+    the surface."""
     length = np.hypot(*slope)
     x, y = np.where(length > 0.0, slope / np.maximum(length, TINY), np.array([[1.0], [0.0]]))
     (a, b, d) = metric
@@ -144,8 +146,8 @@ def step_across(metric: Floats, slope: Floats) -> Floats:
 def distance(
     vertex: Floats, face: Ints, frame: Frames, metric: Floats, source: Ints, known: Floats
 ) -> Floats:
-    """The distance (v,), in units of the metric, from ``source`` (m,) vertices where it is ``known`` (m,), at
-    least 0.
+    """Return the distance (v,), in units of the metric, from ``source`` (m,) vertices where it is ``known``
+    (m,), at least 0.
 
     Every component of the surface needs a source.
     """
@@ -218,7 +220,7 @@ def spread_between(face: Ints, frame: Frames, metric: Floats, low: Ints, high: I
 
 
 def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count: int) -> Floats:
-    """The distance (v,) along sides of facets only: never less than that over the surface."""
+    """Return the distance (v,) along sides of facets only: never less than that over the surface."""
     start, end = face.T.reshape(-1), np.roll(face, -1, axis=1).T.reshape(-1)
     root = np.full(len(source), count)
     rows, columns = np.concatenate([start, end, root]), np.concatenate([end, start, source])
@@ -235,8 +237,8 @@ def _along_sides(face: Ints, length: Floats, source: Ints, known: Floats, count:
 
 
 def _counted(key: Ints, count: int) -> Ints:
-    """The order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come: rows of
-    a sparse matrix are filled so, in far less time than sorting takes."""
+    """Return the order (n,) of keys (n,) from 0 to ``count`` - 1 by counting them, equal ones as they come:
+    rows of a sparse matrix are filled so, in far less time than sorting takes."""
     place = np.arange(len(key))
     return np.asarray(
         scipy.sparse.coo_matrix((np.ones(len(key), np.int8), (key, place)), (count, len(key))).tocsr().indices
@@ -246,8 +248,8 @@ def _counted(key: Ints, count: int) -> Ints:
 def _stiffness(
     face: Ints, frame: Frames, metric: Floats, count: int, clipped: bool
 ) -> scipy.sparse.csc_matrix:
-    """The Laplacian of the metric, positive (cotangent weights for a flat one). ``clipped``: without what
-    flows uphill over obtuse corners, so that no heat ever is negative."""
+    """Return the Laplacian of the metric, positive (cotangent weights for a flat one). ``clipped``: without
+    what flows uphill over obtuse corners, so that no heat ever is negative."""
     (a, b, d), root = metric, np.sqrt(metric[0] * metric[2] - metric[1] ** 2)
     rows, columns, values = [], [], []
     for k in range(3):
@@ -263,8 +265,8 @@ def _stiffness(
 
 
 def _outflow(face: Ints, frame: Frames, metric: Floats, weight: Floats, way: Floats, count: int) -> Floats:
-    """What (v,) the field of slope 1 along ``way`` (2, f), a gradient, takes out of each vertex: the Poisson
-    equation's side."""
+    """Return what (v,) the field of slope 1 along ``way`` (2, f), a gradient, takes out of each vertex: the
+    Poisson equation's side."""
     (a, b, d), (x, y) = metric, way / np.maximum(steepness(metric, way), TINY)
     determinant = a * d - b * b
     up = weight * (d * x - b * y) / determinant, weight * (a * y - b * x) / determinant
@@ -289,5 +291,5 @@ class Factored:
         self._factors = scipy.sparse.linalg.splu(own, **SYMMETRIC) if len(inner) else None
 
     def solve(self, right: Floats) -> Floats:
-        """The inner unknowns (m,) for a right side (v,)."""
+        """Return the inner unknowns (m,) for a right side (v,)."""
         return np.empty(0) if self._factors is None else np.asarray(self._factors.solve(right[self._inner]))

@@ -74,7 +74,8 @@ class KeepOff:
         return np.asarray(self.room(point + self.corner * mesh.normal[facet]) >= -TOUCHING)
 
     def obstacle(self, joined: Mesh) -> Mesh:
-        """What the tool keeps out of, the part's facets first, with the allowance on those to avoid."""
+        """Return what the tool keeps out of, the part's facets first, with the allowance on those to
+        avoid."""
         allowance = np.zeros(len(joined.face))
         allowance[: len(self.some)] = np.where(self.some, self.allowance, 0.0)
         return replace(joined, allowance=allowance)

@@ -44,7 +44,7 @@ class Morph(OverSurface):
         _refuse_without_border(region, options)
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps from the one guide towards the other, the pieces of the region one after the other."""
+        """Return steps from the one guide towards the other, the pieces of the region one after the other."""
         region.progress("placing passes", 0.0)
         ground, target = survey_region(region, options), find_source(options.target, region, Option("to"))
         _refuse_without_border(region, options)
@@ -85,8 +85,8 @@ def _refuse_one_guide(surface: Surface, low: Ints, high: Ints) -> None:
 def _find_guides(
     surface: Surface, source: Floats | None, target: Floats | None, travel: float
 ) -> tuple[Ints, Ints]:
-    """The vertices (m,) of the copy on the one guide and on the other; ``source`` and ``target`` (n, 3) mm,
-    None: the border."""
+    """Return the vertices (m,) of the copy on the one guide and on the other; ``source`` and ``target`` (n,
+    3) mm, None: the border."""
     mesh = surface.copy.mesh
     if source is None and target is None:
         return _sides_of_border(surface, travel)
@@ -99,15 +99,15 @@ def _find_guides(
 
 
 def _along_curve(mesh: Mesh, curve: Floats) -> Ints:
-    """The vertices (m,) nearest to samples of the curve."""
+    """Return the vertices (m,) nearest to samples of the curve."""
     edge = mesh.vertex[mesh.coedge_vertex]
     step = 0.25 * float(np.median(np.linalg.norm(edge[:, 1] - edge[:, 0], axis=1)))
     return np.unique(scipy.spatial.cKDTree(mesh.vertex).query(sample_curve(curve, step))[1]).astype(np.int64)
 
 
 def _beside(mesh: Mesh, guide: Ints | None) -> Ints:
-    """The vertices (m,) of a guide and all that share a side with one: what of the border touches it belongs
-    to it."""
+    """Return the vertices (m,) of a guide and all that share a side with one: what of the border touches it
+    belongs to it."""
     assert guide is not None
     there = np.zeros(len(mesh.vertex), np.bool_)
     there[guide] = True

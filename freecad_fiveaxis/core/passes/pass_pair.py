@@ -147,8 +147,8 @@ class Strip:
         return facet_curvature(self._mesh)
 
     def cut(self, offset: float, step: float) -> FacetPass:
-        """The pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart; the last one is
-        remembered."""
+        """Return the pass of the plane at ``offset``, mm, with samples at most ``step`` mm apart; the last
+        one is remembered."""
         if self._last is None or self._last[0] != (offset, step):
             self._last = (offset, step), self._cut(offset, step)
         return self._last[1]
@@ -190,7 +190,7 @@ class Strip:
 
 
 def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: float) -> float:
-    """The smallest interval along a pass, mm: eq. (2) of Lin & Ye for the local slope and curvature.
+    """Return the smallest interval along a pass, mm: eq. (2) of Lin & Ye for the local slope and curvature.
 
     ``across`` (3,) unit, from plane to plane; ``radius``, ``scallop`` mm.
     """
@@ -203,8 +203,8 @@ def smallest_interval(here: FacetPass, across: Floats, radius: float, scallop: f
 
 
 def scallop_between(one: FacetPass, other: FacetPass, radius: float) -> tuple[float, Floats]:
-    """The largest scallop between two neighbouring passes, mm, and the contact (3,) next to it; 0 where none
-    lie opposite."""
+    """Return the largest scallop between two neighbouring passes, mm, and the contact (3,) next to it; 0
+    where none lie opposite."""
     worst, place = 0.0, np.zeros(3)
     for a, b in ((one, other), (other, one)):
         if len(a) and len(b):
@@ -270,8 +270,8 @@ class _Opposite:
 
 
 def _way_over(point: Floats, start: Floats, way: Floats) -> tuple[Floats, Floats, Bools]:
-    """Unit way (n, 3) across, its length (n,) mm, and whether it is one: from points to the segments of
-    another pass.
+    """Return unit way (n, 3) across, its length (n,) mm, and whether it is one: from points to the segments
+    of another pass.
 
     Where the other pass ends the way leans along it; only the part across counts.
     """

@@ -65,7 +65,7 @@ def find_better_tour(ends: Floats) -> Tour | None:
 
 
 def air(ends: Floats, tour: Tour) -> float:
-    """The way between the pieces, mm; ``ends`` (p, 2, d) mm: start and end of each piece."""
+    """Return the way between the pieces, mm; ``ends`` (p, 2, d) mm: start and end of each piece."""
     leaves, enters = _doors(ends, tour)
     return float(np.linalg.norm(enters[1:] - leaves[:-1], axis=1).sum())
 
@@ -83,7 +83,7 @@ def _doors(ends: Floats, tour: Tour) -> tuple[Floats, Floats]:
 
 
 def _nearest(ends: Floats) -> Tour:
-    """The nearest neighbours' tour."""
+    """Return the nearest neighbours' tour."""
     count, places = len(ends), ends.reshape(2 * len(ends), -1)
     near = (
         scipy.spatial.cKDTree(places)
@@ -139,7 +139,7 @@ def _best_turn(leaves: Floats, enters: Floats, i: int) -> tuple[int, float]:
 
 
 def _arranged(contact: ContactPath, first: Ints, last: Ints, tour: Tour) -> ContactPath:
-    """The rows of the polylines in the order of the tour."""
+    """Return the rows of the polylines in the order of the tour."""
     row, piece, _ = tour_rows(first, last, tour)
     columns = {name: getattr(contact, name)[row] for name in ("point", "normal", "face", "coedge", "pass_")}
     return replace(contact, segment=np.arange(len(row)) >> 1, polyline=piece, **columns)

@@ -155,7 +155,7 @@ class PlaneCurves:
 
 
 def _slab(value: Floats, low: float, step: float, slabs: int) -> Ints:
-    """The slab of each height (n,) mm; those beyond all slabs have the one at that end."""
+    """Return the slab of each height (n,) mm; those beyond all slabs have the one at that end."""
     return np.asarray(np.clip((value - low) / step, 0, slabs - 1).astype(np.int64))
 
 

@@ -93,8 +93,8 @@ class Planes:
 
 
 def area_left(region: Region, touched: Ints) -> tuple[Finding, ...]:
-    """A warning where facets to be cut that no pass touches or comes near are more than a little; ``touched``
-    (n,) by one."""
+    """Return a warning where facets to be cut that no pass touches or comes near are more than a little;
+    ``touched`` (n,) by one."""
     rows = _without_pass(region, touched)
     lost, whole = float(region.mesh.area[rows].sum()), float(region.mesh.area[region.keep].sum())
     if lost <= SHARE * whole:

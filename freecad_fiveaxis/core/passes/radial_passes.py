@@ -45,7 +45,7 @@ class Radial(OverSurface):
         survey_region(region, replace(options, source=BORDER))
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps about the axis, the two sides of the seam one after the other."""
+        """Return steps about the axis, the two sides of the seam one after the other."""
         region.progress("placing passes", 0.0)
         along, centre = unit_axis(options.axis), centre_of(region, options.centre)
         ground = survey_region(region, replace(options, source=BORDER))

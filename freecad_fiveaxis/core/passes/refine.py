@@ -46,8 +46,8 @@ class Copy:
     short: float = 0.0
 
     def on_part(self, contact: ContactPath, part: Mesh) -> ContactPath:
-        """The contact path with facets and co-edges of the part; one segment where it is straight within
-        ``bend`` in a facet."""
+        """Return the contact path with facets and co-edges of the part; one segment where it is straight
+        within ``bend`` in a facet."""
         contact = _longer(contact, self.short)
         face = self.parent[contact.face]
         first = _straight_runs(contact, face[::2], self.bend)
@@ -62,7 +62,8 @@ class Copy:
 
 
 def _longer(contact: ContactPath, short: float) -> ContactPath:
-    """The polylines that are not shorter than ``short`` mm; all of a part so small that there are none."""
+    """Return the polylines that are not shorter than ``short`` mm; all of a part so small that there are
+    none."""
     segment = np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1)
     rows = np.flatnonzero((np.bincount(contact.polyline[::2], segment) >= short)[contact.polyline])
     if not len(rows):
@@ -96,9 +97,9 @@ def _straight_runs(contact: ContactPath, parent: Ints, bend: float) -> Ints:
 
 
 def finer_copy(part: Mesh, rows: Ints, metric: Floats, longest: float) -> Copy:
-    """The facets ``rows`` (k,) of the part, divided until no side is longer than ``longest`` in the metric of
-    its facet: a tensor (6, k) of xx, yy, zz, xy, yz, zx. Sides that lead from border to border through the
-    inside are halved once more, so that no strip lies on the border with all of its vertices."""
+    """Return the facets ``rows`` (k,) of the part, divided until no side is longer than ``longest`` in the
+    metric of its facet: a tensor (6, k) of xx, yy, zz, xy, yz, zx. Sides that lead from border to border
+    through the inside are halved once more, so that no strip lies on the border with all of its vertices."""
     vertex, face, side, parent = (
         np.asarray(part.vertex),
         part.face[rows],
@@ -122,7 +123,7 @@ def copy_facets(part: Mesh, rows: Ints) -> Copy:
 
 
 def taken(copy: Copy, part: Mesh, rows: Ints) -> Copy:
-    """Some facets (k,) of a copy as a copy of their own."""
+    """Return some facets (k,) of a copy as a copy of their own."""
     halved = assembled(
         part,
         copy.mesh.vertex,
@@ -173,8 +174,8 @@ def joined(one: Copy, two: Copy) -> Copy:
 
 
 def number_sides(face: Ints) -> Ints:
-    """Number the sides (f, 3) that half-edges are of: one number for all half-edges between the same two
-    vertices."""
+    """Return number the sides (f, 3) that half-edges are of: one number for all half-edges between the same
+    two vertices."""
     low, high = np.minimum(face, np.roll(face, -1, axis=1)), np.maximum(face, np.roll(face, -1, axis=1))
     key = low * (int(face.max(initial=0)) + 1) + high
     return np.asarray(np.unique(key, return_inverse=True)[1].reshape(face.shape), np.int64)
@@ -201,8 +202,8 @@ def halve_long_sides(
 
 
 def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints, Ints, Ints]:
-    """The same after the sides inside are halved whose both ends lie on the border; of a facet alone its
-    longest side first."""
+    """Return the same after the sides inside are halved whose both ends lie on the border; of a facet alone
+    its longest side first."""
     owner = np.arange(len(face))
     side, border = _border_sides(face, label)
     alone = border[side].all(axis=1)
@@ -222,8 +223,8 @@ def _split_across(vertex: Floats, face: Ints, label: Ints) -> tuple[Floats, Ints
 
 
 def _border_sides(face: Ints, label: Ints) -> tuple[Ints, Bools]:
-    """The sides (f, 3) of :func:`number_sides`, and which (s,) of them are not of two facets that their label
-    joins."""
+    """Return the sides (f, 3) of :func:`number_sides`, and which (s,) of them are not of two facets that
+    their label joins."""
     side = number_sides(face)
     count = np.bincount(side.reshape(-1))
     low, high = np.full(len(count), np.iinfo(np.int64).max), np.full(len(count), np.iinfo(np.int64).min)

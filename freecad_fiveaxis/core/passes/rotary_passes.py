@@ -40,7 +40,7 @@ class Rotary(OverSurface):
         survey_region(_outward(region, options), replace(options, source=BORDER))
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps along the axis; or about it, the two sides of a seam one after the other."""
+        """Return steps along the axis; or about it, the two sides of a seam one after the other."""
         region.progress("placing passes", 0.0)
         faces = _outward(region, options)
         ground = survey_region(faces, replace(options, source=BORDER))
@@ -59,14 +59,15 @@ class Rotary(OverSurface):
     def untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
-        """What lies across the axis, and what no pass touches of the rest."""
+        """Return what lies across the axis, and what no pass touches of the rest."""
         faces = _outward(region, options)
         across = report_across(region.mesh, region.keep & ~faces.keep)
         return field.findings + (() if across is None else (across,)) + area_left(faces, touched)
 
 
 def _outward(region: Region, options: PassOptions) -> Region:
-    """The region without what does not face away from the axis. Raises SettingsError where nothing does."""
+    """Return the region without what does not face away from the axis. Raises SettingsError where nothing
+    does."""
     about, centre = unit_axis(options.axis), centre_of(region, options.centre)
     keep: Bools = region.keep & facets_outward(region.mesh, centre, about)[0]
     if not keep.any():

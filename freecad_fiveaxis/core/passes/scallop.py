@@ -111,7 +111,7 @@ def hand_curvature_on(mesh: Mesh, to: Mesh, parent: Ints) -> None:
 
 
 def _mean_turns(mesh: Mesh) -> Floats:
-    """The tensor (6, f) of each facet."""
+    """Return the tensor (6, f) of each facet."""
     first, second, turned = _smooth_turns(mesh)
     rows = len(mesh.face)
     columns = np.concatenate([turned, np.zeros((1, len(first)))])

@@ -113,7 +113,7 @@ class OverSurface:
     def untouched(
         self, region: Region, options: PassOptions, field: PassField, touched: Ints
     ) -> tuple[Finding, ...]:
-        """What no pass touches."""
+        """Return what no pass touches."""
         return field.findings + area_left(region, touched)
 
 
@@ -126,7 +126,7 @@ class ConstantScallop(OverSurface):
         survey_region(region, options)
 
     def field(self, region: Region, options: PassOptions) -> PassField:
-        """Steps from the source, the pieces of the region one after the other."""
+        """Return steps from the source, the pieces of the region one after the other."""
         region.progress("placing passes", 0.0)
         ground = survey_region(region, options)
         surface = make_surface(region, ground)
@@ -247,8 +247,8 @@ def _touching(face: Ints, chosen: Bools) -> Bools:
 
 
 def _field_from(copy: Copy, steps: Floats, first: float, begin: float) -> PassField:
-    """The field with the pieces one after the other from ``begin`` on, and the levels ``first`` beyond each
-    whole number; of a piece in which there is none of those the middle."""
+    """Return the field with the pieces one after the other from ``begin`` on, and the levels ``first`` beyond
+    each whole number; of a piece in which there is none of those the middle."""
     pieces = int(copy.component.max(initial=-1)) + 1
     nearest, farthest = np.full(pieces, math.inf), np.zeros(pieces)
     np.minimum.at(nearest, copy.component, steps)
@@ -306,8 +306,8 @@ def _left_out(
 def _left_of(
     tree: scipy.spatial.cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float
 ) -> Bools:
-    """The same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked beyond
-    ``most``."""
+    """Return the same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked
+    beyond ``most``."""
     samples = tree.data
     far, nearest = tree.query(
         np.concatenate([corner.mean(axis=1), looking], axis=1), distance_upper_bound=most
@@ -362,7 +362,7 @@ def _thinned(point: Floats, normal: Floats, step: float) -> tuple[Floats, Floats
 
 
 def _carried(copy: Copy, steps: Floats, chosen: Bools, to: Copy) -> Floats:
-    """The field (w,) at the vertices of ``to``, a copy of the ``chosen`` facets in their order."""
+    """Return the field (w,) at the vertices of ``to``, a copy of the ``chosen`` facets in their order."""
     value = np.empty(len(to.mesh.vertex))
     value[to.mesh.face] = steps[copy.mesh.face[chosen]]
     return value

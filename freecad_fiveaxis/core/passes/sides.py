@@ -92,7 +92,7 @@ class Side(NamedTuple):
 def untouched_sides(
     mesh: Mesh, keep: Bools, touched: Ints, planes: Floats, angle: float, interval: float
 ) -> tuple[Side, ...]:
-    """The sides that passes along ``angle`` rad leave out, the largest first.
+    """Return the sides that passes along ``angle`` rad leave out, the largest first.
 
     ``keep`` (f,): the facets that are to be cut; ``touched`` (n,): those that passes touch; ``planes`` (k,)
     mm, ascending; ``interval`` mm of a flat.
@@ -129,8 +129,8 @@ def _extent(value: Floats, number: Ints) -> Floats:
 
 
 def _hanging_together(mesh: Mesh, out: Bools, rows: Ints) -> Ints:
-    """The number (k,) of the side that each of the facets ``rows`` (k,), where ``out`` (f,) is True, belongs
-    to."""
+    """Return the number (k,) of the side that each of the facets ``rows`` (k,), where ``out`` (f,) is True,
+    belongs to."""
     pair = mesh.coedge_face[mesh.coedge_face[:, 1] >= 0]
     pair = pair[out[pair].all(axis=1)]
     at = np.full(len(out), -1)
@@ -215,7 +215,7 @@ def _finding(side: Side, mesh: Mesh, keep: Bools, angle: float, beside: list[Fin
 
 
 def side_name(mesh: Mesh, normal: Floats, place: Floats) -> Sentence:
-    """What a side is called by its normal (3,) and a place (3,) mm on it: the side, or a wall, at a
+    """Return what a side is called by its normal (3,) and a place (3,) mm on it: the side, or a wall, at a
     coordinate, or the way it faces."""
     axis = int(np.abs(normal[:2]).argmax())
     if abs(normal[axis]) < STRAIGHT:
@@ -237,8 +237,8 @@ SLANTING = Template("passes in direction {angle}")
 
 
 def _remedy(side: Side, mesh: Mesh, keep: Bools, angle: float, finer: str) -> Sentence:
-    """The direction of passes that cuts the side and has the least area along its planes, the first of TURNS
-    among equals, where that is a gain or nothing else helps; nearer planes, where those cut it."""
+    """Return the direction of passes that cuts the side and has the least area along its planes, the first of
+    TURNS among equals, where that is a gain or nothing else helps; nearer planes, where those cut it."""
     turned = [(math.degrees(angle) + turn) % 180.0 for turn in TURNS]
     able = [one for one in turned if abs(side.normal @ _directions(math.radians(one))[1]) < ALONG]
     lost = [_area_along(mesh, keep, math.radians(one)) for one in able]

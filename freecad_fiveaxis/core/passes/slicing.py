@@ -57,7 +57,7 @@ class Starts:
 
     @classmethod
     def joined(cls, parts: list[Starts]) -> Starts:
-        """The rows of all parts, one after another."""
+        """Return the rows of all parts, one after another."""
         return cls(
             np.concatenate([p.crossing for p in parts]),
             np.concatenate([p.node for p in parts]),
@@ -65,7 +65,7 @@ class Starts:
         )
 
     def take(self, row: Ints) -> Starts:
-        """The given rows."""
+        """Return the given rows."""
         return Starts(self.crossing.take(row), self.node.take(row), self.along.take(row))
 
 
@@ -110,7 +110,7 @@ class _Piece:
 
 
 def levels(distance: Floats, offsets: Floats) -> Ints:
-    """Number of ascending ``offsets`` (k,) at or below each ``distance`` (v,)."""
+    """Return number of ascending ``offsets`` (k,) at or below each ``distance`` (v,)."""
     level = np.empty(len(distance), dtype=np.int64)
 
     def fill(part: slice) -> None:
@@ -126,8 +126,8 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
     base = np.empty(len(mesh.face) + 1, dtype=np.int64)
 
     def count(part: slice) -> int:
-        """The number of nodes in the part; its first nodes, yet without those of the parts before it, go into
-        ``base``."""
+        """Return the number of nodes in the part; its first nodes, yet without those of the parts before it,
+        go into ``base``."""
         a, b, c = (level.take(v) for v in mesh.face[part].T)
         low = np.minimum(np.minimum(a, b), c)
         number = np.maximum(np.maximum(a, b), c) - low
@@ -148,7 +148,7 @@ def first_nodes(mesh: Mesh, level: Ints, keep: Bools | None) -> tuple[Ints, int]
 
 
 def _pieces(mesh: Mesh, level: Ints, keep: Bools | None) -> list[_Piece]:
-    """The crossings of the facets that are kept, in pieces."""
+    """Return the crossings of the facets that are kept, in pieces."""
     number = len(mesh.coedge_face)
     ends, sides = mesh.coedge_vertex.T.reshape(-1), mesh.coedge_face.T.reshape(-1)
     used = None if keep is None else np.append(keep, False)
@@ -291,13 +291,13 @@ def chain(cross: Crossings) -> tuple[Ints, Ints, Ints]:
 
 
 def _planes(cross: Crossings, node: Ints) -> Ints:
-    """The planes of nodes."""
+    """Return the planes of nodes."""
     return node - cross.base.take(cross.left.take(cross.exit.take(node)))
 
 
 def _anywhere(cross: Crossings, order: Ints) -> Starts:
-    """The nodes that ``order`` lacks as starts, in order along the travel. All of them belong to closed
-    chains."""
+    """Return the nodes that ``order`` lacks as starts, in order along the travel. All of them belong to
+    closed chains."""
     missed = np.ones(len(cross.next_node), dtype=np.bool_)
     missed[np.minimum(order, len(missed) - 1)] = missed[-1] = False
     crossing = cross.exit[missed]

@@ -129,15 +129,15 @@ def _fans(mesh: Mesh) -> Ints:
 
 
 def _angles(mesh: Mesh) -> Floats:
-    """The angles (f, 3), rad, of facets at their corners."""
+    """Return the angles (f, 3), rad, of facets at their corners."""
     corner = mesh.vertex[mesh.face]
     ahead, back = np.roll(corner, -1, axis=1) - corner, np.roll(corner, 1, axis=1) - corner
     return np.asarray(np.arctan2(2.0 * mesh.area[:, None], (ahead * back).sum(axis=2)))
 
 
 def _split_at(pieces: _Pieces, value: Floats) -> _Pieces:
-    """The pieces divided where ``value`` (f, 3) at their corners crosses 0. At a sharp edge, to whose sides
-    it may have other values, both sides are divided at the one place, so that passes go over it."""
+    """Return the pieces divided where ``value`` (f, 3) at their corners crosses 0. At a sharp edge, to whose
+    sides it may have other values, both sides are divided at the one place, so that passes go over it."""
     side, other = number_sides(pieces.face), np.roll(value, -1, axis=1)
     share = value / np.where(value == other, 1.0, value - other)
     crossed = (value * other < 0.0) & (share > BESIDE) & (share < 1.0 - BESIDE)
@@ -154,14 +154,14 @@ def _split_at(pieces: _Pieces, value: Floats) -> _Pieces:
 
 
 def _handed_on(pieces: _Pieces, vertex: Floats, face: Ints, label: Ints, of: Ints) -> _Pieces:
-    """What pieces became, with all that was known of those that they are ``of`` (f,)."""
+    """Return what pieces became, with all that was known of those that they are ``of`` (f,)."""
     slope = _between(pieces.vertex[pieces.face[of]], pieces.slope[of], vertex[face])
     return _Pieces(vertex, face, label, pieces.owner[of], slope, pieces.steep[of])
 
 
 def _between(corner: Floats, value: Floats, place: Floats) -> Floats:
-    """What values (f, 3) at corners (f, 3, 3), linear between them, are at places (f, 3, 3) in the same
-    facets."""
+    """Return what values (f, 3) at corners (f, 3, 3), linear between them, are at places (f, 3, 3) in the
+    same facets."""
     first, second = (corner[:, k] - corner[:, 0] for k in (1, 2))
     off = place - corner[:, :1]
     aa, ab, bb = row_dot(first, first), row_dot(first, second), row_dot(second, second)
@@ -174,8 +174,8 @@ def _between(corner: Floats, value: Floats, place: Floats) -> Floats:
 
 
 def _line(mesh: Mesh, pieces: _Pieces, gap: float) -> tuple[Floats, Floats]:
-    """Samples (n, 3) of the line, at most ``gap`` mm apart, and the normals of facets there; of sharp edges
-    none."""
+    """Return samples (n, 3) of the line, at most ``gap`` mm apart, and the normals of facets there; of sharp
+    edges none."""
     side = number_sides(pieces.face).reshape(-1)
     order = np.argsort(side, kind="stable")
     pair = np.flatnonzero(np.diff(side[order]) == 0)
@@ -201,7 +201,8 @@ def _line(mesh: Mesh, pieces: _Pieces, gap: float) -> tuple[Floats, Floats]:
 def _with_strip(
     mesh: Mesh, pieces: _Pieces, bound: float, overlap: float, line: Floats, normal: Floats
 ) -> tuple[_Pieces, Bools]:
-    """The pieces, fine beside the line and divided at the rims of the strip, and which (f,) lie in it."""
+    """Return the pieces, fine beside the line and divided at the rims of the strip, and which (f,) lie in
+    it."""
     tree = scipy.spatial.cKDTree(line)
     pieces = _finer(pieces, tree, overlap)
     inside = _inside(pieces, tree, bound, overlap)
@@ -213,7 +214,7 @@ def _with_strip(
 
 
 def _finer(pieces: _Pieces, tree: scipy.spatial.cKDTree, overlap: float) -> _Pieces:
-    """The pieces with short sides beside the line."""
+    """Return the pieces with short sides beside the line."""
     for _ in range(ROUNDS):
         corner = pieces.vertex[pieces.face]
         middle = corner.mean(axis=1)
@@ -231,7 +232,7 @@ def _finer(pieces: _Pieces, tree: scipy.spatial.cKDTree, overlap: float) -> _Pie
 
 
 def _inside(pieces: _Pieces, tree: scipy.spatial.cKDTree, bound: float, overlap: float) -> Floats:
-    """A value (f, 3) at the corners that is positive within the strip and negative outside."""
+    """Return a value (f, 3) at the corners that is positive within the strip and negative outside."""
     off = tree.query(pieces.vertex)[0][pieces.face]
     room = np.where(pieces.steep, 0.5 * (0.5 * np.pi - bound), 0.5 * bound)[:, None]
     return np.asarray(np.minimum(1.0 - off / overlap, 1.0 - np.abs(pieces.slope) / np.maximum(room, EXACT)))

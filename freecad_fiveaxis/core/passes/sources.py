@@ -37,7 +37,7 @@ def find_source(source: str | Vector, region: Region, option: Option = FROM) -> 
 
 
 def read_curve(source: str | Vector, option: Option = FROM) -> Floats | None:
-    """The points (n, 3) mm of the source, one for a point; None for the border. Raises SettingsError,
+    """Return the points (n, 3) mm of the source, one for a point; None for the border. Raises SettingsError,
     FileError."""
     if not isinstance(source, str):
         return np.array([source], dtype=np.float64)
@@ -98,7 +98,7 @@ def source_values(copy: Copy, frame: Frames, metric: Floats, curve: Floats | Non
 
 
 def _at_border(copy: Copy) -> tuple[Ints, Floats]:
-    """The vertices on the borders of the pieces; of a piece without one its lowest."""
+    """Return the vertices on the borders of the pieces; of a piece without one its lowest."""
     border = np.unique(copy.mesh.coedge_vertex[copy.mesh.coedge_face[:, 1] < 0])
     closed = np.setdiff1d(copy.component, copy.component[border])
     order = np.lexsort((copy.mesh.vertex[:, 2], copy.component))

@@ -324,7 +324,7 @@ class _March:
         return INSIDE * min(self._least, high - low)
 
     def _step(self, offset: float, end: float) -> _Step:
-        """The interval from the pass at ``offset`` to the next one, before ``end``: trial, measure,
+        """Return the interval from the pass at ``offset`` to the next one, before ``end``: trial, measure,
         correct."""
         here = self._strip.cut(offset, self._sample)
         rest = end - self._inside(offset, end) - offset
@@ -347,7 +347,7 @@ class _March:
         return good
 
     def _next_trial(self, trial: float, height: float, good: float, bad: float) -> float:
-        """The interval at which the square law puts the scallop that is aimed at, or the middle of the
+        """Return the interval at which the square law puts the scallop that is aimed at, or the middle of the
         bracket."""
         change = math.sqrt(AIM * self._scallop / max(height, TINY_HEIGHT * self._scallop))
         trial *= min(max(change, 1.0 / GROWTH), GROWTH)
@@ -382,7 +382,8 @@ class _March:
 
 
 def _share(count: float) -> float:
-    """The share of each interval to take so that ``count`` full ones end with less than half of one left."""
+    """Return the share of each interval to take so that ``count`` full ones end with less than half of one
+    left."""
     beyond = count % 1.0
     if 0.25 * SPARE < beyond < 0.5 - 0.25 * SPARE:
         return 1.0

@@ -119,8 +119,8 @@ def take_lines(contact: ContactPath, rows: Ints) -> ContactPath:
 def _divided_at_loops(
     part: Mesh, copy: Copy, value: Floats, levels: Floats
 ) -> tuple[Copy, Floats, Ints, Ints]:
-    """The copy divided at all levels, the index of the loops at its vertices, the slab of its facets, and the
-    facets of the copy given in which they lie."""
+    """Return the copy divided at all levels, the index of the loops at its vertices, the slab of its facets,
+    and the facets of the copy given in which they lie."""
     knots, number = _knots(levels)
     value = off_levels(value, levels)
     cuts = divide(copy, value[copy.mesh.face], levels)
@@ -129,7 +129,7 @@ def _divided_at_loops(
 
 
 def _knots(levels: Floats) -> tuple[Floats, Floats]:
-    """The levels with one more at either end, and their numbers from -1 on."""
+    """Return the levels with one more at either end, and their numbers from -1 on."""
     knots = np.concatenate([[2.0 * levels[0] - levels[1]], levels, [2.0 * levels[-1] - levels[-2]]])
     return knots, np.arange(-1.0, len(levels) + 1.0)
 
@@ -151,7 +151,7 @@ def carry(mesh: Mesh, corner: Any) -> Any:
 
 
 def _cut_open(part: Mesh, ring: Copy, index: Floats) -> Rings:
-    """The rings, a component each, divided where turns begin and cut open there."""
+    """Return the rings, a component each, divided where turns begin and cut open there."""
     turns = find_turns(ring.mesh, ring.component, index)
     planes = np.arange(np.floor(turns.min()), np.ceil(turns.max()) + 1.0)
     cuts = divide(ring, turns, planes, index[:, None])
@@ -174,8 +174,8 @@ def _cut_open(part: Mesh, ring: Copy, index: Floats) -> Rings:
 
 
 def _all_turns(rings: Rings) -> Turns:
-    """The first loop of every ring, the turns from loop to loop, and the last loop: level lines of three
-    fields in which rings have a range of their own each."""
+    """Return the first loop of every ring, the turns from loop to loop, and the last loop: level lines of
+    three fields in which rings have a range of their own each."""
     mesh, loops = rings.copy.mesh, rings.last - rings.first
     begin = np.arange(len(loops)) * (int(loops.max()) + 3.0)
     own, over = begin[rings.ring], rings.height - rings.first[rings.ring]
@@ -206,8 +206,8 @@ def _all_turns(rings: Rings) -> Turns:
 
 
 def _one_after_the_other(rings: Rings, turns: Turns) -> tuple[ContactPath, Bools]:
-    """The turns of each ring as one polyline, and which rings (r,) came out whole: one turn of each number,
-    each beginning where the one before it ends. Of the others there is none."""
+    """Return the turns of each ring as one polyline, and which rings (r,) came out whole: one turn of each
+    number, each beginning where the one before it ends. Of the others there is none."""
     contact, order = turns.contact, np.lexsort((turns.turn, turns.ring))
     first = _begins(contact)
     last = np.append(first[1:], len(contact.point)) - 1
@@ -230,7 +230,7 @@ def _one_after_the_other(rings: Rings, turns: Turns) -> tuple[ContactPath, Bools
 
 
 def _begins(contact: ContactPath) -> Ints:
-    """The rows (p,) at which polylines begin."""
+    """Return the rows (p,) at which polylines begin."""
     return np.flatnonzero(np.diff(contact.polyline, prepend=-1))
 
 

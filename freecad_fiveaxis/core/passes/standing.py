@@ -49,7 +49,7 @@ def report_standing(mesh: Mesh, standing: Bools) -> tuple[Finding, ...]:
 
 
 def _middle(mesh: Mesh) -> Floats:
-    """The middle (2,) of the surface, mm, seen from above."""
+    """Return the middle (2,) of the surface, mm, seen from above."""
     return np.asarray(np.average(mesh.vertex[mesh.face].mean(axis=1)[:, :2], axis=0, weights=mesh.area))
 
 

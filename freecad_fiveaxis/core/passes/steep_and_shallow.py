@@ -78,7 +78,8 @@ def lay_whole(
 def _cut_strips(
     region: Region, options: PassOptions, slopes: Slopes, division: Division, steep: bool
 ) -> tuple[ContactPath, tuple[Finding, ...]]:
-    """The passes of the one strategy on its part and the strip, and what they do not touch of its part."""
+    """Return the passes of the one strategy on its part and the strip, and what they do not touch of its
+    part."""
     strategy = division.steep if steep else division.shallow
     own = slopes.steep == steep
     kept = region.keep[slopes.copy.parent]
@@ -100,7 +101,8 @@ def _cut_strips(
 
 
 def _mostly(slopes: Slopes, own: Bools, keep: Bools) -> Bools:
-    """The facets (f,) of the part that are to be cut and lie at least half in the pieces ``own`` (n,)."""
+    """Return the facets (f,) of the part that are to be cut and lie at least half in the pieces ``own``
+    (n,)."""
     area, parent, count = slopes.copy.mesh.area, slopes.copy.parent, len(keep)
     return np.asarray(
         keep & (np.bincount(parent, area * own, count) >= 0.5 * np.bincount(parent, area, count))
@@ -123,7 +125,7 @@ def _at_rim(found: Finding, strip: Floats, region: Region) -> bool:
 
 
 def _without_stubs(contact: ContactPath, strip: Bools, short: float) -> ContactPath:
-    """The polylines but those shorter than ``short`` mm that lie in the strip."""
+    """Return the polylines but those shorter than ``short`` mm that lie in the strip."""
     line, count = contact.polyline[::2], int(contact.polyline.max(initial=-1)) + 1
     length = np.bincount(line, np.linalg.norm(contact.point[1::2] - contact.point[::2], axis=1), count)
     outside = np.bincount(line, ~strip[contact.face[::2]], count)
@@ -132,8 +134,8 @@ def _without_stubs(contact: ContactPath, strip: Bools, short: float) -> ContactP
 
 
 def _top_down(contact: ContactPath, order: str) -> ContactPath:
-    """The passes from the highest to the lowest: those that run to and fro the other way round, so that each
-    still begins near the end of the one before, the others as they are."""
+    """Return the passes from the highest to the lowest: those that run to and fro the other way round, so
+    that each still begins near the end of the one before, the others as they are."""
     if not len(contact.point) or contact.point[0, 2] >= contact.point[-1, 2]:
         return contact
     rows = np.arange(len(contact.point))[::-1] if order == "zigzag" else _lines_reversed(contact.polyline)
@@ -142,5 +144,5 @@ def _top_down(contact: ContactPath, order: str) -> ContactPath:
 
 
 def _lines_reversed(polyline: Ints) -> Ints:
-    """The rows (n,) of polylines from the last to the first, each as it is."""
+    """Return the rows (n,) of polylines from the last to the first, each as it is."""
     return np.argsort(-polyline, kind="stable")

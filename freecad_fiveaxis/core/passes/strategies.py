@@ -40,7 +40,7 @@ PASS_STRATEGIES: dict[str, PassStrategy] = {
 
 
 def find_pass_strategy(name: str) -> PassStrategy:
-    """The strategy of that name. Raises SettingsError for one that there is not."""
+    """Return the strategy of that name. Raises SettingsError for one that there is not."""
     if name not in PASS_STRATEGIES:
         known = ", ".join(PASS_STRATEGIES)
         raise SettingsError(

@@ -44,7 +44,7 @@ def find_turns(mesh: Mesh, component: Ints, height: Floats) -> Floats:
 
 
 def _seam_jumps(mesh: Mesh, component: Ints, height: Floats) -> Floats:
-    """What (e,) the share gains beyond its way along each co-edge: 1 or -1 across a seam, else 0."""
+    """Return what (e,) the share gains beyond its way along each co-edge: 1 or -1 across a seam, else 0."""
     border = np.flatnonzero(mesh.coedge_face[:, 1] < 0)
     piece = component[mesh.coedge_vertex[border, 0]]
     middle = np.zeros((2, int(component.max(initial=-1)) + 1))
@@ -97,7 +97,7 @@ def _with_all_before(before: Ints, ends: Ints) -> Bools:
 
 
 def _balanced(mesh: Mesh, component: Ints, jump: Floats) -> Floats:
-    """The share (v,) of least change along the co-edges, each less its ``jump`` (e,)."""
+    """Return the share (v,) of least change along the co-edges, each less its ``jump`` (e,)."""
     (one, two), count = mesh.coedge_vertex.T, len(mesh.vertex)
     length = np.linalg.norm(mesh.vertex[two] - mesh.vertex[one], axis=1)
     weight = 1.0 / np.maximum(length, SHORT * float(length.mean()))

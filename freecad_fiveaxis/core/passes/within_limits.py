@@ -127,8 +127,8 @@ def least_up(max_axis_angle: float) -> float:
 
 
 def axes_within_limits(kinematics: Chain, axis: Floats) -> Bools:
-    """True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within their
-    limits."""
+    """Return True (n,) where the machine can take up the unit tool axis (n, 3) with both rotary words within
+    their limits."""
     ends = _second_alone(kinematics)
     if ends is not None:
         least, most = ends
@@ -155,8 +155,8 @@ def with_room(kinematics: Chain, room: float = ROOM) -> Chain:
 
 
 def turns_within_limits(kinematics: Chain, one: Floats, other: Floats) -> Bools:
-    """True (n,) where the machine can take up what lies between unit tool axes ``one`` and ``other`` (n, 3),
-    too, when the axis turns straight: between two at its limits it would go beyond them."""
+    """Return True (n,) where the machine can take up what lies between unit tool axes ``one`` and ``other``
+    (n, 3), too, when the axis turns straight: between two at its limits it would go beyond them."""
     within = np.ones(len(one), dtype=np.bool_)
     for share in SHARES:
         between = (1.0 - share) * one + share * other
@@ -195,7 +195,7 @@ def _second_alone(kinematics: Chain) -> tuple[float, float] | None:
 
 
 def _turned_within(word: Floats, low: float, high: float) -> Bools:
-    """True where the word, rad, lies between the limits after whole turns; NaN never does."""
+    """Return True where the word, rad, lies between the limits after whole turns; NaN never does."""
     if high - low >= TURN:
         return np.isfinite(word)
     first = word + TURN * np.ceil((low - WORD_ERROR - word) / TURN)  # the lowest that is not below ``low``
@@ -247,7 +247,8 @@ def _limits(kinematics: Chain) -> Sentence:
 def _left_out(
     code: Code, text: Template, mesh: Mesh, area: Floats, out: Bools, **values: Any
 ) -> Finding | None:
-    """The finding that says how much area is left out; its place is the centre of the largest such facet."""
+    """Return the finding that says how much area is left out; its place is the centre of the largest such
+    facet."""
     rows = np.flatnonzero(out)
     if not len(rows):
         return None

@@ -81,7 +81,7 @@ def find_changes(settings: Settings) -> Iterator[dict[str, Any]]:
 
 
 def _measured(settings: Settings, changes: Mapping[str, Any]) -> Settings:
-    """The settings with these changes, and what is left measured."""
+    """Return the settings with these changes, and what is left measured."""
     options = {**flat_options(settings), "rest": "on", **changes}
     given = {
         name: value

@@ -65,7 +65,7 @@ def assign_axes(context: MillContext, passes: OffsetContacts) -> AssignedAxes:
 def free_rows(
     context: MillContext, field: AxisField, offset: OffsetPath, axis: Floats
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
-    """The rows at which the field gives an axis that is free; a pass goes on behind contacts that have
+    """Return the rows at which the field gives an axis that is free; a pass goes on behind contacts that have
     none."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
@@ -100,8 +100,8 @@ def free_rows(
 def framed_rows(
     context: MillContext, frames: Frames, offset: OffsetPath, frame: Ints
 ) -> tuple[OffsetPath, Floats, tuple[Finding, ...]]:
-    """The rows, frame by frame, at which the tool is free with the axis of the frame of their pass, and these
-    axes (n, 3)."""
+    """Return the rows, frame by frame, at which the tool is free with the axis of the frame of their pass,
+    and these axes (n, 3)."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     reacher = reacher_in(context)
     offset, axis = divided(

@@ -105,8 +105,8 @@ def report_places(
 
 
 def far_enough_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-    """The rows, and their axes (n, 3), without those between which cutter, shank or holder come too near to
-    faces to avoid. ``seated``: with hubs. Raises SettingsError where nothing is left."""
+    """Return the rows, and their axes (n, 3), without those between which cutter, shank or holder come too
+    near to faces to avoid. ``seated``: with hubs. Raises SettingsError where nothing is left."""
     settings, keep_off = context.settings, context.keep_off
     if keep_off is None:
         return seated, axis

@@ -67,9 +67,9 @@ def bounded_by_hub(context: MillContext, offset: OffsetPath, axis: Floats) -> tu
 
 
 def counted_places(context: MillContext) -> Callable[[Floats, Ints], Bools] | None:
-    """What tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary, and far
-    enough from faces to avoid, so that something is to be cut there; where the centre counts, the place of a
-    ball's over them. None where there is neither."""
+    """Return what tells of places (k, 3) mm on facets (k,) of the part whether they lie within the boundary,
+    and far enough from faces to avoid, so that something is to be cut there; where the centre counts, the
+    place of a ball's over them. None where there is neither."""
     within, keep_off, mesh = _within(context), context.keep_off, context.mesh
     if keep_off is None:
         return within

@@ -40,13 +40,13 @@ def link_passes(context: MillContext, passes: AssignedAxes) -> LinkedPath:
 
 
 def link_contacts(context: MillContext, offset: OffsetPath, axis: Floats) -> CLPath:
-    """The CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``: the
-    cutter sits anew on each of them, whatever led its axis there."""
+    """Return the CL path through the contacts with tool axes ``axis`` (n, 3), one for each row of ``offset``:
+    the cutter sits anew on each of them, whatever led its axis there."""
     return _linked(context, offset, axis)[0]
 
 
 def _linked(context: MillContext, offset: OffsetPath, axis: Floats) -> tuple[CLPath, bool]:
-    """The same, and whether rows were left out because the tool would enter the part there."""
+    """Return the same, and whether rows were left out because the tool would enter the part there."""
     settings, cutter = context.settings, context.settings.cutter.cutter
     options = LinkOptions(
         clearance=settings.links.clearance, feed=settings.feeds.feed, plunge_feed=settings.feeds.plunge_feed,
@@ -82,8 +82,8 @@ def _retreats(context: MillContext, seated: OffsetPath, axis: Floats) -> Floats 
 
 
 def left_out_rows(context: MillContext, seated: OffsetPath, axis: Floats) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut without entering the part, where the settings ask to leave out the others.
-    ``seated``: with hubs."""
+    """Return the rows that can be cut without entering the part, where the settings ask to leave out the
+    others. ``seated``: with hubs."""
     settings = context.settings
     if settings.gouge.gouge != "leave-out":
         return seated, axis

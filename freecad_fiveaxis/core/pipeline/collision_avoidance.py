@@ -73,15 +73,15 @@ NOT_CUT = (
 
 
 def commanded_motion(settings: Settings, path: CLPath) -> SweptMotion:
-    """The way that the path commands: the point straight that makes the surface."""
+    """Return the way that the path commands: the point straight that makes the surface."""
     return straight_motion(
         path.tip - tip_to_driven(settings) * path.axis, path.axis, tip_to_surface(settings)
     )
 
 
 def uncut_by_cure(context: MillContext, path: CLPath) -> tuple[Finding, ...]:
-    """What a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked for
-    where the map of rest material tells it."""
+    """Return what a cure leaves on the facets that are cut beyond scallops and tolerance; nothing is looked
+    for where the map of rest material tells it."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
     if settings.gouge.rest == "on":
         return ()
@@ -106,7 +106,7 @@ def allowed(settings: Settings, mesh: Mesh, keep: Bools) -> float:
 
 
 def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
-    """The scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
+    """Return the scallop, mm, that the passes leave: the one asked for, or that of the stepover."""
     cutter, passes, tool = settings.cutter.cutter, settings.passes, settings.tool_axis
     if passes.stepover is None:
         return wanted_scallop(settings) or 0.0
@@ -120,13 +120,13 @@ def _rest_scallop(settings: Settings, mesh: Mesh, keep: Bools) -> float:
 
 
 def cutting(motion: Bytes) -> Ints:
-    """The blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i leads to
-    row i + 1."""
+    """Return the blocks (k,) that cut, of a path or program with these motions (n,) of its rows; block i
+    leads to row i + 1."""
     return np.flatnonzero(np.isin(motion[1:], (Motion.CUT, Motion.FILL)))
 
 
 def entered(context: MillContext, program: Program) -> GougeCheck | None:
-    """What the tool enters of the part on its real way, where the settings ask for the check."""
+    """Return what the tool enters of the part on its real way, where the settings ask for the check."""
     settings, tolerance = context.settings, context.settings.proof.tolerance
     if settings.gouge.gouge == "off":
         return None
@@ -146,8 +146,8 @@ def entered(context: MillContext, program: Program) -> GougeCheck | None:
 
 
 def enters_table(context: MillContext, program: Program) -> tuple[Finding, ...]:
-    """What of the tool goes below the machine's table on its real way, where the settings ask for the check
-    of gouges and it is known where the table is."""
+    """Return what of the tool goes below the machine's table on its real way, where the settings ask for the
+    check of gouges and it is known where the table is."""
     settings = context.settings
     table = table_looked_at(settings, context.machine, context.mesh)
     if table is None:
@@ -161,8 +161,8 @@ def enters_table(context: MillContext, program: Program) -> tuple[Finding, ...]:
 
 
 def _remedy(settings: Settings) -> str:
-    """What helps against an overcut: a cure, and where that has been at work already, the machine kept on its
-    path."""
+    """Return what helps against an overcut: a cure, and where that has been at work already, the machine kept
+    on its path."""
     if settings.gouge.gouge == "report":
         return CURES
     divisible = (
@@ -181,39 +181,41 @@ def _remedy(settings: Settings) -> str:
 
 
 def still_true(findings: tuple[Finding, ...], check: GougeCheck | None) -> tuple[Finding, ...]:
-    """The findings without those that the check of the finished program, where there was one, has settled."""
+    """Return the findings without those that the check of the finished program, where there was one, has
+    settled."""
     return findings if check is None else tuple(one for one in findings if one.code not in JUDGED)
 
 
 def unfinished_share(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
-    """The share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away from
-    the spindle is not counted. ``keep`` (f,): the facets that are cut."""
+    """Return the share, 0 to 1, of the surface asked for that findings say stays unfinished; what faces away
+    from the spindle is not counted. ``keep`` (f,): the facets that are cut."""
     out = area_of(findings, *NOT_CUT)
     whole = float(mesh.area[keep].sum()) + out
     return (out + rest_area(findings)) / whole
 
 
 def finished_area(findings: tuple[Finding, ...], mesh: Mesh, keep: Bools) -> float:
-    """The area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on them."""
+    """Return the area, mm2, of the facets that are cut, ``keep`` (f,), less what findings say stays on
+    them."""
     return float(mesh.area[keep].sum()) - rest_area(findings)
 
 
 def rest_area(findings: tuple[Finding, ...]) -> float:
-    """The area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides that
-    no pass touches are uncut as well: the larger counts."""
+    """Return the area, mm2, that stays of the facets that are cut, the strip beside faces to avoid too. Sides
+    that no pass touches are uncut as well: the larger counts."""
     return max(area_of(findings, Code.UNCUT), area_of(findings, Code.SIDE_NOT_MACHINED)) + area_of(
         findings, Code.NEAR_AVOIDED_FACES
     )
 
 
 def area_of(findings: tuple[Finding, ...], *codes: str) -> float:
-    """The area, mm2, that findings of these codes name."""
+    """Return the area, mm2, that findings of these codes name."""
     return float(sum(one.value or 0.0 for one in findings if one.code in codes and one.unit == "mm2"))
 
 
 def find_rest_of_program(context: MillContext, program: Program) -> RestMaterial:
-    """What the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no block
-    cuts."""
+    """Return what the cutter leaves on the facets that are cut on its real way. Raises SettingsError where no
+    block cuts."""
     settings, mesh, keep = context.settings, context.mesh, context.keep
     cutter, swept = (
         settings.cutter.cutter,

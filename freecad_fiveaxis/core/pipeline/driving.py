@@ -21,9 +21,10 @@ from .safe_start import find_spindle_off, start_findings, start_plane
 
 
 def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath:
-    """The joint path through ``path``; its blocks divided where the settings ask for that: all feed blocks
-    over tolerance, or those in the cone about the pole; over tolerance is what the point leaves that makes
-    the surface (of a ball the centre). ``entering`` mm: so much of the tolerance the path itself uses up."""
+    """Return the joint path through ``path``; its blocks divided where the settings ask for that: all feed
+    blocks over tolerance, or those in the cone about the pole; over tolerance is what the point leaves that
+    makes the surface (of a ball the centre). ``entering`` mm: so much of the tolerance the path itself uses
+    up."""
     settings, kinematics = context.settings, context.kinematics
     clearance, radius = settings.links.clearance, settings.cutter.cutter.radius
     tool = seen_from(kept_off(settings), tip_to_driven(settings))
@@ -42,7 +43,7 @@ def drive(context: JobContext, path: CLPath, entering: float = 0.0) -> JointPath
 
 
 def posted(context: JobContext, path: CLPath, joints: JointPath, found: tuple[Finding, ...]) -> PostedProgram:
-    """The program and its NC file. ``found``: what the stages before have found."""
+    """Return the program and its NC file. ``found``: what the stages before have found."""
     settings, machine, kinematics, dialect = (
         context.settings,
         context.machine,

@@ -26,7 +26,7 @@ USUAL = {0: FIXED, 1: "facet_mean"}
 
 
 def suit_tool_axis(settings: Settings, machine: Machine) -> Settings:
-    """The settings, with a tool axis that the machine can follow where they leave it open."""
+    """Return the settings, with a tool axis that the machine can follow where they leave it open."""
     if machine.rotaries not in USUAL or "tool_axis" in settings.explicit or settings.passes.passes == FRAMES:
         return settings
     if machine.rotaries and settings.passes.passes == ROTARY:
@@ -35,7 +35,7 @@ def suit_tool_axis(settings: Settings, machine: Machine) -> Settings:
 
 
 def refuse_what_needs_more_axes(settings: Settings, machine: Machine) -> None:
-    """Raises SettingsError for the first thing asked for that a machine of so few rotary axes cannot do."""
+    """Raise SettingsError for the first thing asked for that a machine of so few rotary axes cannot do."""
     refused = what_needs_more_axes(settings, machine)
     if refused is not None:
         raise refused
@@ -128,7 +128,7 @@ def _leaning(settings: Settings, machine: Machine) -> tuple[str, object] | None:
 
 
 def _flank(settings: Settings, machine: Machine) -> tuple[str, object] | None:
-    """A barrel that has to lean from the surface, which one rotary axis can only do in one plane."""
+    """Return a barrel that has to lean from the surface, which one rotary axis can only do in one plane."""
     tool, barrel = settings.tool_axis, settings.cutter.cutter.barrel
     if settings.task not in (MILL, COMPARE) or barrel is None or machine.rotaries != 1:
         return None

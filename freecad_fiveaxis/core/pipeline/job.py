@@ -100,9 +100,9 @@ def make(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     fixtures: tuple[Fixture, ...] | None = None,
 ) -> ProgramDraft:  # fmt: skip
-    """The program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source`` only
-    its name; facets of it with an allowance are those to avoid; ``faces`` (f,): the facets of it that are to
-    be cut, None: all; ``fixtures``: where they are at hand and the settings only name them. Raises
+    """Return the program, not yet proven. ``mesh``: what to mill, where it is at hand and ``settings.source``
+    only its name; facets of it with an allowance are those to avoid; ``faces`` (f,): the facets of it that
+    are to be cut, None: all; ``fixtures``: where they are at hand and the settings only name them. Raises
     FiveAxisError for input that cannot be used."""
     settings = suit_tool_axis(settings, load_machine(settings.machine.machine))
     machine, kinematics, dialect = machine_of(settings)
@@ -146,8 +146,8 @@ def make(
 
 
 def _with_named_cutter(settings: Settings, text: bytes) -> tuple[Settings, tuple[Finding, ...]]:
-    """The settings with the cutter that an NC program names where they have none of their own, and a note of
-    that."""
+    """Return the settings with the cutter that an NC program names where they have none of their own, and a
+    note of that."""
     cutter = find_named_cutter(text)
     taken = with_cutter(settings, cutter)
     return taken, () if taken is settings or cutter is None else named_cutter_note(cutter)
@@ -190,15 +190,16 @@ def chosen_faces(settings: Settings, mesh: Mesh, faces: Bools | None, progress: 
 def _facets_in(
     settings: Settings, mesh: Mesh, name: str, progress: Progress, machined: bool = True
 ) -> tuple[Bools, tuple[Finding, ...]]:
-    """The facets on the faces of a file, and how many those are."""
+    """Return the facets on the faces of a file, and how many those are."""
     return facets_on(
         mesh, read_stl(name, progress), settings.proof.tolerance, Path(name).name, progress, machined
     )
 
 
 def _configure_dialect(settings: Settings, machine: Machine, dialect: Dialect) -> Dialect:
-    """The dialect as it is to be written: safe start, high-speed mode, tip guided. Raises SettingsError,
-    before the long work, for what the controller has not, and for a head that cannot be written."""
+    """Return the dialect as it is to be written: safe start, high-speed mode, tip guided. Raises
+    SettingsError, before the long work, for what the controller has not, and for a head that cannot be
+    written."""
     dialect = started(dialect, machine)
     dialect = dialect.fast() if settings.head.high_speed == "on" else dialect
     dialect = dialect if settings.head.rtcp == "off" else dialect.guided(settings.head.rtcp)
@@ -226,9 +227,9 @@ def post(
 
 
 def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = None) -> Result:
-    """The deviation of every block of a program, its proven bound, and the blocks near the pole. Judged is
-    the deviation of the point that makes the surface: of a ball the centre. ``part``: what an audit compares
-    with, where it is at hand and ``settings.audit.against`` only its name.
+    """Return the deviation of every block of a program, its proven bound, and the blocks near the pole.
+    Judged is the deviation of the point that makes the surface: of a ball the centre. ``part``: what an audit
+    compares with, where it is at hand and ``settings.audit.against`` only its name.
 
     Where the controller guides the tip there is nothing to measure, and nothing is proven but the blocks'
     ends.
@@ -263,9 +264,9 @@ def prove(draft: ProgramDraft, progress: Progress = silent, part: Mesh | None = 
 
 
 def surface_deviation(draft: ProgramDraft, above: float, progress: Progress = silent) -> Deviation | None:
-    """The deviation of the point ``above`` mm over the driven one, against its own chords; ``place`` (m, 3)
-    mm: where the driven point stands then. None where it is the driven point itself, and where the controller
-    guides the tip."""
+    """Return the deviation of the point ``above`` mm over the driven one, against its own chords; ``place``
+    (m, 3) mm: where the driven point stands then. None where it is the driven point itself, and where the
+    controller guides the tip."""
     program = draft.program
     if above == 0.0 or program.guided is not None:
         return None
@@ -290,8 +291,8 @@ def _audited(
 
 
 def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | None, Settings]:
-    """The CL path or the part that a program is audited against, and the settings with the cutter of a CL
-    file where they have none of their own. Raises FiveAxisError where it cannot be read."""
+    """Return the CL path or the part that a program is audited against, and the settings with the cutter of a
+    CL file where they have none of their own. Raises FiveAxisError where it cannot be read."""
     path = settings.audit.against
     if settings.task != AUDIT or path is None:
         return None, settings
@@ -304,8 +305,8 @@ def _compared(settings: Settings, progress: Progress) -> tuple[CLPath | Mesh | N
 def _against_part(
     draft: ProgramDraft, progress: Progress
 ) -> tuple[GougeCheck | None, RestMaterial | None, tuple[Finding, ...]]:
-    """What enters the part, the rest material on it, and what is to be said of both; of a program made from a
-    mesh."""
+    """Return what enters the part, the rest material on it, and what is to be said of both; of a program made
+    from a mesh."""
     if not isinstance(draft, MilledProgram):
         return None, None, ()
     context, program = draft.context(progress), draft.program
@@ -319,7 +320,7 @@ def _against_part(
 
 
 def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]:
-    """What of tool and spindle goes into a fixture."""
+    """Return what of tool and spindle goes into a fixture."""
     settings, back = draft.settings, tip_to_driven(draft.settings)
     rapids, tolerance = rapids_of(settings, draft.machine, draft.dialect), settings.proof.tolerance
     body = over_tip(draft)
@@ -330,8 +331,8 @@ def _in_fixtures(draft: ProgramDraft, progress: Progress) -> tuple[Finding, ...]
 
 
 def rest_material_of(draft: MilledProgram, progress: Progress = silent) -> RestMaterial:
-    """What the cutter leaves on the machined facets on its real way. Raises SettingsError where no block
-    cuts."""
+    """Return what the cutter leaves on the machined facets on its real way. Raises SettingsError where no
+    block cuts."""
     return find_rest_of_program(draft.context(progress), draft.program)
 
 
@@ -356,7 +357,7 @@ def _stand(draft: MilledProgram, contacts: Contacts | None) -> float:
 
 
 def figures(result: Result) -> Figures:
-    """What the report is made from."""
+    """Return what the report is made from."""
     draft = result.draft
     contacts = _contacts(draft) if isinstance(draft, MilledProgram) else None
     return Figures(

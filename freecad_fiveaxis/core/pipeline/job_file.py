@@ -19,8 +19,8 @@ from .settings import TASKS, WITHOUT_SOURCE, Settings, build_settings, option_fi
 
 
 def read_job(path: str) -> Settings:
-    """A job file: ``{"task": "mill", "source": "part.stl", "machine": ..., ...}``; its paths are relative to
-    the file.
+    """Return a job file: ``{"task": "mill", "source": "part.stl", "machine": ..., ...}``; its paths are
+    relative to the file.
 
     Raises SettingsError where it is no such thing. A report's ``inputs`` are a job file too.
     """
@@ -48,8 +48,8 @@ def read_job(path: str) -> Settings:
 
 
 def read_json(path: str) -> Any:
-    """What a job file holds, in which no key stands twice and every number is one. Raises SettingsError,
-    FileError."""
+    """Return what a job file holds, in which no key stands twice and every number is one. Raises
+    SettingsError, FileError."""
     try:
         return json.loads(
             read_bytes(path, "job file"), object_pairs_hook=_unique, parse_constant=_no_constant

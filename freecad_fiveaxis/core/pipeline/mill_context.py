@@ -48,9 +48,9 @@ def mill_context(
     settings: Settings, mesh: Mesh, machine: Machine, kinematics: Chain, dialect: Dialect, progress: Progress,
     faces: Bools | None = None, fixtures: tuple[Fixture, ...] = (), avoided: Bools | None = None,
 ) -> tuple[MillContext, tuple[Finding, ...]]:  # fmt: skip
-    """The job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the facets to
-    cut, None: all. ``fixtures``: what is kept clear of as the rest of the part is; ``avoided`` (f,): the
-    facets on faces to avoid, None: no such faces."""
+    """Return the job's context, and what there is to say of facets that stay uncut. ``faces`` (f,): the
+    facets to cut, None: all. ``fixtures``: what is kept clear of as the rest of the part is; ``avoided``
+    (f,): the facets on faces to avoid, None: no such faces."""
     keep_off = keep_off_of(settings, mesh, avoided)
     joined, box = obstacles_of(mesh, fixtures, keep_off)
     boundary, most = boundary_of(settings), largest_axis_angle(settings, machine, mesh)
@@ -108,8 +108,8 @@ def mill_context(
 
 
 def find_standing(settings: Settings, mesh: Mesh, faces: Bools | None) -> Bools:
-    """The facets (f,) that the part stands on, which stay uncut where axes are chosen freely and nobody says
-    which are cut."""
+    """Return the facets (f,) that the part stands on, which stay uncut where axes are chosen freely and
+    nobody says which are cut."""
     return np.asarray(standing_facets(mesh) & (faces is None and settings.passes.max_axis_angle is None))
 
 
@@ -124,8 +124,9 @@ def check_passes(settings: Settings, mesh: Mesh, keep: Bools) -> None:
 def find_region(
     settings: Settings, mesh: Mesh, keep: Bools, progress: Progress, frames: Frames | None = None
 ) -> Region:
-    """The facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart as the
-    cutter's. For what is no ball: at most as far apart as on a flat, for beyond that its bottom ends."""
+    """Return the facets ``keep`` (f,), which are to be cut, with the ball whose passes may stand as far apart
+    as the cutter's. For what is no ball: at most as far apart as on a flat, for beyond that its bottom
+    ends."""
     options, cutter = pass_options(settings), settings.cutter.cutter
     radius, scallop = cutter.radius, options.scallop
     interval = options.stepover or flat_interval(radius, min(scallop or 0.0, 0.5 * radius))

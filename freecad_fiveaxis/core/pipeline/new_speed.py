@@ -19,8 +19,8 @@ from .settings import Settings
 
 
 def without_speed(settings: Settings) -> Settings:
-    """The settings with spindle and coolant as if neither was given: two jobs that agree in these differ in
-    their heads only."""
+    """Return the settings with spindle and coolant as if neither was given: two jobs that agree in these
+    differ in their heads only."""
     return replace(settings, head=replace(settings.head, spindle=None, coolant="off"))
 
 

@@ -73,7 +73,7 @@ def read_option(leaf: dataclasses.Field[Any], given: Any) -> Any:
 
 
 def _shown(given: Any, rules: Mapping[str, Any]) -> Any:
-    """A number with its unit; a text as it was given."""
+    """Return a number with its unit; a text as it was given."""
     unit = UNITS.get(rules["kind"], "")
     return measure(given, unit, "", bare=True) if isinstance(given, float) and unit else str(given)
 
@@ -92,7 +92,7 @@ def _range_text(rules: Mapping[str, Any]) -> Sentence:
 
 
 def read_text(given: Any, name: str) -> str:
-    """A text that can name a file or a thing. Raises SettingsError."""
+    """Return a text that can name a file or a thing. Raises SettingsError."""
     if not isinstance(given, str) or not given:
         raise SettingsError(
             say("{name} {given} is not a text", name=name, given=quantity.shown(given)), given
@@ -119,7 +119,7 @@ def _count(given: Any, name: str) -> float:
 
 
 def _speed(given: Any, name: str) -> float:
-    """A spindle speed; 0 for ``off``. Raises SettingsError that names that choice too."""
+    """Return a spindle speed; 0 for ``off``. Raises SettingsError that names that choice too."""
     if given == "off":
         return 0.0
     try:
@@ -141,7 +141,7 @@ def _counts(given: Any, name: str) -> Vector:
 
 
 def _place(given: Any, name: str) -> str | Vector:
-    """A word, a file's name or a curve; three lengths where it is X,Y,Z."""
+    """Return a word, a file's name or a curve; three lengths where it is X,Y,Z."""
     if isinstance(given, str) and (given.count(",") != 2 or is_inline(given)):
         return read_text(given, name)
     return quantity.parse_triple(given, quantity.LENGTHS, name)
@@ -183,7 +183,7 @@ READERS: dict[str, Any] = {
 
 
 def write_option(leaf: dataclasses.Field[Any], value: Any) -> Any:
-    """The value as a job file would hold it: degrees, mm, lists; None where the option is left out."""
+    """Return the value as a job file would hold it: degrees, mm, lists; None where the option is left out."""
     if isinstance(value, Cutter):
         return cutter_text(value)
     if leaf.metadata["kind"] == "angle" and value is not None:

@@ -45,13 +45,13 @@ UPRIGHT = (0.0, 0.0, 1.0)
 
 
 def machine_of(settings: Settings) -> tuple[Machine, Chain, Dialect]:
-    """The machine, its chain with the part where it stands, and its dialect. Raises FiveAxisError."""
+    """Return the machine, its chain with the part where it stands, and its dialect. Raises FiveAxisError."""
     machine, setup, dialect = clamped(settings)
     return machine, chain(machine, setup), dialect
 
 
 def search_folders(settings: Settings, program: str) -> tuple[str, ...]:
-    """The folders in which the programs lie that ``program`` calls: its own, then those named. Raises
+    """Return the folders in which the programs lie that ``program`` calls: its own, then those named. Raises
     SettingsError for one that is none."""
     for folder in settings.reading.search:
         if not Path(folder).is_dir():
@@ -67,8 +67,8 @@ def search_folders(settings: Settings, program: str) -> tuple[str, ...]:
 
 
 def dialect_for(controller: str | None, machine: Machine | None) -> Dialect:
-    """The dialect of the controller that is named, else of the machine's own, else the usual one. Raises
-    SettingsError."""
+    """Return the dialect of the controller that is named, else of the machine's own, else the usual one.
+    Raises SettingsError."""
     return find_dialect(controller or (machine.controller if machine else "") or DEFAULT_CONTROLLER)
 
 
@@ -79,15 +79,15 @@ def rapids_of(settings: Settings, machine: Machine, dialect: Dialect) -> str:
 
 
 def clamped(settings: Settings) -> tuple[Machine, Setup, Dialect]:
-    """The machine, where the part stands on it, and its dialect."""
+    """Return the machine, where the part stands on it, and its dialect."""
     machine = load_machine(settings.machine.machine)
     refuse_what_needs_more_axes(settings, machine)
     return resolve_setup(settings, machine)
 
 
 def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup, Dialect]:
-    """The same for a machine that is known, whatever is asked of its axes. Raises SettingsError without a
-    head's tool length."""
+    """Return the same for a machine that is known, whatever is asked of its axes. Raises SettingsError
+    without a head's tool length."""
     given = settings.machine
     dialect = dialect_for(given.controller, machine)
     if given.tool_length is None and machine.has_head:
@@ -106,7 +106,7 @@ def resolve_setup(settings: Settings, machine: Machine) -> tuple[Machine, Setup,
 
 
 def wanted_scallop(settings: Settings) -> float | None:
-    """The scallop asked for, mm; None where a stepover is."""
+    """Return the scallop asked for, mm; None where a stepover is."""
     passes = settings.passes
     return DEFAULT_SCALLOP if passes.scallop is None and passes.stepover is None else passes.scallop
 
@@ -178,7 +178,7 @@ def reacher_of(
 
 
 def reacher_in(context: MillContext) -> Reacher:
-    """The same of a job's context."""
+    """Return the same of a job's context."""
     return reacher_of(context.settings, context.machine, context.kinematics, context.mesh, context.bodies)
 
 
@@ -196,8 +196,8 @@ def tool_body(settings: Settings) -> Body:
 
 
 def kept_off(settings: Settings) -> Body:
-    """What of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be looked
-    at (gouge ``off``) the cutter alone, so that shank and holder are only drawn."""
+    """Return what of the tool keeps off the part on rapids: all of it; of a path for which nothing is to be
+    looked at (gouge ``off``) the cutter alone, so that shank and holder are only drawn."""
     only_cutter = settings.task == MILL and settings.gouge.gouge == "off"
     return body_of(settings.cutter.cutter) if only_cutter else tool_body(settings)
 
@@ -225,12 +225,12 @@ def driven_to_surface(settings: Settings) -> float:
 
 
 def tip_to_surface(settings: Settings) -> float:
-    """The same from the tip, mm: the point so far above it goes straight."""
+    """Return the same from the tip, mm: the point so far above it goes straight."""
     return tip_to_driven(settings) + driven_to_surface(settings)
 
 
 def post_options(settings: Settings) -> PostOptions:
-    """What the head of an NC file is to say."""
+    """Return what the head of an NC file is to say."""
     head = settings.head
     tool = None if head.tool is None else int(head.tool)
     named, length = cutter_name(settings.cutter.cutter), settings.machine.tool_length
@@ -240,7 +240,7 @@ def post_options(settings: Settings) -> PostOptions:
 
 
 def cl_head(settings: Settings) -> ClHead:
-    """What the head of a CL file is to say."""
+    """Return what the head of a CL file is to say."""
     options = post_options(settings)
     return ClHead(options.tool, options.speed, options.coolant)
 
@@ -257,7 +257,8 @@ def cl_reading(settings: Settings) -> ClReading:
 
 
 def with_head(settings: Settings, findings: ClHead) -> Settings:
-    """The settings with the tool, speed, coolant and cutter of a CL file where they have none of their own.
+    """Return the settings with the tool, speed, coolant and cutter of a CL file where they have none of their
+    own.
 
     Where the cutter's centre is driven, the cutter must be said with it: the machine has been set up by its
     corner.
@@ -272,8 +273,8 @@ def with_head(settings: Settings, findings: ClHead) -> Settings:
 
 
 def with_cutter(settings: Settings, cutter: Cutter | None) -> Settings:
-    """The settings with this cutter, which a file names, where they have none of their own and the tip is
-    driven."""
+    """Return the settings with this cutter, which a file names, where they have none of their own and the tip
+    is driven."""
     if cutter is None or "cutter" in settings.explicit or settings.machine.control_point != "tip":
         return settings
     return replace(
@@ -288,5 +289,5 @@ def nc_title(settings: Settings, machine: Machine) -> str:
 
 
 def title_of(settings: Settings) -> str:
-    """The title of reports: the source's name, on one line."""
+    """Return the title of reports: the source's name, on one line."""
     return one_line(Path(settings.source).name)

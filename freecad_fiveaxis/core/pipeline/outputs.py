@@ -71,8 +71,8 @@ def files_read(settings: Settings) -> list[str]:
 
 
 def _body_files(machines: Iterable[str]) -> Iterator[str]:
-    """The files of the machines' bodies; of a machine whose own file cannot be used none: whoever loads it
-    says why."""
+    """Yield the files of the machines' bodies; of a machine whose own file cannot be used none: whoever loads
+    it says why."""
     for path in machines:
         try:
             yield from (body.file for body in load_machine(path).bodies)
@@ -81,7 +81,7 @@ def _body_files(machines: Iterable[str]) -> Iterator[str]:
 
 
 def curve_files(settings: Settings) -> list[str]:
-    """The files of guide curves, and of the boundary."""
+    """Return the files of guide curves, and of the boundary."""
     guides = [
         one
         for one in (settings.passes.from_, settings.passes.to)
@@ -92,14 +92,14 @@ def curve_files(settings: Settings) -> list[str]:
 
 
 def _paths(settings: Settings, written: bool) -> Iterator[str]:
-    """The files that the options name, those to write or those to read."""
+    """Yield the files that the options name, those to write or those to read."""
     for name, value in _values(settings):
         if (name in WRITTEN) == written and value:
             yield from (value,) if isinstance(value, str) else value
 
 
 def _values(settings: Settings) -> Iterator[tuple[str, Any]]:
-    """The options that hold paths, with their values."""
+    """Yield the options that hold paths, with their values."""
     groups = {type(group): group for group in vars(settings).values()}
     for cls, leaf in option_fields():
         if leaf.metadata["kind"] in ("path", "paths"):

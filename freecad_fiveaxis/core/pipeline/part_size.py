@@ -17,8 +17,8 @@ INCH, METRE = 25.4, 1000.0
 
 
 def unit_suspected(mesh: Mesh, cutter: Cutter) -> tuple[Finding, ...]:
-    """A warning where the whole part is smaller than the cutter's diameter: its longest side in mm, and in
-    other units."""
+    """Return a warning where the whole part is smaller than the cutter's diameter: its longest side in mm,
+    and in other units."""
     size = float(np.ptp(mesh.vertex, axis=0).max())
     if size >= cutter.diameter:
         return ()

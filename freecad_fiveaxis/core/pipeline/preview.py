@@ -168,7 +168,7 @@ Columns = tuple[Floats, Ints, Ints]
 
 
 def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
-    """The rows on facets that are cut; a line ends where others lie between."""
+    """Return the rows on facets that are cut; a line ends where others lie between."""
     rows = np.flatnonzero(keep[contact.face])
     segment, line = contact.segment[rows], contact.polyline[rows]
     begins = (np.diff(line, prepend=-1) != 0) | (np.diff(segment, prepend=-1) > 1)
@@ -176,8 +176,8 @@ def _cut_rows(contact: ContactPath, keep: Bools) -> Columns:
 
 
 def _within_boundary(context: MillContext, passes: PlannedPasses) -> Columns:
-    """The rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball is
-    taken as over the surface's normal."""
+    """Return the rows within the boundary and off the faces to avoid; the centre of a cutter that is no ball
+    is taken as over the surface's normal."""
     offset = keep_off_faces(context, keep_within_boundary(context, offset_contacts(context, passes))).offset
     cutter = context.settings.cutter
     if (

@@ -67,7 +67,7 @@ class MilledProgram(PostedProgram):
     keep_off: KeepOff | None = field(default=None, kw_only=True)
 
     def context(self, progress: Progress) -> MillContext:
-        """What the stages took that made it, with another progress to tell."""
+        """Return what the stages took that made it, with another progress to tell."""
         joined, box = obstacles_of(self.mesh, self.fixtures, self.keep_off)
         return MillContext(
             self.settings,

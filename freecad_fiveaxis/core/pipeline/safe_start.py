@@ -26,7 +26,7 @@ from .settings import Settings
 
 
 def started(dialect: Dialect, machine: Machine) -> Dialect:
-    """The dialect with the machine's safe start and end."""
+    """Return the dialect with the machine's safe start and end."""
     table = [axis.direction for axis in machine.rotary if axis.side == "table"]
     return with_start(
         dialect, machine.safe_start, all(abs(z) > 1.0 - UPRIGHT for _, _, z in table), machine.rotaries > 0
@@ -34,8 +34,8 @@ def started(dialect: Dialect, machine: Machine) -> Dialect:
 
 
 def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Finding, ...]]:
-    """The word of Z at which the program begins and ends above the part, where the machine file asks for
-    that, else 0."""
+    """Return the word of Z at which the program begins and ends above the part, where the machine file asks
+    for that, else 0."""
     settings, machine, kinematics = context.settings, context.machine, context.kinematics
     if machine.safe_start.retract != BY_CLEARANCE or not len(program.words):
         return 0.0, ()
@@ -48,7 +48,7 @@ def start_plane(context: JobContext, program: Program) -> tuple[float, tuple[Fin
 
 
 def start_findings(context: JobContext, program: Program) -> tuple[Finding, ...]:
-    """What there is to say of start and end."""
+    """Return what there is to say of start and end."""
     machine, dialect = context.machine, context.dialect
     found: tuple[Finding, ...] = ()
     if dialect.guide is not None and by_reference(dialect, machine.safe_start):
@@ -78,7 +78,8 @@ def find_spindle_off(settings: Settings) -> tuple[Finding, ...]:
 
 
 def _through_part(kinematics: Chain, program: Program, box: Box) -> tuple[Finding, ...]:
-    """An error where the straight way of Z to the first place, or from the last, meets the part's box."""
+    """Return an error where the straight way of Z to the first place, or from the last, meets the part's
+    box."""
     found, ends = [], (0, len(program.words) - 1)
     for row, what in zip(
         ends, (say("comes down to its first place"), say("rises from its last place")), strict=True

@@ -36,10 +36,10 @@ def solve_joints(context: MillContext, linked: LinkedPath) -> SolvedJoints:
 
 
 def drive_free(context: MillContext, path: CLPath, entering: float) -> tuple[CLPath, JointPath]:
-    """The path and its joint path (:func:`.driving.drive`). Where a cure is asked for and blocks may be
-    divided, rows are put in half-way where the tool still enters on its real way though the path itself does
-    not: the machine turns the axis otherwise than on a great arc, and with the tip within the tolerance the
-    rest of the cutter may swing farther."""
+    """Return the path and its joint path (:func:`.driving.drive`). Where a cure is asked for and blocks may
+    be divided, rows are put in half-way where the tool still enters on its real way though the path itself
+    does not: the machine turns the axis otherwise than on a great arc, and with the tip within the tolerance
+    the rest of the cutter may swing farther."""
     settings, joints = context.settings, drive(context, path, entering)
     if settings.cure.linearize != "on" or settings.gouge.gouge in ("off", "report"):
         return path, joints
@@ -78,8 +78,8 @@ def _entering(context: MillContext, path: CLPath, joints: JointPath, wanted: Int
 
 
 def _halved(path: CLPath, rows: Ints, above: float = 0.0) -> CLPath:
-    """The path with a row half-way to each of these rows (k,), of which it takes all but its place and axis;
-    the point ``above`` mm over the driven one goes straight."""
+    """Return the path with a row half-way to each of these rows (k,), of which it takes all but its place and
+    axis; the point ``above`` mm over the driven one goes straight."""
     pose = straight_motion(path.tip, path.axis, above).pose(rows - 1, np.full(len(rows), 0.5))
     given = {
         name: getattr(path, name)

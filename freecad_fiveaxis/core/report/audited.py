@@ -19,7 +19,7 @@ from .block_table import letter_order
 
 
 def audited(program: Program, audit: Audit | None) -> dict[str, Any]:
-    """The numbers of an audit; empty without one. Feeds mm/min, lengths mm, angles degrees; None where
+    """Return the numbers of an audit; empty without one. Feeds mm/min, lengths mm, angles degrees; None where
     nothing is known."""
     if audit is None:
         return {}
@@ -82,7 +82,7 @@ def _letter(program: Program, axis: Any, row: int, values: Floats) -> str | None
 
 
 def audit_rows(program: Program, audit: Audit, rows: Ints) -> list[dict[str, Any]]:
-    """What the audit found in the blocks ``rows``: words mm and deg, rates mm/min and deg/min."""
+    """Return what the audit found in the blocks ``rows``: words mm and deg, rates mm/min and deg/min."""
     order, (off, bound) = letter_order(program.letters), audit.off()
     rates = audit.rates.rate[rows] * DEGREES
     return [
@@ -106,14 +106,14 @@ WORST = 10
 
 
 def worst_of(values: Floats, above: float) -> Ints:
-    """The rows of the largest of ``values`` (m,) that are above ``above``, the largest first, the earlier
-    first among equals."""
+    """Return the rows of the largest of ``values`` (m,) that are above ``above``, the largest first, the
+    earlier first among equals."""
     rows = np.flatnonzero(values > above)
     return rows[np.argsort(-values[rows], kind="stable")][:WORST]
 
 
 def audit_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """The numbers of an audit as pairs of name and value with unit; none without one."""
+    """Return the numbers of an audit as pairs of name and value with unit; none without one."""
     if "over_limit_blocks" not in numbers:
         return []
     unit = "mm" if (numbers["limit_axis"] or "X") in "XYZ" else "deg"

@@ -33,14 +33,14 @@ DECIMALS = 6
 
 
 def letter_order(letters: str) -> list[int]:
-    """The columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0 1 2 4
-    3); only those that the machine has."""
+    """Return the columns of the words as people read them: X Y Z, then the rotary letters sorted ("XYZCA": 0
+    1 2 4 3); only those that the machine has."""
     return [0, 1, 2, *sorted(fitted_columns(letters)[3:], key=lambda column: letters[column])]
 
 
 def header(letters: str, depth: bool = False, surface: bool = False) -> str:
-    """The column names for the machine's ``letters`` (in the order of the words, as "XYZCA"); ``depth``,
-    ``surface``: the last ones too."""
+    """Return the column names for the machine's ``letters`` (in the order of the words, as "XYZCA");
+    ``depth``, ``surface``: the last ones too."""
     words = ",".join(letters[column] for column in letter_order(letters))
     of_deviation = "u_line,line_deviation,u_segment,segment_deviation,bound,axis_deviation,singular"
     names = f"block,line,motion,{words},feed,{of_deviation}"
@@ -48,7 +48,7 @@ def header(letters: str, depth: bool = False, surface: bool = False) -> str:
 
 
 def round_up(values: Floats, decimals: int = DECIMALS) -> Floats:
-    """The smallest decimal fractions of so many decimals that are not below ``values`` (n,)."""
+    """Return the smallest decimal fractions of so many decimals that are not below ``values`` (n,)."""
     step = 10.0**decimals
     count = np.ceil(values * step)
     return np.where(count / step < values, count + 1.0, count) / step
@@ -58,8 +58,8 @@ def blocks_csv(
     program: Program, deviation: Deviation, singularity: Singularity, progress: Progress = silent,
     gouge: GougeCheck | None = None, surface: Deviation | None = None,
 ) -> bytes:  # fmt: skip
-    """The whole table as ASCII text, lines ending in a line feed. All records have one row a block, ``gouge``
-    one less."""
+    """Return the whole table as ASCII text, lines ending in a line feed. All records have one row a block,
+    ``gouge`` one less."""
     rows = len(program.words)
     # adding 0 turns -0 into 0
     words = [_programmed(program, column) + 0.0 for column in letter_order(program.letters)]
@@ -92,8 +92,8 @@ def blocks_csv(
 
 
 def _programmed(program: Program, column: int) -> Floats:
-    """The words (m,) of one letter as the NC file says them: the tip's place where the controller guides
-    it."""
+    """Return the words (m,) of one letter as the NC file says them: the tip's place where the controller
+    guides it."""
     if program.guided is None or column >= 3:
         return program.words[:, column]
     return np.where(program.guided.on, program.guided.tip[:, column], program.words[:, column])

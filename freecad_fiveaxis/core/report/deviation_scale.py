@@ -45,8 +45,8 @@ def level_of(deviation: Floats, tolerance: float, end: float) -> Floats:
 
 
 def scale_marks(tolerance: float, end: float) -> tuple[tuple[float, float], ...]:
-    """The marks of the scale: level and deviation, mm, lowest first; powers of ten about the tolerance, and
-    the end."""
+    """Return the marks of the scale: level and deviation, mm, lowest first; powers of ten about the
+    tolerance, and the end."""
     lower = [(0.5 - 0.5 * power / DECADES, tolerance / 10.0**power) for power in range(int(DECADES), -1, -1)]
     if end <= tolerance:
         return tuple(lower)

@@ -117,7 +117,7 @@ class Spot:
 
 
 def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
-    """The picture of a program; at most about ``strokes`` strokes."""
+    """Return the picture of a program; at most about ``strokes`` strokes."""
     start, end = _stroke_ends(figures.feeds, figures.program.motion, strokes)
     block = _worst_between(figures.judged.segment, start, end)
     deviation = figures.judged.segment[block]
@@ -140,7 +140,7 @@ def draw(figures: Figures, strokes: int = STROKES) -> Drawing:
 
 
 def spot(figures: Figures, block: int) -> Spot:
-    """The numbers of one block (1 to m - 1)."""
+    """Return the numbers of one block (1 to m - 1)."""
     program, deviation, row = figures.program, figures.judged, block
     first, second = np.abs(program.words[row, 3:] - program.words[row - 1, 3:]).tolist()
     x, y, z = deviation.place[row].tolist()
@@ -192,7 +192,7 @@ def listed(figures: Figures) -> tuple[tuple[Row, ...], tuple[int, ...]]:
 
 
 def _finding_of(figures: Figures, mark: Marker) -> Finding:
-    """What is known of a marker, as a finding."""
+    """Return what is known of a marker, as a finding."""
     if mark.block is None or mark.kind not in (LARGEST, Code.DEVIATION_OVER_TOLERANCE, Code.SINGULAR_BLOCK):
         severity = Severity.ERROR if mark.kind in GOUGES else Severity.NOTE
         line = None if mark.block is None else int(figures.program.line[mark.block])
@@ -235,7 +235,7 @@ def _cutting(figures: Figures, start: Ints, end: Ints) -> Bools:
 
 
 def _coats(stroke: Floats, cut: Bools, level: Floats, diagonal: float) -> Ints:
-    """The widest coat (k,) of each stroke; links are in all."""
+    """Return the widest coat (k,) of each stroke; links are in all."""
     widest = np.full(len(cut), COATS)
     widest[cut] = coats(stroke[0::2][cut], stroke[1::2][cut], diagonal)
     widest[level > 0.5] = COATS
@@ -243,7 +243,7 @@ def _coats(stroke: Floats, cut: Bools, level: Floats, diagonal: float) -> Ints:
 
 
 def _worst_between(values: Floats, start: Ints, end: Ints) -> Ints:
-    """The row of the largest of ``values`` (m,) in each stroke of rows ``start`` to ``end`` (k,)."""
+    """Return the row of the largest of ``values`` (m,) in each stroke of rows ``start`` to ``end`` (k,)."""
     worst, known = start.copy(), np.nan_to_num(values, nan=np.inf)
     for step in range(1, int((end - start).max(initial=0)) + 1):
         row = np.minimum(start + step, end)
@@ -273,8 +273,8 @@ def _paired(start: Floats, end: Floats) -> Floats:
 
 
 def _curves(figures: Figures, rows: Ints) -> tuple[Floats, Floats]:
-    """The real way (w, CURVE_POINTS, 3) mm of the judged point in the blocks ``rows`` (w,), and its spokes
-    (2w, 3) mm."""
+    """Return the real way (w, CURVE_POINTS, 3) mm of the judged point in the blocks ``rows`` (w,), and its
+    spokes (2w, 3) mm."""
     if not len(rows):
         return np.zeros((0, CURVE_POINTS, 3)), np.zeros((0, 3))
     deviation, words = figures.judged, figures.program.words

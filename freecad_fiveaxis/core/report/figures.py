@@ -156,7 +156,7 @@ def inner_words(words: Floats) -> Floats:
 
 
 def guided_feeds(program: Program) -> Ints:
-    """The feed blocks in which the controller guides the tip: nothing is proven of them but where they
+    """Return the feed blocks in which the controller guides the tip: nothing is proven of them but where they
     end."""
     feeds = feed_blocks(program)
     return feeds[program.guided.on[feeds]] if program.guided is not None else feeds[:0]
@@ -183,7 +183,7 @@ def axis_rates(program: Program) -> Floats:
 
 
 def summary(figures: Figures) -> dict[str, Any]:
-    """The figures in numbers: lengths mm, angles degrees, times s. Limits may be infinite."""
+    """Return the figures in numbers: lengths mm, angles degrees, times s. Limits may be infinite."""
     program, deviation, feeds, judged = figures.program, figures.deviation, figures.feeds, figures.judged
     segment, bound = deviation.segment[feeds], deviation.bound[feeds]
     over = ~(judged.segment[feeds] <= figures.tolerance)
@@ -229,9 +229,9 @@ def summary(figures: Figures) -> dict[str, Any]:
 
 
 def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, Any]]:
-    """The worst feed blocks (or ``rows``) as rows: mm and degrees; the rotary letters tell how far those axes
-    turn in the block. With an audit each has what that found in it, too, and where the surface was judged its
-    deviation and bound."""
+    """Return the worst feed blocks (or ``rows``) as rows: mm and degrees; the rotary letters tell how far
+    those axes turn in the block. With an audit each has what that found in it, too, and where the surface was
+    judged its deviation and bound."""
     chosen = figures.worst if rows is None else rows
     more = (
         [{} for _ in chosen] if figures.audit is None else audit_rows(figures.program, figures.audit, chosen)
@@ -264,8 +264,8 @@ def worst_table(figures: Figures, rows: Ints | None = None) -> list[dict[str, An
 
 
 def worst_of_audit(figures: Figures) -> dict[str, list[dict[str, Any]]]:
-    """The worst lines of an audit by ``limits``, ``rates`` and ``off`` (the CL path or the part), each as
-    ``worst_table``."""
+    """Return the worst lines of an audit by ``limits``, ``rates`` and ``off`` (the CL path or the part), each
+    as ``worst_table``."""
     if figures.audit is None:
         return {}
     off = figures.audit.off()[0]

@@ -66,7 +66,7 @@ GLOSSARY = {
 
 
 def as_html(figures: Figures, progress: Progress = silent) -> str:
-    """The whole page. The plots need matplotlib; without it the page says how to get them."""
+    """Return the whole page. The plots need matplotlib; without it the page says how to get them."""
     numbers = summary(figures)
     whole = verdict(figures, numbers)
     title = escape(f"{figures.title}: {figures.kind} on {figures.machine.name}")
@@ -105,8 +105,8 @@ MOOD = {Light.RED: "bad", Light.AMBER: "open", Light.GREEN: "good"}
 
 
 def _grounds(statements: Iterable[tuple[str, str]]) -> str:
-    """What the verdict is made of: one sentence for the path, and one for each thing that was looked for on
-    the part."""
+    """Return what the verdict is made of: one sentence for the path, and one for each thing that was looked
+    for on the part."""
     return (
         '<ul class="grounds">'
         + "".join(f'<li class="{mood}">{escape(one)}</li>\n' for one, mood in statements)
@@ -150,7 +150,7 @@ def _pairs(rows: Iterable[tuple[str, str]]) -> str:
 
 
 def _as_text(value: object) -> str:
-    """An input as people read it: lists with commas, nothing as a dash."""
+    """Return an input as people read it: lists with commas, nothing as a dash."""
     value = plain(value)
     if isinstance(value, list):
         return ", ".join(_as_text(one) for one in value) or "-"
@@ -227,7 +227,7 @@ def _worst(figures: Figures) -> str:
 
 
 def _entries(figures: Figures, numbers: Mapping[str, Any]) -> str:
-    """The deepest places."""
+    """Return the deepest places."""
     if figures.gouge is None:
         return ""
     rows = deepest_entries(figures.program, figures.gouge)
@@ -249,7 +249,7 @@ def _entries(figures: Figures, numbers: Mapping[str, Any]) -> str:
 
 
 def _rest_map(figures: Figures, numbers: Mapping[str, Any]) -> list[str]:
-    """The map of rest material."""
+    """Return the map of rest material."""
     if figures.rest is None or figures.mesh is None:
         return []
     statements = (
@@ -273,7 +273,7 @@ HEADINGS = {
 
 
 def _audited(figures: Figures) -> list[str]:
-    """The worst lines of an audit, by each kind of trouble that there is."""
+    """Return the worst lines of an audit, by each kind of trouble that there is."""
     if figures.audit is None:
         return []
     tables = {"deviation": worst_table(figures)} | worst_of_audit(figures)

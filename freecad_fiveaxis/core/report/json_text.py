@@ -24,7 +24,7 @@ VERSION = 1
 
 
 def as_json(figures: Figures) -> str:
-    """The report for scripts; infinite and missing numbers are null, severities lower-case words.
+    """Return the report for scripts; infinite and missing numbers are null, severities lower-case words.
 
     Bytes of a file name that are no Unicode (Python's lone surrogates) become escapes, which JSON readers
     give back.
@@ -66,8 +66,8 @@ def _of_part(figures: Figures) -> dict[str, Any]:
 
 
 def plain(value: object) -> Any:
-    """The same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become their
-    text."""
+    """Return the same in JSON's own kinds: dict, list, str, int, float, bool and None. Other objects become
+    their text."""
     if isinstance(value, np.generic | np.ndarray):
         value = value.tolist()
     if isinstance(value, Enum):

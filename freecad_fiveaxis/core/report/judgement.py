@@ -78,8 +78,8 @@ def judge(
     tolerance: float,
     surface: bool = False,
 ) -> tuple[Finding, ...]:
-    """The findings of all feed blocks; ``tolerance`` mm. All records have one row a block. ``surface``: the
-    deviation is that of a ball's centre, which makes the surface, not of the tip."""
+    """Return the findings of all feed blocks; ``tolerance`` mm. All records have one row a block.
+    ``surface``: the deviation is that of a ball's centre, which makes the surface, not of the tip."""
     feeds = feed_blocks(program)
     over = ~(deviation.segment[feeds] <= tolerance)  # so a NaN counts as over
     unproven = ~over & ~(deviation.bound[feeds] <= tolerance)
@@ -110,7 +110,7 @@ def _findings(
     whole: Callable[[int], Sentence],
     single: Callable[[int], Sentence],
 ) -> list[Finding]:
-    """The worst of ``rows`` first: ``whole`` tells of all, ``single`` of one."""
+    """Return the worst of ``rows`` first: ``whole`` tells of all, ``single`` of one."""
     rows = worst_first(rows, kind.values)
     spots = [(int(row), whole(int(row))) for row in rows[:1]]
     spots += [(int(row), single(int(row))) for row in rows[:WORST] if len(rows) > 1]
@@ -275,7 +275,7 @@ def _near(near: int, rows: int, program: Program) -> str:
 
 
 def _turns(program: Program, row: int) -> Sentence:
-    """What the rotary axes do in a block, as "C turns 27.4 deg and A 0.11 deg"."""
+    """Return what the rotary axes do in a block, as "C turns 27.4 deg and A 0.11 deg"."""
     first, second = np.abs(program.words[row, 3:] - program.words[row - 1, 3:]).tolist()
     return say(
         "{first} turns {turn} and {second} {other_turn}",

@@ -99,8 +99,8 @@ class ToolRoom:
 def sketch(
     kinematics: Chain, low: Floats, high: Floats, tool: ToolRoom, table: float | None = None
 ) -> tuple[Body, ...]:
-    """The bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on its
-    table.
+    """Return the bodies of a machine that has a part with the box ``low``, ``high`` (3,) mm, work frame, on
+    its table.
 
     ``table`` mm: height of the table's face, work frame, where it is known; the face never stands in the
     part.
@@ -111,7 +111,7 @@ def sketch(
 
 
 def corners(shape: Box | Cylinder) -> Floats:
-    """The corners (8, 3) mm of a box, or of the box about a cylinder."""
+    """Return the corners (8, 3) mm of a box, or of the box about a cylinder."""
     if isinstance(shape, Box):
         return shape.centre + (_SIGNS * shape.half) @ shape.along
     axis = shape.end - shape.start
@@ -130,7 +130,7 @@ class _Frame(NamedTuple):
     along: Floats
 
     def box(self, low: Iterable[float], high: Iterable[float]) -> Box:
-        """The box between two corners."""
+        """Return the box between two corners."""
         least, most = np.array(list(low), float), np.array(list(high), float)
         return Box(self.zero + 0.5 * (least + most) @ self.along, self.along, 0.5 * (most - least))
 
@@ -140,8 +140,8 @@ class _Frame(NamedTuple):
 
 
 def _frame(up: Floats, first: Floats | None = None) -> Floats:
-    """Unit rows: ``first`` made square to ``up`` (any direction where that is not given), the one square to
-    both, ``up``."""
+    """Return unit rows: ``first`` made square to ``up`` (any direction where that is not given), the one
+    square to both, ``up``."""
     guess = np.eye(3)[np.abs(up).argmin()] if first is None else first
     side = guess - (guess @ up) * up
     side = side / np.linalg.norm(side)
@@ -153,12 +153,12 @@ def _point(kinematics: Chain, axis: int) -> Floats:
 
 
 def _nearest(point: Floats, line: Floats, direction: Floats) -> Floats:
-    """The point of a line that is nearest to ``point``."""
+    """Return the point of a line that is nearest to ``point``."""
     return np.asarray(line + ((point - line) @ direction) * direction)
 
 
 def _beyond(order: list[int], axis: int | None) -> int | None:
-    """The axis that carries ``axis``; ``order`` from the base outwards."""
+    """Return the axis that carries ``axis``; ``order`` from the base outwards."""
     at = order.index(axis) if axis in order else 0
     return order[at - 1] if at else None
 
@@ -204,8 +204,8 @@ def _table(kinematics: Chain, low: Floats, high: Floats, least: float, table: fl
 
 
 def _riser(low: Floats, high: Floats, face: float, carrier: int | None) -> list[Body]:
-    """A block on a level face at the height ``face`` mm, under the part with the box ``low``, ``high``; none
-    where the part stands on the face."""
+    """Return a block on a level face at the height ``face`` mm, under the part with the box ``low``,
+    ``high``; none where the part stands on the face."""
     middle, half = 0.5 * (low + high), 0.5 * SLIM * (high - low)
     if low[2] - face <= LEAST_RISER:
         return []
@@ -225,8 +225,8 @@ def _plain_table(part: Floats, carrier: int | None, least: float) -> Body:
 
 
 def _upwards(kinematics: Chain, first: int, others: list[int], part: Floats) -> Floats:
-    """The direction of the platter's axis that points out of its face: upwards, or for a level one from the
-    next line to the part."""
+    """Return the direction of the platter's axis that points out of its face: upwards, or for a level one
+    from the next line to the part."""
     axis = kinematics.direction[first]
     if abs(axis[2]) > ACROSS or not others:
         return np.asarray(axis if axis[2] >= 0.0 else -axis)
@@ -235,7 +235,7 @@ def _upwards(kinematics: Chain, first: int, others: list[int], part: Floats) -> 
 
 
 def _swept_radius(kinematics: Chain, axis: int, part: Floats) -> float:
-    """The radius of a platter that has room for the part."""
+    """Return the radius of a platter that has room for the part."""
     offset = part - _point(kinematics, axis)
     across = offset - (offset @ kinematics.direction[axis])[:, None] * kinematics.direction[axis]
     return ROOM * float(np.linalg.norm(across, axis=1).max())
@@ -251,8 +251,8 @@ def _ring(face: Floats, up: Floats, radius: float, height: float) -> Floats:
 def _cradle(
     kinematics: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
 ) -> list[Body]:
-    """A U about the platter, in the coordinates (along its line, across, up) of the platter's underside, and
-    its bearings."""
+    """Return a U about the platter, in the coordinates (along its line, across, up) of the platter's
+    underside, and its bearings."""
     direction, wall, gap = kinematics.direction[axis], WALL * radius, GAP * radius
     frame = _Frame(under, _frame(up, direction))
     _, across, height = frame.of(_point(kinematics, axis)[None])[0].tolist()
@@ -310,8 +310,8 @@ def _deepest(
 def _table_knuckle(
     kinematics: Chain, axis: int, carrier: int | None, under: Floats, up: Floats, radius: float, ring: Floats
 ) -> list[Body]:
-    """A nutating table: a neck under the platter, and two discs about the inclined line that turn upon each
-    other."""
+    """Return a nutating table: a neck under the platter, and two discs about the inclined line that turn upon
+    each other."""
     direction = kinematics.direction[axis] * (1.0 if kinematics.direction[axis] @ up > 0.0 else -1.0)
     crossing = _nearest(under, _point(kinematics, axis), direction)
     lean = float(direction @ up)
@@ -357,7 +357,7 @@ def _head(kinematics: Chain, height: float, radius: float) -> list[Body]:
 
 
 def _crossing(point: Floats, direction: Floats) -> Floats:
-    """The point of a rotary line that is nearest to the spindle's axis."""
+    """Return the point of a rotary line that is nearest to the spindle's axis."""
     level = np.array([direction[0], direction[1], 0.0])
     return np.asarray(point - float(point @ level) / max(float(level @ level), 1e-12) * direction)
 
@@ -375,8 +375,8 @@ def _fork(
     low: float,
     radius: float,
 ) -> list[Body]:
-    """A fork over the spindle, in the coordinates (along its line, across, up) of the pivot, and what carries
-    it."""
+    """Return a fork over the spindle, in the coordinates (along its line, across, up) of the pivot, and what
+    carries it."""
     axis, carrier = turning[0], _beyond(order, turning[0])
     frame = _Frame(pivot, _frame(np.array([0.0, 0.0, 1.0]), direction))
     offset = float(np.hypot(*frame.of(np.array([[0.0, 0.0, pivot[2]]]))[0, :2]))
@@ -407,7 +407,8 @@ def _head_knuckle(
     low: float,
     radius: float,
 ) -> list[Body]:
-    """A nutating head: two discs about the inclined line, above the spindle, that turn upon each other."""
+    """Return a nutating head: two discs about the inclined line, above the spindle, that turn upon each
+    other."""
     axis, carrier = turning[0], _beyond(order, turning[0])
     near, thick, gap = 0.8 * radius, 0.7 * radius, GAP * radius
     below, middle, above = (pivot + share * direction for share in (near, near + thick, near + 2.0 * thick))
@@ -425,8 +426,8 @@ def _head_knuckle(
 def _carrying(
     kinematics: Chain, order: list[int], others: list[int], carrier: int | None, top: Floats, radius: float
 ) -> list[Body]:
-    """What carries a fork that ends at ``top`` (3,): a disc about the next rotary line where that carries it,
-    then a ram."""
+    """Return what carries a fork that ends at ``top`` (3,): a disc about the next rotary line where that
+    carries it, then a ram."""
     up, draw = np.array([0.0, 0.0, 1.0]), []
     if others and carrier == others[0]:
         direction = kinematics.direction[others[0]] * (

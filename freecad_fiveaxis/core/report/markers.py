@@ -33,7 +33,7 @@ class Marker:
 
 
 def markers(figures: Figures) -> tuple[Marker, ...]:
-    """What the 3D view shows: places over tolerance, near the pole, and those of the other findings.
+    """Return what the 3D view shows: places over tolerance, near the pole, and those of the other findings.
 
     A run of neighbouring blocks has one marker, at its worst block; the first marker is the largest deviation
     of all.
@@ -59,7 +59,8 @@ def markers(figures: Figures) -> tuple[Marker, ...]:
 
 
 def _run_peaks(chosen: Bools, values: Floats) -> Ints:
-    """The row of the largest value in each run of ``chosen`` rows (m,), the worst first, at most MARKERS."""
+    """Return the row of the largest value in each run of ``chosen`` rows (m,), the worst first, at most
+    MARKERS."""
     rows = np.flatnonzero(chosen)
     run = np.cumsum(np.diff(rows, prepend=rows[:1]) > 1)
     worst = worst_first(rows, values)
@@ -96,7 +97,7 @@ def _entered(figures: Figures) -> list[Marker]:
 
 
 def _depths(gouge: GougeCheck, motion: Bytes) -> list[tuple[str, Entries | WayEntries, Floats]]:
-    """The cases of the check, and the rapids that are clear only if interpolated."""
+    """Return the cases of the check, and the rapids that are clear only if interpolated."""
     ways = gouge.ways
     return [*gouge.cases(motion), *([] if ways is None else [(Code.INDEPENDENT_RAPID, ways, ways.depth)])]
 
@@ -112,8 +113,8 @@ def _placed(figures: Figures) -> list[Marker]:
 
 
 def _words(one: Finding) -> str:
-    """What is in what or near what, and how far, of a collision or a near miss; of any other finding its code
-    in words."""
+    """Return what is in what or near what, and how far, of a collision or a near miss; of any other finding
+    its code in words."""
     if one.hit is not None and one.value:
         return f"{one.hit.enters} {one.value:.4g} mm in {one.hit.entered or 'the part'}, line {one.line}"
     if one.near is not None:

@@ -37,7 +37,7 @@ LABELS: Mapping[str, str] = {
 def part_numbers(
     program: Program, gouge: GougeCheck | None, rest: RestMaterial | None, tolerance: float, allowed: float
 ) -> dict[str, Any]:
-    """The numbers for the summary, mm, mm2 and mm3; only those that were looked for."""
+    """Return the numbers for the summary, mm, mm2 and mm3; only those that were looked for."""
     numbers_of: dict[str, Any] = {}
     if gouge is not None:
         cases = gouge.cases(program.motion[1:])
@@ -60,7 +60,7 @@ def part_numbers(
 
 
 def _rapid_numbers(program: Program, ways: WayEntries) -> dict[str, Any]:
-    """The numbers of rapids whose axes may run independently."""
+    """Return the numbers of rapids whose axes may run independently."""
     worst = spots(ways.depth)[0]
     return {
         "max_independent_rapid": float(ways.depth.max(initial=0.0)),
@@ -71,8 +71,8 @@ def _rapid_numbers(program: Program, ways: WayEntries) -> dict[str, Any]:
 
 
 def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]:
-    """The deepest entries of all kinds as rows, deepest first; of a run of neighbouring blocks the deepest
-    one."""
+    """Return the deepest entries of all kinds as rows, deepest first; of a run of neighbouring blocks the
+    deepest one."""
     found = []
     for code, entries, depth in gouge.cases(program.motion[1:]):
         for block in spots(depth)[0][:DEEPEST].tolist():
@@ -90,8 +90,8 @@ def deepest_entries(program: Program, gouge: GougeCheck) -> list[dict[str, Any]]
 
 
 def rest_report(program: Program, rest: RestMaterial, tolerance: float, allowed: float) -> dict[str, Any]:
-    """The rest material as scripts want it: the two extremes with place, block and NC line; area and volume
-    beyond what may be; the histogram by area."""
+    """Return the rest material as scripts want it: the two extremes with place, block and NC line; area and
+    volume beyond what may be; the histogram by area."""
     return {
         "tolerance": tolerance,
         "allowed": allowed,
@@ -113,8 +113,8 @@ def _extreme(program: Program, rest: RestMaterial, row: int) -> dict[str, Any]:
 
 
 def histogram(rest: RestMaterial, scale: HeightScale) -> list[dict[str, float]]:
-    """The area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is in
-    one."""
+    """Return the area (mm2) between each two borders, ``from`` and ``to`` mm, deepest first; every sample is
+    in one."""
     edge = borders(scale)
     area, _ = np.histogram(np.clip(rest.height, edge[0], edge[-1]), edge, weights=rest.area)
     return [
@@ -170,7 +170,7 @@ def part_verdict(numbers: Mapping[str, Any], tolerance: float) -> tuple[tuple[st
 
 
 def part_facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """The numbers as pairs of name and value with unit; none where nothing was looked for."""
+    """Return the numbers as pairs of name and value with unit; none where nothing was looked for."""
     facts = []
     if "overcut_blocks" in numbers:
         facts = [_entry_fact(numbers, code) for code in GOUGES]

@@ -107,8 +107,8 @@ class Playback:
         return int(rows[0]) if len(rows) else None
 
     def spot(self, time: ArrayLike) -> tuple[Ints, Floats]:
-        """The block and its u at ``time`` s (any shape); before the start the first position, after the end
-        the last."""
+        """Return the block and its u at ``time`` s (any shape); before the start the first position, after
+        the end the last."""
         at = np.clip(np.asarray(time, float), 0.0, self.seconds)
         block = np.minimum(np.searchsorted(self.clock, at), len(self.clock) - 1)
         left, whole = self.clock[block] - at, self.clock[block] - self._begin(block)
@@ -116,18 +116,18 @@ class Playback:
         return block, np.clip(u, 0.0, 1.0)
 
     def time(self, block: ArrayLike, u: ArrayLike) -> Floats:
-        """The time, s, of a moment given by block and u, the inverse of :meth:`spot`."""
+        """Return the time, s, of a moment given by block and u, the inverse of :meth:`spot`."""
         row = np.asarray(block, int)
         before = self._begin(row)
         return np.asarray(before + np.asarray(u, float) * (self.clock[row] - before))
 
     def at(self, time: ArrayLike) -> Pose:
-        """The pose at ``time`` s, of any shape."""
+        """Return the pose at ``time`` s, of any shape."""
         return self.at_block(*self.spot(time))
 
     def at_block(self, block: ArrayLike, u: ArrayLike) -> Pose:
-        """The pose at ``u`` (0 to 1) of ``block``; the two broadcast. Raises ProgramError for a block that is
-        not there."""
+        """Return the pose at ``u`` (0 to 1) of ``block``; the two broadcast. Raises ProgramError for a block
+        that is not there."""
         rows, at_u = np.broadcast_arrays(np.asarray(block, int), np.asarray(u, float))
         self._check(rows)
         row, flat_u = rows.reshape(-1), at_u.reshape(-1)
@@ -147,8 +147,8 @@ class Playback:
         )
 
     def curve(self, block: int) -> Floats:
-        """The real path of ``Pose.point`` in one block (n, 3) mm, work frame, ends included, fine enough to
-        be drawn."""
+        """Return the real path of ``Pose.point`` in one block (n, 3) mm, work frame, ends included, fine
+        enough to be drawn."""
         row = np.array([block])
         self._check(row)
         start, end = self._ends(row)
@@ -156,7 +156,7 @@ class Playback:
         return np.asarray(self._points(start, end, np.linspace(0.0, 1.0, count)[None])[0])
 
     def _points(self, start: Floats, end: Floats, u: Floats) -> Floats:
-        """The point whose deviation is played: as ``tip_at``."""
+        """Return the point whose deviation is played: as ``tip_at``."""
         kinematics, begin = self.deviation.measured(self.kinematics, start)
         return tip_at(kinematics, begin, self.deviation.measured(self.kinematics, end)[1], u)
 
@@ -189,8 +189,8 @@ def shown_seconds(program: Program) -> Floats:
 
 
 def following(rows: Ints, block: int) -> int | None:
-    """The first of the ascending ``rows`` after ``block``, from the last on the first again; None where there
-    is none."""
+    """Return the first of the ascending ``rows`` after ``block``, from the last on the first again; None
+    where there is none."""
     return int(rows[np.searchsorted(rows, block, side="right") % len(rows)]) if len(rows) else None
 
 
@@ -204,15 +204,15 @@ class NCLines:
         self._edges = np.concatenate([[-1], ends, [len(self._text)]])
 
     def __getitem__(self, line: int) -> str:
-        """The text of a line without its end; nothing for a line that the file does not have."""
+        """Return the text of a line without its end; nothing for a line that the file does not have."""
         if not 0 < line < len(self._edges):
             return ""
         return self._text[self._edges[line - 1] + 1 : self._edges[line]].decode("utf-8", "replace").strip()
 
 
 def segment_foot(point: Floats, start: Floats, end: Floats) -> Floats:
-    """The point (n, 3) of each segment between ``start`` and ``end`` (n, 3) that is nearest to ``point`` (n,
-    3), mm."""
+    """Return the point (n, 3) of each segment between ``start`` and ``end`` (n, 3) that is nearest to
+    ``point`` (n, 3), mm."""
     chord = end - start
     length2 = (chord * chord).sum(axis=-1)
     share = np.divide(
@@ -222,8 +222,8 @@ def segment_foot(point: Floats, start: Floats, end: Floats) -> Floats:
 
 
 def rotary_lines(pose: Pose, near: Floats, reach: float) -> Floats:
-    """Ends (2, 2, 3) mm, machine frame, of the two rotary lines at a single moment: ``reach`` mm to either
-    side of where each comes nearest to ``near`` (3,) mm, a point of the work in the work frame."""
+    """Return ends (2, 2, 3) mm, machine frame, of the two rotary lines at a single moment: ``reach`` mm to
+    either side of where each comes nearest to ``near`` (3,) mm, a point of the work in the work frame."""
     placed = pose.machine_from_work[:3, :3] @ near + pose.machine_from_work[:3, 3]
     along = pose.line_direction
     middle = pose.line_point + ((placed - pose.line_point) * along).sum(axis=-1, keepdims=True) * along
@@ -234,7 +234,7 @@ def rotary_lines(pose: Pose, near: Floats, reach: float) -> Floats:
 
 
 def placements(kinematics: Chain, words: Floats) -> dict[str, Floats]:
-    """The placements and rotary lines of a :class:`Pose` for ``words`` (n, 5) mm and **degrees**."""
+    """Return the placements and rotary lines of a :class:`Pose` for ``words`` (n, 5) mm and **degrees**."""
     table, head = sides(kinematics)
     moves = {j: _axis_motion(kinematics, j, words[:, j]) for j in (*table, *head)}
     still = np.broadcast_to(np.eye(4), (len(words), 4, 4))
@@ -260,7 +260,7 @@ def placements(kinematics: Chain, words: Floats) -> dict[str, Floats]:
 
 
 def rigid_inverse(placement: Floats) -> Floats:
-    """The inverse of rigid placements (..., 4, 4)."""
+    """Return the inverse of rigid placements (..., 4, 4)."""
     inverse = np.zeros_like(placement)
     turn = np.swapaxes(placement[..., :3, :3], -1, -2)
     inverse[..., :3, :3] = turn
@@ -270,7 +270,7 @@ def rigid_inverse(placement: Floats) -> Floats:
 
 
 def sides(kinematics: Chain) -> tuple[list[int], list[int]]:
-    """The columns of the table's and of the head's words, each in the order from work to tool."""
+    """Return the columns of the table's and of the head's words, each in the order from work to tool."""
     place = [2 * slot for slot in kinematics.slot] + [
         1,
         3,
@@ -281,7 +281,8 @@ def sides(kinematics: Chain) -> tuple[list[int], list[int]]:
 
 
 def _axis_motion(kinematics: Chain, j: int, word: Floats) -> Floats:
-    """The motion (n, 4, 4) of the tool relative to the work by one axis, ``word`` (n,) mm or **degrees**."""
+    """Return the motion (n, 4, 4) of the tool relative to the work by one axis, ``word`` (n,) mm or
+    **degrees**."""
     motion = np.tile(np.eye(4), (len(word), 1, 1))
     if j < 3:
         motion[:, :3, 3] = word[:, None] * kinematics.direction[j]

@@ -85,7 +85,7 @@ def _shade(axes: Any, figures: Figures, x: Floats) -> None:
 
 
 def _abscissa(program: Program) -> Floats:
-    """The NC line of each block, or its row where loops and subprograms come back to lines."""
+    """Return the NC line of each block, or its row where loops and subprograms come back to lines."""
     line = program.line.astype(float)
     return line if (np.diff(line) >= 0.0).all() else np.arange(len(line), dtype=float)
 
@@ -98,7 +98,8 @@ def _lines(axes: Any, program: Program, x: Floats) -> None:
 
 
 def _steps(x: Floats, rows: Ints, values: Floats) -> tuple[Floats, Floats]:
-    """What draws ``values`` (n,) of the blocks ``rows`` (n,) as steps that end at each block's line."""
+    """Return what draws ``values`` (n,) of the blocks ``rows`` (n,) as steps that end at each block's
+    line."""
     shown = thin(values, least=False)
     return np.append(x[rows[0] - 1], x[rows[shown]]), np.append(values[0], values[shown])
 
@@ -173,7 +174,7 @@ def _angles(figure: Any, figures: Figures) -> PlotText | None:
 
 
 def _limits(axes: Any, figures: Figures, column: int) -> None:
-    """The axis limits, where the words come near them: far limits would flatten the curve."""
+    """Draw the axis limits where the words come near them: far limits would flatten the curve."""
     low, high = axes.get_ylim()
     room = 0.25 * (high - low)
     for limit in np.degrees([figures.kinematics.low[column], figures.kinematics.high[column]]):

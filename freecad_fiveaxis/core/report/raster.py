@@ -24,14 +24,14 @@ EDGE = 1e-9
 
 
 def view_from(azimuth: float, elevation: float) -> Floats:
-    """The view from a direction, rad: azimuth counter-clockwise from X, elevation above the XY plane; from
-    above X is right."""
+    """Return the view from a direction, rad: azimuth counter-clockwise from X, elevation above the XY plane;
+    from above X is right."""
     (ca, sa), (ce, se) = ((math.cos(angle), math.sin(angle)) for angle in (azimuth, elevation))
     return np.array([(-sa, ca, 0.0), (-se * ca, -se * sa, ce), (ce * ca, ce * sa, se)])
 
 
 def owners(corner: Floats, view: Floats, low: Floats, scale: float, width: int, height: int) -> Ints:
-    """The owner (height, width) of each pixel, the top row first.
+    """Return the owner (height, width) of each pixel, the top row first.
 
     ``corner`` (k, 3, 3) mm, counter-clockwise seen from outside: those seen from behind are left out. ``low``
     (2,) mm: where the picture's lower left corner is, right and up; ``scale`` pixels a mm.
@@ -74,7 +74,7 @@ def _span(values: Floats, size: int) -> tuple[Ints, Ints]:
 
 
 def png(pixel: Bytes) -> bytes:
-    """A PNG file of pixels (height, width, 3), red green blue, 0 to 255."""
+    """Return a PNG file of pixels (height, width, 3), red green blue, 0 to 255."""
     height, width = pixel.shape[:2]
     rows = np.concatenate(
         [np.zeros((height, 1), np.uint8), pixel.reshape(height, -1)], axis=1

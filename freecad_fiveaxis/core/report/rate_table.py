@@ -29,13 +29,13 @@ from .block_table import DECIMALS, letter_order, round_up
 
 
 def rates_header(letters: str) -> str:
-    """The column names for the machine's ``letters`` (in the order of the words)."""
+    """Return the column names for the machine's ``letters`` (in the order of the words)."""
     rates = ",".join(f"rate_{letters[column]}" for column in letter_order(letters))
     return f"block,line,motion,seconds,tip_feed,{rates},rate_ratio,excess,off,off_bound"
 
 
 def rates_csv(kinematics: Chain, program: Program, audit: Audit, progress: Progress = silent) -> bytes:
-    """The whole table as ASCII text, lines ending in a line feed."""
+    """Return the whole table as ASCII text, lines ending in a line feed."""
     order, (off, bound) = letter_order(program.letters), audit.off()
     rates = [audit.rates.rate[:, column] * DEGREES[column] for column in order]
     numbers = [

@@ -46,7 +46,7 @@ class HeightScale(NamedTuple):
 
 
 def height_scale(remainder: RestMaterial, tolerance: float, allowed: float) -> HeightScale:
-    """The scale that holds all heights; ``tolerance`` and ``allowed`` mm, above 0."""
+    """Return the scale that holds all heights; ``tolerance`` and ``allowed`` mm, above 0."""
     low, high = (float(side.max(initial=0.0)) for side in (-remainder.height, remainder.height))
     return HeightScale(
         _rounded_up(max(low, LEAST_SPAN * tolerance)),
@@ -57,7 +57,7 @@ def height_scale(remainder: RestMaterial, tolerance: float, allowed: float) -> H
 
 
 def _rounded_up(value: float) -> float:
-    """The next of 1, 2, 5, 10 ... that is not below."""
+    """Return the next of 1, 2, 5, 10 ... that is not below."""
     power = 10.0 ** math.floor(math.log10(value))
     return next(mark * power for mark in (*MARKS, 10.0) if mark * power >= value * (1.0 - 1e-9))
 
@@ -121,13 +121,13 @@ def facet_heights(remainder: RestMaterial, facets: int, tolerance: float, allowe
 
 
 def rest_material_patches(mesh: Mesh, remainder: RestMaterial) -> Floats:
-    """The triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where those
-    are large."""
+    """Return the triangles (k, 3, 3) mm that the samples of the remainder stand for: finer than facets where
+    those are large."""
     return surface_parts(mesh, remainder.spacing, machined(mesh, remainder))[0]
 
 
 def machined(mesh: Mesh, remainder: RestMaterial) -> Bools:
-    """The facets (f,) that have samples."""
+    """Return the facets (f,) that have samples."""
     mask = np.zeros(len(mesh.face), np.bool_)
     mask[remainder.facet] = True
     return mask

@@ -59,7 +59,7 @@ BLUE, RED = "#00286b", "#800010"
 
 
 def rest_svg(mesh: Mesh, rest: RestMaterial, tolerance: float, allowed: float) -> bytes:
-    """The picture; the same input gives the same bytes."""
+    """Return the picture; the same input gives the same bytes."""
     scale = height_scale(rest, tolerance, allowed)
     part = _coloured(mesh, rest, scale)
     panels = [_view(part, rest, scale, *view) for view in VIEWS]
@@ -102,7 +102,7 @@ def _view(
     azimuth: float,
     elevation: float,
 ) -> tuple[str, int]:
-    """A view in the picture's units from its upper left corner on, and how tall it is."""
+    """Return a view in the picture's units from its upper left corner on, and how tall it is."""
     (corner, colour), view = part, view_from(azimuth, elevation)
     flat = corner[: len(rest.height)].reshape(-1, 3) @ view[:2].T
     low, high = flat.min(axis=0), flat.max(axis=0)
@@ -123,8 +123,8 @@ def _view(
 
 
 def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
-    """The picture (height, width, 3): each triangle in its colour, a little darker where it turns away from
-    the light."""
+    """Return the picture (height, width, 3): each triangle in its colour, a little darker where it turns away
+    from the light."""
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]) @ view.T
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-30)[:, None]
     lit = DARKEST + (1.0 - DARKEST) * np.clip(normal @ (LIGHT / np.linalg.norm(LIGHT)), 0.0, 1.0)
@@ -135,8 +135,8 @@ def _pixels(corner: Floats, colour: Floats, view: Floats, owner: Ints) -> Bytes:
 
 
 def _marks(rest: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> list[str]:
-    """A ring about the most rest material and about the deepest place, where they are beyond what may be and
-    can be seen."""
+    """Return a ring about the most rest material and about the deepest place, where they are beyond what may
+    be and can be seen."""
     drawn = []
     for row, beyond, ink in (
         (int(rest.height.argmax()), rest.height.max() > scale.allowed, BLUE),
@@ -158,7 +158,7 @@ def _marks(rest: RestMaterial, scale: HeightScale, owner: Ints, top: int) -> lis
 
 
 def _ruler(extent: float, size: float, y: float) -> str:
-    """A length of 1, 2 or 5 times a power of ten, about a fifth of the view."""
+    """Return a length of 1, 2 or 5 times a power of ten, about a fifth of the view."""
     power = 10.0 ** math.floor(math.log10(0.2 * extent))
     length = max(step * power for step in (1.0, 2.0, 5.0) if step * power <= 0.2 * extent)
     line = f'<path d="M0 {y - 4}v8m0 -4h{length * size:.1f}m0 -4v8" fill="none" stroke="{SOFT}"/>'
@@ -188,7 +188,7 @@ def _histogram(rest: RestMaterial, scale: HeightScale, tall: int) -> tuple[str, 
 
 
 def _inner(low: float, high: float) -> float:
-    """A height between two borders that has the colour of most of what lies there."""
+    """Return a height between two borders that has the colour of most of what lies there."""
     return math.copysign(math.sqrt(low * high), low) if low * high > 0.0 else 0.0
 
 
@@ -201,7 +201,7 @@ def _percent(share: float) -> str:
 
 
 def _legend(scale: HeightScale) -> str:
-    """The scale of colours with its heights in mm: too deep, as it should be, rest material."""
+    """Return the scale of colours with its heights in mm: too deep, as it should be, rest material."""
     steps, x0, side = 60, 30.0, 0.5 * (WIDE - 60.0 - NEUTRAL_WIDE)
     ramp = (np.arange(steps) + 0.5) / steps
     colours = level_colours(np.concatenate([ramp - 1.0, [0.0], ramp]))

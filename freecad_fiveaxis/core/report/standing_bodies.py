@@ -99,6 +99,6 @@ def find_edges(mesh: Mesh) -> Floats:
 
 
 def _last_of_head(kinematics: Chain) -> int | None:
-    """The column of the axis that carries the spindle; None where none does."""
+    """Return the column of the axis that carries the spindle; None where none does."""
     fitted = [axis for axis in sides(kinematics)[1] if kinematics.axes[axis].fitted]
     return fitted[-1] if fitted else None

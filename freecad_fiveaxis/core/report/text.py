@@ -25,7 +25,7 @@ NAMED = 3
 
 
 def as_text(figures: Figures) -> str:
-    """The report for the terminal, at most WIDTH columns, worst blocks first."""
+    """Return the report for the terminal, at most WIDTH columns, worst blocks first."""
     numbers: dict[str, Any] = summary(figures)
     parts = [
         [
@@ -93,7 +93,7 @@ def path_verdict(figures: Figures, numbers: Mapping[str, Any]) -> str:
 
 
 def grouped(findings: Sequence[Finding]) -> list[tuple[Finding, ...]]:
-    """Findings of one code together, the gravest first, in the order in which they came."""
+    """Return findings of one code together, the gravest first, in the order in which they came."""
     first = {one.code: at for at, one in reversed(list(enumerate(findings)))}
     ordered = sorted(findings, key=lambda one: (-one.severity, first[one.code]))
     return [tuple(group) for _, group in groupby(ordered, key=lambda one: (one.severity, one.code))]
@@ -109,14 +109,14 @@ def duration(seconds: float) -> str:
 
 
 def number(value: float | None, decimals: int) -> str:
-    """A fixed-point number, or "-" where there is none or no limit."""
+    """Return a fixed-point number, or "-" where there is none or no limit."""
     return (
         f"{round(value, decimals) + 0.0:.{decimals}f}" if value is not None and math.isfinite(value) else "-"
     )
 
 
 def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """The summary as pairs of name and value with unit, the most wanted first."""
+    """Return the summary as pairs of name and value with unit, the most wanted first."""
     turned = ", ".join(f"{letter} {value:.1f} deg" for letter, value in numbers["rotary_travel_deg"].items())
     guided = (
         [("blocks whose tip the controller guides", f"{numbers['guided_blocks']}")]
@@ -144,7 +144,8 @@ def facts(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
 
 
 def _not_measured() -> list[tuple[str, str]]:
-    """The same where the controller guides the tip in all feed blocks: a zero would be taken for a proof."""
+    """Return the same where the controller guides the tip in all feed blocks: a zero would be taken for a
+    proof."""
     return [
         (
             "largest deviation from the segment",
@@ -154,7 +155,7 @@ def _not_measured() -> list[tuple[str, str]]:
 
 
 def _deviations(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """What is judged (:func:`_judged`), and the others."""
+    """Return what is judged (:func:`_judged`), and the others."""
     others = [
         ("blocks over tolerance", f"{numbers['over_tolerance']} of {numbers['feed_blocks']}"),
         ("largest deviation from the infinite line", f"{numbers['max_line_deviation']:.6f} mm"),
@@ -164,7 +165,8 @@ def _deviations(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
 
 
 def _judged(numbers: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """What is judged, with its bound and line; where that is a ball's centre the tip's deviation after it."""
+    """Return what is judged, with its bound and line; where that is a ball's centre the tip's deviation after
+    it."""
     worst = "" if numbers["worst_line"] is None else f" (NC line {numbers['worst_line']})"
     deviation, bound = (f"{value:.6f} mm" for value in judged_largest(numbers))
     if numbers["max_surface_deviation"] is None:

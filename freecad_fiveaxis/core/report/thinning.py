@@ -31,8 +31,8 @@ def distances(diagonal: float) -> Floats:
 
 
 def coats(start: Floats, end: Floats, diagonal: float) -> Ints:
-    """The widest coat (k,) that each stroke from ``start`` to ``end`` (k, 3) mm belongs to, 0 to COATS; 0:
-    none."""
+    """Return the widest coat (k,) that each stroke from ``start`` to ``end`` (k, 3) mm belongs to, 0 to
+    COATS; 0: none."""
     widest = np.zeros(len(start), np.int64)
     if not len(start) or not diagonal > 0.0:
         return widest
@@ -48,7 +48,7 @@ def coats(start: Floats, end: Floats, diagonal: float) -> Ints:
 
 
 def _runs(start: Floats, end: Floats, longest: float) -> Ints:
-    """The run (k,) of each stroke."""
+    """Return the run (k,) of each stroke."""
     length = np.linalg.norm(end - start, axis=1)
     new = np.zeros(len(start), bool)
     new[1:] = (start[1:] != end[:-1]).any(axis=1)

@@ -75,7 +75,7 @@ class Verdict:
 
 
 def verdict(figures: Figures, numbers: Mapping[str, Any]) -> Verdict:
-    """The verdict over a program; ``numbers``: its summary."""
+    """Return the verdict over a program; ``numbers``: its summary."""
     errors = tuple(_errors(figures, numbers))
     if errors:
         return Verdict(Light.RED, errors)
@@ -107,7 +107,7 @@ def _stays_out(figures: Figures) -> Sentence:
 
 
 def _of_severity(figures: Figures, severity: Severity) -> dict[str, tuple[Finding, ...]]:
-    """The findings of that severity by their codes, in the order in which they came."""
+    """Return the findings of that severity by their codes, in the order in which they came."""
     found = [one for one in figures.findings if one.severity is severity]
     order = {code: at for at, code in enumerate(dict.fromkeys(one.code for one in found))}
     return {

@@ -34,8 +34,8 @@ VIEW = (math.radians(-60.0), math.radians(28.0))
 
 
 def worst_block(figure: Any, figures: Figures) -> PlotText | None:
-    """The block of the largest deviation, seen on the plane through the chord in which its curve spreads
-    most."""
+    """Return the block of the largest deviation, seen on the plane through the chord in which its curve
+    spreads most."""
     row = int(figures.worst[0])
     value, u = float(figures.judged.segment[row]), float(figures.judged.u_segment[row])
     steps = np.append(np.linspace(0.0, 1.0, SAMPLES), u)
@@ -70,13 +70,13 @@ def worst_block(figure: Any, figures: Figures) -> PlotText | None:
 
 
 def _driven(kinematics: Chain, start: Floats, end: Floats, u: Floats) -> Floats:
-    """The real tip (k, 3) at the shares ``u`` (k,) of a block whose axes all move evenly."""
+    """Return the real tip (k, 3) at the shares ``u`` (k,) of a block whose axes all move evenly."""
     return forward(kinematics, inner_words(start + u[:, None] * (end - start)))[0]
 
 
 def _on_plane(curve: Floats) -> tuple[Floats, float]:
-    """The curve (k, 2) in the plane of its chord (along x, from 0) and its widest spread (y), and the chord's
-    length."""
+    """Return the curve (k, 2) in the plane of its chord (along x, from 0) and its widest spread (y), and the
+    chord's length."""
     rest = curve - curve[0]
     along = rest[SAMPLES - 1]
     chord = float(np.linalg.norm(along))
@@ -136,8 +136,8 @@ def _draw_profile(axes: Any, figures: Figures, u: Floats, off: Floats, row: int)
 
 
 def sphere(figure: Any, figures: Figures) -> PlotText | None:
-    """The tool axis over the whole program: as a map seen from the pole, and on the sphere; None where the
-    tool cannot turn."""
+    """Return the tool axis over the whole program: as a map seen from the pole, and on the sphere; None where
+    the tool cannot turn."""
     if not fitted_columns(figures.program.letters)[3:]:
         return None
     pole, first, second = _frame(figures)
@@ -171,8 +171,8 @@ def sphere(figure: Any, figures: Figures) -> PlotText | None:
 
 
 def _frame(figures: Figures) -> tuple[Floats, Floats, Floats]:
-    """The pole (that end of the first rotary axis which the tool is nearer to) and two directions across it,
-    unit."""
+    """Return the pole (that end of the first rotary axis which the tool is nearer to) and two directions
+    across it, unit."""
     pole = figures.kinematics.direction[3]
     pole = pole if float((figures.axis @ pole).sum()) >= 0.0 else -pole
     guide = np.eye(3)[int(np.argmin(np.abs(pole)))] if abs(pole[0]) > 0.9 else np.array((1.0, 0.0, 0.0))
@@ -182,13 +182,13 @@ def _frame(figures: Figures) -> tuple[Floats, Floats, Floats]:
 
 
 def _named(way: Floats) -> str:
-    """A direction of the work frame, as "X+"; empty where it is none of the six."""
+    """Return a direction of the work frame, as "X+"; empty where it is none of the six."""
     at = int(np.abs(way).argmax())
     return "XYZ"[at] + ("+" if way[at] > 0.0 else "−") if abs(way[at]) > 1.0 - 1e-9 else ""
 
 
 def _axis_paths(figures: Figures) -> Floats:
-    """The tool axis along the feed blocks (k, 3); a NaN row ends each run.
+    """Return the tool axis along the feed blocks (k, 3); a NaN row ends each run.
 
     A short program is drawn with the real axis inside each block; a long one by an even choice of block ends,
     and inside its blocks nearest to the pole.
@@ -211,7 +211,7 @@ def _inside_blocks(figures: Figures, rows: Ints) -> Floats:
 
 
 def _through_ends(figures: Figures, rows: Ints) -> Floats:
-    """The axes at the ends of the blocks ``rows``, joined where no rapid lies between them."""
+    """Return the axes at the ends of the blocks ``rows``, joined where no rapid lies between them."""
     off = np.ones(len(figures.program.words), np.int64)
     off[figures.feeds] = 0
     breaks = np.flatnonzero(np.diff(np.cumsum(off)[rows])) + 1

@@ -27,7 +27,7 @@ from .compare import Cure, Station, solved
 
 
 def dividing(draft: PostedProgram) -> Cure:
-    """The cure that divides feed blocks over tolerance into the fewest that hold it."""
+    """Return the cure that divides feed blocks over tolerance into the fewest that hold it."""
     return partial(_divided, draft.settings.proof.tolerance)
 
 
@@ -37,7 +37,7 @@ def _divided(tolerance: float, path: CLPath, where: Station, progress: Progress)
 
 
 def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
-    """These names; without any, all there are. Raises SettingsError for a name that is not known."""
+    """Return these names; without any, all there are. Raises SettingsError for a name that is not known."""
     for name in names:
         if name not in CURES:
             raise SettingsError(
@@ -48,14 +48,14 @@ def known_cures(names: Sequence[str] = ()) -> tuple[str, ...]:
 
 
 def cures(draft: PostedProgram, names: Sequence[str] = ()) -> dict[str, Cure]:
-    """The cures of these names (without any: all) for what was made. Raises SettingsError for a name that is
-    not known."""
+    """Return the cures of these names (without any: all) for what was made. Raises SettingsError for a name
+    that is not known."""
     return {name: CURES[name](draft) for name in known_cures(names)}
 
 
 def leading(correction: AxisCorrection, draft: PostedProgram) -> Cure:
-    """The cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a path that
-    was made from a solid."""
+    """Return the cure that gives the rows of the passes the corrected axes; what is cut stays. It needs a
+    path that was made from a solid."""
     return partial(_corrected, correction, draft)
 
 

@@ -152,7 +152,7 @@ class Places:
 
 
 def _split_places(point: Floats, normal: Floats, least: int) -> Iterator[Places]:
-    """These places in up to PORTIONS of at least so many; an empty one where there are none."""
+    """Yield these places in up to PORTIONS of at least so many; an empty one where there are none."""
     size = max(least, -(-len(point) // PORTIONS), 1)
     for first in range(0, max(len(point), 1), size):
         yield Places(point[first : first + size], normal[first : first + size])
@@ -163,7 +163,7 @@ Met = tuple[Ints, Floats, Floats]
 
 
 def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
-    """What is in the way of each place."""
+    """Return what is in the way of each place."""
     reacher, tight = ground.reacher, np.zeros(len(places), np.bool_)
     for part in batches(len(places), BATCH):
         progress("reach", 0.0)
@@ -174,8 +174,8 @@ def _try_all(ground: Ground, places: Places, progress: Progress) -> Met:
 
 
 def _try_longer(ground: Ground, places: Places, progress: Progress) -> Ints:
-    """The first of LONGER (k,) by which the tool has to stick out farther to get there; len(LONGER) where it
-    never does."""
+    """Return the first of LONGER (k,) by which the tool has to stick out farther to get there; len(LONGER)
+    where it never does."""
     reacher, step, none = ground.reacher, np.full(len(places), len(LONGER)), len(LONGER)
     for k, more in enumerate(LONGER):
         rows = np.flatnonzero(step == none)
@@ -234,8 +234,8 @@ def _try(
 
 
 def tried_axes(normal: Floats, angle: float, ring: float) -> Floats:
-    """Unit axes (n, ways, 3) of that angle (rad) to unit ``normal`` (n, 3). Upright, a bottom with a ``ring``
-    (mm) may touch with its middle or with its edge on any side."""
+    """Return unit axes (n, ways, 3) of that angle (rad) to unit ``normal`` (n, 3). Upright, a bottom with a
+    ``ring`` (mm) may touch with its middle or with its edge on any side."""
     if angle > 0.0:
         return tilted_axes(normal, angle, SPOKES)
     edges = [tilted_axes(normal, UPRIGHT, SPOKES)] if ring > 0.0 else []
@@ -243,7 +243,8 @@ def tried_axes(normal: Floats, angle: float, ring: float) -> Floats:
 
 
 def tilted_axes(normal: Floats, angle: float, ways: int) -> Floats:
-    """Unit axes (n, ways, 3) that make this angle (rad) with unit ``normal`` (n, 3), evenly about it."""
+    """Return unit axes (n, ways, 3) that make this angle (rad) with unit ``normal`` (n, 3), evenly about
+    it."""
     least = np.eye(3)[np.abs(normal).argmin(axis=1)]
     one = np.cross(normal, least)
     one /= np.linalg.norm(one, axis=1)[:, None]

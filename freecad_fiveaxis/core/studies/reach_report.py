@@ -35,7 +35,7 @@ NOTE = (
 
 
 def reason(obstacle: Obstacle) -> Sentence:
-    """What is in the way, in words."""
+    """Return what is in the way, in words."""
     return {
         Obstacle.LIMITS: say("beyond the machine's limits"), Obstacle.TABLE: say("below the table"),
         Obstacle.CUTTER: say("tighter than the cutter"), Obstacle.SHANK: say("shank in the way"),
@@ -63,7 +63,7 @@ def verdict(found: ReachMap) -> Sentence:
 
 
 def stick_out(found: ReachMap) -> tuple[Sentence, ...]:
-    """What a tool that sticks out farther would reach besides."""
+    """Return what a tool that sticks out farther would reach besides."""
     return tuple(
         say(
             "Let the tool stick out {step} farther and it reaches {area} more.",
@@ -116,7 +116,7 @@ def reach_json(
 
 
 def reach_html(found: ReachMap, title: str = "", findings: Sequence[Finding] = ()) -> str:
-    """A page that needs nothing else."""
+    """Return a page that needs nothing else."""
     longer = "".join(f"<p>{escape(line)}</p>" for line in stick_out(found))
     body = [
         section("The surface", table(_table(found)) + longer + f'<p class="note">{escape(NOTE)}</p>'),

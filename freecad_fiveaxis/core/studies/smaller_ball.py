@@ -32,9 +32,9 @@ def smaller_ball(
     fixtures: Sequence[Fixture] = (),
     progress: Progress = silent,
 ) -> float | None:
-    """The largest radius tried, mm, of a ball that is free on a ``share`` of the area where the cutter is too
-    large; 0.0: none, None where the cutter is no ball or nowhere too large. An estimate from about TRIED of
-    those places."""
+    """Return the largest radius tried, mm, of a ball that is free on a ``share`` of the area where the cutter
+    is too large; 0.0: none, None where the cutter is no ball or nowhere too large. An estimate from about
+    TRIED of those places."""
     tight = np.flatnonzero(found.obstacle == Obstacle.CUTTER)
     if not reacher.cutter.touches_as_ball or not len(tight):
         return None

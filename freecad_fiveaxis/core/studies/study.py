@@ -135,8 +135,8 @@ def try_reach(
 
 
 def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[Finding, ...]]:
-    """The height of the table's face in the work frame, mm; None where it is not known, or cannot be right
-    because the part would lie in the table: that is said."""
+    """Return the height of the table's face in the work frame, mm; None where it is not known, or cannot be
+    right because the part would lie in the table: that is said."""
     lowest = float(mesh.box[0][2])
     if table is None or lowest >= table - IN_TABLE:
         return table, ()
@@ -179,8 +179,8 @@ def try_machines(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
     executor: Executor | None = None,
 ) -> Comparison:  # fmt: skip
-    """The same path on every machine that the settings name, with each cure. The path is made for the first
-    of them that can cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
+    """Return the same path on every machine that the settings name, with each cure. The path is made for the
+    first of them that can cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
 
     Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long
     work; and what the first machine says where none can cut the path.
@@ -209,8 +209,8 @@ def _draft_for_first(
     mesh: Mesh | None,
     faces: Bools | None,
 ) -> PostedProgram:  # fmt: skip
-    """The path and its program on the first machine that can take up all of its axes. Raises what the first
-    machine says where there is none."""
+    """Return the path and its program on the first machine that can take up all of its axes. Raises what the
+    first machine says where there is none."""
     problems: list[FiveAxisError] = []
     for job, why in zip(each_settings, refused, strict=True):
         try:
@@ -223,7 +223,7 @@ def _draft_for_first(
 
 
 def _job_settings(settings: Settings, machine: str = "") -> Settings:
-    """The settings of the task that makes the path, on one of several machines."""
+    """Return the settings of the task that makes the path, on one of several machines."""
     task = MILL if Path(settings.source).suffix.lower() == ".stl" else POST
     given = replace(settings.machine, machine=machine) if machine else settings.machine
     return replace(settings, task=task, machine=given)
@@ -241,8 +241,8 @@ def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools |
 
 
 def _collide(settings: Settings, machine: Machine, dialect: Dialect, progress: Progress) -> Collide | None:
-    """What tool and spindle hit of the machine in a setup; None where its file names no bodies. What the
-    spindle hits of the part it hits in every setup: the program's own check tells that."""
+    """Return what tool and spindle hit of the machine in a setup; None where its file names no bodies. What
+    the spindle hits of the part it hits in every setup: the program's own check tells that."""
     if not machine.bodies:
         return None
 
@@ -271,8 +271,9 @@ def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Po
 
 
 def _region(settings: Settings, centre: Vector, rows: int, table: float | None) -> Region:
-    """The region about the present work zero, with as many places as are asked for, or as ``rows`` of the
-    path leave time for. Where nobody says how high the ``table`` is, Z of the usual region stays where it is.
+    """Return the region about the present work zero, with as many places as are asked for, or as ``rows`` of
+    the path leave time for. Where nobody says how high the ``table`` is, Z of the usual region stays where it
+    is.
 
     Raises SettingsError where there is nothing to choose from.
     """
@@ -327,7 +328,7 @@ def _row_findings(rows: Sequence[Row]) -> Iterator[Finding]:
 
 
 def as_text(trial: Trial) -> str:
-    """What was found, for the terminal."""
+    """Return what was found, for the terminal."""
     title = f"{title_of(trial.settings)}: {trial.settings.task}\n"
     if isinstance(trial, SetupTrial):
         return title + setup_text(trial.chart)
@@ -337,7 +338,7 @@ def as_text(trial: Trial) -> str:
 
 
 def as_json(trial: Trial) -> str:
-    """What was found, for scripts; ``inputs`` is a job file."""
+    """Return what was found, for scripts; ``inputs`` is a job file."""
     inputs = flat_options(trial.settings)
     if isinstance(trial, ReachTrial):
         return reach_json(trial.found, inputs, trial.findings)
@@ -347,7 +348,7 @@ def as_json(trial: Trial) -> str:
 
 
 def as_html(trial: Trial) -> str:
-    """What was found, as a page of its own."""
+    """Write what was found, as a page of its own."""
     name = title_of(trial.settings)
     if isinstance(trial, SetupTrial):
         return heat_map_html(trial.chart, name)

@@ -80,8 +80,8 @@ class Flank(NamedTuple):
 
 
 def flank_of(diameter: float, corner: float, radius: float) -> Flank:
-    """The flank of a barrel of these sizes, mm: the arc of ``radius`` touches the ball of the ``corner``
-    radius from outside."""
+    """Return the flank of a barrel of these sizes, mm: the arc of ``radius`` touches the ball of the
+    ``corner`` radius from outside."""
     ring = 0.5 * diameter - radius
     return Flank(radius, corner, ring, math.sqrt((radius - corner) ** 2 - ring**2))
 

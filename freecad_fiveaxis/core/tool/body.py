@@ -85,7 +85,7 @@ class Body(NamedTuple):
     pieces: tuple[Piece, ...]
 
     def only(self, *parts: int) -> Body:
-        """The pieces of these parts."""
+        """Return the pieces of these parts."""
         return Body(tuple(piece for piece in self.pieces if piece.part in parts))
 
     @property
@@ -113,15 +113,15 @@ def extend_way_out(body: Body, far: float) -> Body:
 
 
 def round_piece(ring: float, corner: float, height: float, part: int = CUTTER) -> Piece:
-    """The points within ``corner`` of a disc of radius ``ring`` at ``height``, mm: a ball where ``ring`` is
-    0."""
+    """Return the points within ``corner`` of a disc of radius ``ring`` at ``height``, mm: a ball where
+    ``ring`` is 0."""
     return _checked(Piece(height, ring, height, ring, corner, part))
 
 
 def frustum_piece(
     low: float, low_radius: float, high: float, high_radius: float, part: int = CUTTER
 ) -> Piece:
-    """A cylinder or a cone frustum from height ``low`` to ``high``, mm."""
+    """Return a cylinder or a cone frustum from height ``low`` to ``high``, mm."""
     return _checked(Piece(low, low_radius, high, high_radius, 0.0, part))
 
 
@@ -152,8 +152,8 @@ def _checked(piece: Piece) -> Piece:
 
 
 def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
-    """The support (n,) mm in unit directions that have ``along`` (n,) of the axis in them, where the axis may
-    be off by a vector as long as ``loose`` (n,)."""
+    """Return the support (n,) mm in unit directions that have ``along`` (n,) of the axis in them, where the
+    axis may be off by a vector as long as ``loose`` (n,)."""
     low, high = (piece.low, piece.low_radius), (piece.high, piece.high_radius)
     across = (
         np.sqrt(np.maximum(1.0 - along * along, 0.0)) if piece.low_radius + piece.high_radius > 0.0 else 0.0
@@ -168,15 +168,15 @@ def support(piece: Piece, along: Floats, loose: Floats | float = 0.0) -> Floats:
 
 
 def _bulge_support(piece: Piece, along: Floats, across: Floats | float, loose: Floats | float) -> Floats:
-    """The support (n,) mm of a bulge's arc from a tip at 0; -inf in directions in which none of its points is
-    the farthest."""
+    """Return the support (n,) mm of a bulge's arc from a tip at 0; -inf in directions in which none of its
+    points is the farthest."""
     middle, height = piece.arc
     reached = middle * across + piece.bulge + height * along + (abs(height) + piece.high_radius) * loose
     return np.where((along <= 0.0) & (along * piece.bulge >= piece.low - height), reached, -np.inf)
 
 
 def _plus(column: Floats, *more: Floats | float) -> Floats:
-    """The sum: a plain 0 takes no turn through the column."""
+    """Return the sum: a plain 0 takes no turn through the column."""
     for one in more:
         if not isinstance(one, float) or one != 0.0:
             column = column + one
@@ -192,14 +192,14 @@ def seen_from(body: Body, height: float) -> Body:
 
 
 def body_support(body: Body, along: Floats) -> Floats:
-    """The support mm of the body in unit directions that have ``along`` (any shape) of the axis in them, in
-    the same shape."""
+    """Return the support mm of the body in unit directions that have ``along`` (any shape) of the axis in
+    them, in the same shape."""
     return np.asarray(np.max([support(piece, along) for piece in body.pieces], axis=0))
 
 
 def swing_support(body: Body, most: Floats) -> Floats:
-    """The largest support (n,) mm of the body over all directions that have at most ``most`` (n,) of the axis
-    in them: of each disc it is a sine of the angle, whose top counts where it is within."""
+    """Return the largest support (n,) mm of the body over all directions that have at most ``most`` (n,) of
+    the axis in them: of each disc it is a sine of the angle, whose top counts where it is within."""
     discs = {(z, r, piece.round) for piece in body.pieces for z, r in (piece[:2], piece[2:4])}
     along = [np.minimum(z / max(math.hypot(z, r), UNDIRECTED_MM), most) for z, r, _ in discs]
     reach = [
@@ -214,7 +214,7 @@ def swing_support(body: Body, most: Floats) -> Floats:
 def body_of(
     cutter: Cutter, shank: Iterable[tuple[float, float]] = (), holder: Iterable[tuple[float, float]] = ()
 ) -> Body:
-    """The body of a cutter up to its length, then shank and holder, after those that the cutter brings
+    """Return the body of a cutter up to its length, then shank and holder, after those that the cutter brings
     itself.
 
     ``shank``, ``holder``: (diameter, length) mm of stacked cylinders, from the cutter upwards. Raises
@@ -287,7 +287,7 @@ def off_piece(piece: Piece, radius: Floats, height: Floats) -> Off:
 
 
 def distance_off(piece: Piece, radius: Floats, height: Floats) -> Floats:
-    """The distance (n,) mm of :func:`off_piece` alone."""
+    """Return the distance (n,) mm of :func:`off_piece` alone."""
     if piece.low_radius != piece.high_radius:
         return off_piece(piece, radius, height).distance
     across, along = radius - piece.low_radius, np.maximum(piece.low - height, height - piece.high)
@@ -377,7 +377,8 @@ def way_out(body: Body, tip: Floats, axis: Floats, point: Floats, more: Floats |
 
 
 def _underside(piece: Piece, radius: Floats, more: Floats | float) -> Floats:
-    """The lowest height (n,) of a piece grown by so much so far from the axis, mm; infinite beside it."""
+    """Return the lowest height (n,) of a piece grown by so much so far from the axis, mm; infinite beside
+    it."""
     if piece.bulge > 0.0:
         return _under_bulge(piece, radius, piece.round + more)
     r0, r1, c = piece.low_radius, piece.high_radius, piece.round + more
@@ -395,7 +396,8 @@ def _underside(piece: Piece, radius: Floats, more: Floats | float) -> Floats:
 
 
 def _under_bulge(piece: Piece, radius: Floats, round_: Floats | float) -> Floats:
-    """The same of a bulge with so much round: below its lowest point a ball, then an arc as much larger."""
+    """Return the same of a bulge with so much round: below its lowest point a ball, then an arc as much
+    larger."""
     middle, crest = piece.arc
     whole, out = piece.bulge + round_, radius - middle
     ball = piece.low - np.sqrt(np.maximum(round_ * round_ - radius * radius, 0.0))

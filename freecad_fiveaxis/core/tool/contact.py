@@ -41,5 +41,5 @@ def ring_direction(normal: Floats, axis: Floats, feed: Floats, ring: float) -> F
 
 
 def _across(vector: Floats, axis: Floats) -> Floats:
-    """The part (n, 3) of ``vector`` perpendicular to the unit ``axis``."""
+    """Return the part (n, 3) of ``vector`` perpendicular to the unit ``axis``."""
     return np.asarray(vector - np.einsum("ij,ij->i", vector, axis)[:, None] * axis)

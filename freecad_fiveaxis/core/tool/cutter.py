@@ -177,21 +177,22 @@ class Cutter:
         )
 
     def scaled(self, share: float) -> Cutter:
-        """The cutter with its end, and its neck, ``share`` times as large, and as long as before."""
+        """Return the cutter with its end, and its neck, ``share`` times as large, and as long as before."""
         neck, flank = (None if size is None else share * size for size in (self.neck, self.flank))
         return replace(
             self, diameter=share * self.diameter, corner=share * self.corner, neck=neck, flank=flank
         )
 
     def thickened(self, margin: float) -> Cutter:
-        """The cutter with its neck ``margin`` mm thicker all round, where there is one, and at most half as
-        far from the ball."""
+        """Return the cutter with its neck ``margin`` mm thicker all round, where there is one, and at most
+        half as far from the ball."""
         if self.neck is None:
             return self
         return replace(self, neck=min(self.neck + 2.0 * margin, 0.5 * (self.neck + self.diameter)))
 
     def tip_at(self, hub: Floats, axis: Floats) -> Floats:
-        """The tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit ``axis`` (n,
+        """Return the tip (n, 3) mm where the hub (of a ball: its centre) (n, 3) mm stands and the unit
+        ``axis`` (n,
         3) points."""
         return hub - self.corner * axis
 
@@ -206,8 +207,8 @@ class Cutter:
         return 0.0 if self.ring == 0.0 else self.ring * ring_direction(normal, axis, feed, self.ring)
 
     def tip_from_contact(self, point: Floats, normal: Floats, axis: Floats, feed: Floats) -> Floats:
-        """The tip (n, 3) mm of the cutter that touches the plane through ``point`` with unit ``normal``, both
-        (n, 3), from above.
+        """Return the tip (n, 3) mm of the cutter that touches the plane through ``point`` with unit
+        ``normal``, both (n, 3), from above.
 
         ``axis`` and ``feed`` (n, 3) unit; the feed only chooses where the bottom of a flat or bull nose that
         stands square on the plane touches it (:func:`~.contact.ring_direction`). Where the axis leans further
@@ -261,9 +262,9 @@ class Cutter:
         return np.asarray((0.25 * width * width + height * height) / (2.0 * height))
 
     def hub_discs(self) -> Floats:
-        """The discs (k, 5) whose hull is what cuts: rows of radius, rounding, and height over the hub, mm;
-        and least and largest part along the axis of the directions in which they support it. Of a barrel's
-        flank the radius is negative."""
+        """Return the discs (k, 5) whose hull is what cuts: rows of radius, rounding, and height over the hub,
+        mm; and least and largest part along the axis of the directions in which they support it. Of a
+        barrel's flank the radius is negative."""
         import numpy as np
 
         tip, top = (
@@ -277,7 +278,7 @@ class Cutter:
         return np.array([tip, top])
 
     def profile(self) -> Profile:
-        """The body in pieces, for whoever asks whether it enters the part."""
+        """Return the body in pieces, for whoever asks whether it enters the part."""
         import numpy as np
 
         low = self.corner * (1.0 - math.sin(self.taper))
@@ -293,7 +294,7 @@ class Cutter:
 
 
 def _chords(barrel: Flank) -> list[Frustum]:
-    """The flank as frusta, each over a chord of its arc."""
+    """Return the flank as frusta, each over a chord of its arc."""
     turn = [barrel.begins + k / CHORDS * (0.5 * math.pi - barrel.begins) for k in range(CHORDS + 1)]
     height = [barrel.corner + barrel.rise - barrel.radius * math.cos(angle) for angle in turn]
     radius = [barrel.ring + barrel.radius * math.sin(angle) for angle in turn]
@@ -311,8 +312,8 @@ def _check_corner(cutter: Cutter) -> None:
 
 
 def _check_neck(cutter: Cutter) -> None:
-    """A neck as wide as the ball is a ball end mill; one of a cutter that ends within its ball would never
-    begin."""
+    """Refuse a neck as wide as the ball, which is a ball end mill, and one of a cutter that ends within its
+    ball, which would never begin."""
     if cutter.neck is None:
         return
     if not LEAST <= cutter.neck < cutter.diameter:
@@ -338,13 +339,13 @@ def _check_neck(cutter: Cutter) -> None:
 
 
 def _neck_begins(cutter: Cutter) -> float:
-    """The height above the tip, mm, at which the neck leaves the ball."""
+    """Return the height above the tip, mm, at which the neck leaves the ball."""
     return cutter.radius * (1.0 + math.sin(cutter.undercut))
 
 
 def _check_taper(cutter: Cutter) -> None:
-    """A taper that narrows upwards would end in nothing; one of a cutter shorter than its corner would never
-    begin."""
+    """Refuse a taper that narrows upwards, which would end in nothing, and one of a cutter shorter than its
+    corner, which would never begin."""
     taper = math.degrees(cutter.taper)
     if not 0.0 <= cutter.taper <= MOST_TAPER:
         least = math.degrees(MOST_TAPER)

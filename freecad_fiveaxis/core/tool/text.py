@@ -53,8 +53,8 @@ EQUAL_SIZE = 1e-4
 
 
 def parse_cutter(text: str) -> Cutter:
-    """The cutter written as its kind and sizes, as ``ball:10``, ``ball:0.5in:2in``, ``bull:10:2:60`` (lengths
-    in mm, else with their unit; angles in deg).
+    """Return the cutter written as its kind and sizes, as ``ball:10``, ``ball:0.5in:2in``, ``bull:10:2:60``
+    (lengths in mm, else with their unit; angles in deg).
 
     Raises SettingsError that names the kinds on offer, or the quantity that cannot be read.
     """
@@ -64,8 +64,8 @@ def parse_cutter(text: str) -> Cutter:
 
 
 def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
-    """The kind of a cutter's text and the sizes that it gives, by the names of ``Cutter`` (mm, rad); whether
-    a cutter can have them is not looked at. Raises SettingsError as ``parse_cutter``."""
+    """Return the kind of a cutter's text and the sizes that it gives, by the names of ``Cutter`` (mm, rad);
+    whether a cutter can have them is not looked at. Raises SettingsError as ``parse_cutter``."""
     kind, _, rest = str(text).strip().partition(":")
     kind = kind.strip().lower()
     names = KINDS.get(kind)
@@ -97,7 +97,7 @@ def cutter_sizes(text: str) -> tuple[str, dict[str, float]]:
 
 
 def kind_of(cutter: Cutter) -> str:
-    """The kind under which the cutter is written."""
+    """Return the kind under which the cutter is written."""
     if cutter.neck is not None:
         return "lollipop"
     if cutter.flank is not None:
@@ -110,8 +110,8 @@ def kind_of(cutter: Cutter) -> str:
 
 
 def cutter_text(cutter: Cutter) -> str:
-    """The cutter as an option that ``parse_cutter`` reads as the same one (mm, deg); its holder is not in
-    it."""
+    """Return the cutter as an option that ``parse_cutter`` reads as the same one (mm, deg); its holder is not
+    in it."""
     kind = kind_of(cutter)
     return sizes_text(
         kind, {name: getattr(cutter, name) for name in SIZES} | {"taper": math.degrees(cutter.taper)}
@@ -119,8 +119,8 @@ def cutter_text(cutter: Cutter) -> str:
 
 
 def sizes_text(kind: str, sizes: Mapping[str, float]) -> str:
-    """An option out of its kind and its sizes (SIZES), mm and **degrees**; those that the kind has not are
-    left out. Whether there can be such a cutter is not looked at."""
+    """Return an option out of its kind and its sizes (SIZES), mm and **degrees**; those that the kind has not
+    are left out. Whether there can be such a cutter is not looked at."""
     return ":".join([kind, *(_digits(name, sizes[name]) for name in (*KINDS[kind], "length"))])
 
 
@@ -130,7 +130,8 @@ def _digits(name: str, value: float) -> str:
 
 
 def cutter_name(cutter: Cutter) -> str:
-    """The cutter as the machinist calls it, as ``ball 10 mm`` or ``taper bull 10 mm, corner 2 mm, 5 deg``."""
+    """Return the cutter as the machinist calls it, as ``ball 10 mm`` or ``taper bull 10 mm, corner 2 mm, 5
+    deg``."""
     kind = kind_of(cutter)
     words = f"{kind.replace('taper', 'taper ')} {cutter.diameter:g} mm"
     words += f", corner {cutter.corner:g} mm" if "corner" in KINDS[kind] else ""
@@ -140,9 +141,9 @@ def cutter_name(cutter: Cutter) -> str:
 
 
 def apt_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """The numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck or a
-    flank, else all seven. Whoever does not know of a barrel's flank has a bull nose of its diameter and the
-    radius of its tip, out of which nothing of it looks."""
+    """Return the numbers of the CUTTER statement, mm and deg: d and r where these say it all but for a neck
+    or a flank, else all seven. Whoever does not know of a barrel's flank has a bull nose of its diameter and
+    the radius of its tip, out of which nothing of it looks."""
     if cutter.taper == 0.0:
         return cutter.diameter, cutter.corner
     slope = math.degrees(cutter.taper)
@@ -155,21 +156,22 @@ def _apt_diameter(cutter: Cutter) -> float:
 
 
 def neck_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """What the CUTTER statement has no word for, mm: diameter and upper end of a lollipop's neck; of others
-    nothing."""
+    """Return what the CUTTER statement has no word for, mm: diameter and upper end of a lollipop's neck; of
+    others nothing."""
     return () if cutter.neck is None else (cutter.neck, cutter.length)
 
 
 def flank_numbers(cutter: Cutter) -> tuple[float, ...]:
-    """What it has no word for either, mm: radius of a barrel's flank, and its length; of others nothing."""
+    """Return what it has no word for either, mm: radius of a barrel's flank, and its length; of others
+    nothing."""
     return () if cutter.flank is None else (cutter.flank, cutter.length)
 
 
 def cutter_from_apt(
     numbers: Sequence[float], scale: float = 1.0, neck: Sequence[float] = (), flank: Sequence[float] = ()
 ) -> Cutter | None:
-    """The cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit, ``neck``
-    as of :func:`neck_numbers`, ``flank`` as of :func:`flank_numbers`, in that unit too.
+    """Return the cutter of a CUTTER statement's numbers (d, or d and r, or more); ``scale`` mm of its unit,
+    ``neck`` as of :func:`neck_numbers`, ``flank`` as of :func:`flank_numbers`, in that unit too.
 
     None where d is all that is said, for then the shape is not; and for shapes that are not on offer: a
     bottom that is no plane (a), a corner circle that does not touch it (f), a flank that narrows upwards (b),

@@ -58,13 +58,13 @@ MOST_PIECES = 64
 
 
 def corner_radius(cutter: Cutter) -> float:
-    """The radius, mm, of the ball for which co-edges are closed."""
+    """Return the radius, mm, of the ball for which co-edges are closed."""
     return max(cutter.corner, min(SHARP, cutter.radius))
 
 
 def hub_positions(path: OffsetPath, axis: Floats, ring: float, barrel: Flank | None = None) -> Floats:
-    """The hubs (n, 3) mm of a cutter with that ring (mm), or the flank of a barrel, and tool axes (n, 3);
-    ``path.centre`` itself for a ball (ring 0)."""
+    """Return the hubs (n, 3) mm of a cutter with that ring (mm), or the flank of a barrel, and tool axes (n,
+    3); ``path.centre`` itself for a ball (ring 0)."""
     if barrel is not None and len(axis):
         return np.asarray(path.centre + barrel.hub_shift(seat_normal(path, ring, barrel), axis))
     if ring == 0.0 or not len(axis):
@@ -75,8 +75,8 @@ def hub_positions(path: OffsetPath, axis: Floats, ring: float, barrel: Flank | N
 
 
 def seat_normal(path: OffsetPath, ring: float, barrel: Flank | None = None) -> Floats:
-    """The unit normal (n, 3) of the surface on which a cutter with that ring (mm), or that flank, sits at
-    each row.
+    """Return the unit normal (n, 3) of the surface on which a cutter with that ring (mm), or that flank, sits
+    at each row.
 
     Smooth: over a facet of length L whose normal the axis leaves by half of a co-edge's turn t at both its
     ends, the bottom enters it at most by ``t min(L, 16 ring) / 16``: at the share s of the way it leans by t
@@ -95,7 +95,7 @@ def seat_normal(path: OffsetPath, ring: float, barrel: Flank | None = None) -> F
 def cl_offset_path(
     path: OffsetPath, axis: Floats, cutter: Cutter, tolerance: float
 ) -> tuple[OffsetPath, Floats]:
-    """The path with the cutter's hubs for its centres, and its axes; what it says of hollows is in the
+    """Return the path with the cutter's hubs for its centres, and its axes; what it says of hollows is in the
     findings.
 
     A block in which the axis turns so much that the bottom, half-way, would leave the surface by more than
@@ -182,9 +182,9 @@ def _swing_depth(path: OffsetPath, axis: Floats, row: Ints, cutter: Cutter) -> F
 def rows_between(
     path: OffsetPath, axis: Floats, pieces: Ints, ring: float, barrel: Flank | None = None
 ) -> tuple[OffsetPath, Floats, Ints]:
-    """The move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its axes, and
-    the row (k,) of the path given that each row is, or leads to. ``ring`` mm of the cutter, or the flank of a
-    barrel."""
+    """Return the move that arrives at each row in ``pieces`` (n,) equal parts (1: as it is): the path, its
+    axes, and the row (k,) of the path given that each row is, or leads to. ``ring`` mm of the cutter, or the
+    flank of a barrel."""
     row = np.repeat(np.arange(len(axis)), pieces)
     step = np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 1
     share = step / pieces[row]
@@ -228,7 +228,7 @@ def _with_rows(
 
 
 def _findings_of(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:
-    """What there is to say of a ring in hollows, or of a barrel."""
+    """Return what there is to say of a ring in hollows, or of a barrel."""
     if (barrel := cutter.barrel) is not None:
         return _report_off_flank(path, axis, barrel)
     return _heel_findings(path, hub, axis, cutter)
@@ -255,8 +255,8 @@ def _report_off_flank(path: OffsetPath, axis: Floats, barrel: Flank) -> tuple[Fi
 
 
 def _heel_findings(path: OffsetPath, hub: Floats, axis: Floats, cutter: Cutter) -> tuple[Finding, ...]:
-    """That it does; how deep is not told, for across the pass the bottom may stand far deeper than along
-    it."""
+    """Report that it does; how deep is not told, for across the pass the bottom may stand far deeper than
+    along it."""
     depth = heel_depth(path, hub, axis, cutter)
     deep = np.flatnonzero(depth > NOTABLE)
     if not len(deep):

@@ -122,8 +122,8 @@ def without_touches(nodes: Nodes) -> Nodes:
 
 
 def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
-    """Closed passes from which facets were left out are two polylines, one that begins at their seam and one
-    that ends there: make them one."""
+    """Join the halves of closed passes from which facets were left out: two polylines, one that begins at
+    their seam and one that ends there."""
     begin = np.flatnonzero(~goes_on(nodes.polyline))
     size = np.diff(begin, append=len(nodes.row))
     end = begin + size - 1
@@ -149,7 +149,7 @@ def _with_halves_joined(path: OffsetPath, nodes: Nodes) -> Nodes:
 
 
 def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
-    """Closed polylines that are cut begin behind a move that lies outside, so that no piece ends at a seam;
+    """Begin closed polylines that are cut behind a move that lies outside, so that no piece ends at a seam;
     of the two rows of the seam the first goes."""
     first = np.flatnonzero(~goes_on(nodes.polyline))
     last = np.append(first[1:], len(nodes.row)) - 1
@@ -171,7 +171,7 @@ def _over_seams(path: OffsetPath, nodes: Nodes) -> Nodes:
 def _columns(
     path: OffsetPath, nodes: Nodes, by_centre: bool, axis: Floats | None
 ) -> tuple[dict[str, Any], Floats | None]:
-    """The columns of the nodes' rows, and their axes."""
+    """Return the columns of the nodes' rows, and their axes."""
     row, share = nodes.row, nodes.share
     columns = {name: np.array(getattr(path, name)[row]) for name in ROW_COLUMNS}
     new = np.flatnonzero(share < 1.0)
@@ -213,19 +213,19 @@ def _between(path: OffsetPath, end: Ints, share: Floats, by_centre: bool, seated
 
 
 def _mean(path: OffsetPath, rows: Ints) -> Floats:
-    """The mean (k, 3) of the normals beside rows; the row's own normal where they are opposed."""
+    """Return the mean (k, 3) of the normals beside rows; the row's own normal where they are opposed."""
     mean = path.before[rows] + path.after[rows]
     length = np.linalg.norm(mean, axis=1)[:, None]
     return np.where(length > COINCIDENT_MM, mean / np.maximum(length, COINCIDENT_MM), path.normal[rows])
 
 
 def _foot(path: OffsetPath, end: Ints, place: Floats) -> Floats:
-    """The contacts (k, 3) nearest to places on the moves that lead to the rows ``end``."""
+    """Return the contacts (k, 3) nearest to places on the moves that lead to the rows ``end``."""
     return _on_way(path.point[end - 1], path.point[end], place)
 
 
 def _foot_of_centre(path: OffsetPath, end: Ints, place: Floats) -> Floats:
-    """The centres (k, 3) nearest to places on those moves: beside a hollow the ball does not get
+    """Return the centres (k, 3) nearest to places on those moves: beside a hollow the ball does not get
     everywhere."""
     return _on_way(path.centre[end - 1], path.centre[end], place)
 
@@ -245,7 +245,7 @@ def _long(place: Floats, begins: Bools) -> Bools:
 
 
 def _report_cut(path: OffsetPath, cut: OffsetPath, boundary: Boundary) -> Finding:
-    """What of the passes is left."""
+    """Return what of the passes is left."""
     left, whole = _length(cut), _length(path)
     text = say(
         "The passes end at boundary {name}: {left} of {whole} lie inside.", name=boundary.name,

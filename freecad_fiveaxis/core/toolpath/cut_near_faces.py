@@ -50,8 +50,8 @@ def _find_nodes(path: OffsetPath, keep_off: KeepOff) -> Nodes:
 
 
 def _crossings(start: Floats, end: Floats, keep_off: KeepOff) -> tuple[Ints, Floats]:
-    """The moves (k,) in which straight ways from ``start`` to ``end`` (m, 3) mm begin or end to be too near,
-    and where (k,), 0 to 1."""
+    """Return the moves (k,) in which straight ways from ``start`` to ``end`` (m, 3) mm begin or end to be too
+    near, and where (k,), 0 to 1."""
     length = np.linalg.norm(end - start, axis=1)
     near = np.flatnonzero(keep_off.room(0.5 * (start + end)) < 0.5 * length)
     parts = np.maximum(np.ceil(length[near] / (STEP * keep_off.least)), 1).astype(np.int64)

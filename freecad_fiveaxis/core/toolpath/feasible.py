@@ -46,8 +46,8 @@ _BEYOND = Template(
 def feasible_rows(
     path: OffsetPath, axis: Floats, kinematics: Chain, taper: float = 0.0, undercut: float = 0.0
 ) -> tuple[OffsetPath, Floats]:
-    """The rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is left
-    out. ``taper`` rad of the cutter's flank; ``undercut`` rad by which the axis may lean below the
+    """Return the rows that can be cut with their axis (n, 3), and their axes; the path's findings say what is
+    left out. ``taper`` rad of the cutter's flank; ``undercut`` rad by which the axis may lean below the
     surface."""
     rise = np.empty(len(axis))
     in_threads(lambda rows: (path.normal[rows] * axis[rows]).sum(axis=1, out=rise[rows]), chunks(len(axis)))

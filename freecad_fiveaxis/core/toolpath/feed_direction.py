@@ -17,7 +17,7 @@ SHORT = 1e-9
 
 
 def feed_direction(path: OffsetPath, axis: Floats) -> Floats:
-    """Unit direction of travel (n, 3) at every row, perpendicular to ``axis`` (n, 3).
+    """Return unit direction of travel (n, 3) at every row, perpendicular to ``axis`` (n, 3).
 
     The mean of the last cutting step before the row and the first one after it, so that all rows of one
     contact point share it; moves that close gaps do not count. A closed polyline goes on over its seam. Where
@@ -34,7 +34,7 @@ def feed_direction(path: OffsetPath, axis: Floats) -> Floats:
 
 
 def _steps(path: OffsetPath) -> tuple[Floats, Floats]:
-    """Unit cutting step before and after each row, (n, 3) each; zero where the polyline has none."""
+    """Return unit cutting step before and after each row, (n, 3) each; zero where the polyline has none."""
     n = len(path.point)
     row = np.arange(n)
     start = np.flatnonzero(np.diff(path.polyline, prepend=path.polyline[0] - 1))

@@ -41,12 +41,12 @@ SEPARATOR = "Separator"
 
 
 def work_names() -> list[str]:
-    """The commands of a part in the order of the work, with a line between the groups."""
+    """Return the commands of a part in the order of the work, with a line between the groups."""
     return [name for group in WORK for name in (SEPARATOR, *(command.NAME for command in group))][1:]
 
 
 def machine_names() -> list[str]:
-    """The commands about machines."""
+    """Return the commands about machines."""
     return [command.NAME for command in MACHINES]
 
 

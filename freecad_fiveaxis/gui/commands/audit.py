@@ -24,7 +24,7 @@ class Audit:
         }
 
     def IsActive(self) -> bool:
-        """Always, but for an open panel: it needs nothing but a file."""
+        """Offer it always, but for an open panel: it needs nothing but a file."""
         return selected.idle()
 
     def Activated(self) -> None:

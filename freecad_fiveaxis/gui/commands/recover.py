@@ -25,7 +25,7 @@ class Recover:
         }
 
     def IsActive(self) -> bool:
-        """Always, but for an open panel: it needs files only, and no document."""
+        """Offer it always, but for an open panel: it needs files only, and no document."""
         return selected.idle()
 
     def Activated(self) -> None:

@@ -37,14 +37,14 @@ def reasons(dialect: Any) -> dict[str, str]:
 
 
 def unknown_choices(dialect: Any) -> dict[str, set[str]]:
-    """The choices of each option that a controller does not know."""
+    """Return the choices of each option that a controller does not know."""
     from freecad_fiveaxis.core.pipeline.settings import RTCP
 
     return {"rtcp": set(RTCP) - {"off", *dialect.guides}}
 
 
 def check_guide(dialect: Any, options: Mapping[str, Any]) -> None:
-    """Raises SettingsError where the controller does not guide the tip as it is asked to, or misses what it
+    """Raise SettingsError where the controller does not guide the tip as it is asked to, or misses what it
     needs for it."""
     from freecad_fiveaxis.core.base.errors import SettingsError
 

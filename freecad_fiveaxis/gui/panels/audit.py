@@ -39,7 +39,7 @@ class AuditPanel(PathPanel):
         super().__init__(doc, translate("FiveAxis", "Audit"), Form("audit", doc, _sections(), extras), obj)
 
     def compute(self) -> Any:
-        """A new Audit, or the one that is there with other settings."""
+        """Return a new Audit, or the one that is there with other settings."""
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import changes
 
@@ -56,7 +56,7 @@ class AuditPanel(PathPanel):
         return audited
 
     def finish(self) -> None:
-        """The places worth a look get their markers."""
+        """Give the places worth a look their markers."""
         from freecad_fiveaxis import app
 
         app.annotate(self.obj)
@@ -75,7 +75,7 @@ class PartField(ChoiceField):
         self.doc = doc
 
     def value(self) -> Any:
-        """The object, or None."""
+        """Return the object, or None."""
         name = super().value()
         return self.doc.getObject(name) if name else None
 
@@ -84,7 +84,7 @@ class PartField(ChoiceField):
         return self.value().Label if self.value() is not None else ""
 
     def show_value(self, value: Any) -> None:
-        """An object, which joins the list where it is not there, or None."""
+        """Show an object, which joins the list where it is not there, or None."""
         if value is not None and self.editor.findData(value.Name) < 0:
             self.editor.addItem(value.Label, value.Name)
         super().show_value(value.Name if value is not None else None)
@@ -140,7 +140,7 @@ OPEN = ("machine", "comparison", "tool", "safety")
 
 
 def _sections() -> list[Section]:
-    """The file, and a section for each group of the task's settings."""
+    """Return the file, and a section for each group of the task's settings."""
     groups = [
         Section(name, title, [*FIRST.get(name, ()), *names], IN_TITLE.get(name, ()), name in OPEN)
         for name, title, names in group_sections("audit", MORE)

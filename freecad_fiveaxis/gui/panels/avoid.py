@@ -68,17 +68,17 @@ class AvoidField(Field):
             self.show_note(text.format(option="--avoid"))
 
     def _fit(self) -> None:
-        """The list is as high as its rows; there is something to remove where a row is chosen."""
+        """Make the list as high as its rows; there is something to remove where a row is chosen."""
         height = self.list.fontMetrics().height() * 3 // 2
         self.list.setFixedHeight(height * min(max(self.list.count(), 1), ROWS) + 6)
         self.remove.setEnabled(bool(self.list.selectedItems()))
 
     def focus_widget(self) -> Any:
-        """The list."""
+        """Return the list."""
         return self.list
 
     def room(self) -> int:
-        """The buttons need the whole width."""
+        """Return the buttons need the whole width."""
         return WIDE
 
     def _add(self) -> None:
@@ -119,11 +119,11 @@ class AvoidField(Field):
         self.edited.emit()
 
     def value(self) -> tuple[str, ...]:
-        """The names in the list."""
+        """Return the names in the list."""
         return tuple(self.list.item(row).text() for row in range(self.list.count()))
 
     def words(self) -> str:
-        """That they are left out."""
+        """Say that they are left out."""
         return (
             translate("FiveAxis", "without {faces}").format(faces=", ".join(self.value()))
             if self.value()
@@ -131,7 +131,7 @@ class AvoidField(Field):
         )
 
     def show_value(self, value: Sequence[str] | None) -> None:
-        """These names and no others."""
+        """Show these names and no others."""
         self.list.clear()
         self.list.addItems(list(value or ()))
         self._fit()

@@ -92,12 +92,12 @@ class SpacingField(Field):
         self._changed()
 
     def value(self) -> dict[str, float | None]:
-        """The one that counts, mm, by its name."""
+        """Return the one that counts, mm, by its name."""
         kind = self.kind.value()
         return {kind: self.lengths[kind].value()}
 
     def words(self) -> str:
-        """The one that counts."""
+        """Return the one that counts."""
         return self.lengths[self.kind.value()].words()
 
     def show_value(self, value: dict[str, float | None]) -> None:
@@ -137,7 +137,7 @@ class ToolList(QtCore.QObject):
         self.offer([])
 
     def offer(self, tools: Sequence[Any]) -> None:
-        """The tools to choose from."""
+        """Offer the tools to choose from."""
         self.tools = list(tools)
         self.box.clear()
         self.box.addItem(self.title)
@@ -260,8 +260,8 @@ class CutterField(Field):
 
 
 def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
-    """The controllers; the first item leaves it to the machine, and where a text is read, to the text before
-    that."""
+    """Return the controllers; the first item leaves it to the machine, and where a text is read, to the text
+    before that."""
     from freecad_fiveaxis.core.controllers import DIALECTS
 
     own = translate("FiveAxis", "by the text itself") if reads else translate("FiveAxis", "the machine's own")
@@ -270,7 +270,7 @@ def controller_field(name: str, hint: str, reads: bool = False) -> ChoiceField:
 
 
 def strategy_field(name: str, hint: str) -> ChoiceField:
-    """The strategies for the tool axis, or for the passes."""
+    """Return the strategies for the tool axis, or for the passes."""
     from freecad_fiveaxis.core.orientation.strategies import STRATEGIES
     from freecad_fiveaxis.core.passes import PASS_STRATEGIES
 

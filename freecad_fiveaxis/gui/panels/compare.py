@@ -130,14 +130,14 @@ def create(path: Any) -> ComparePanel:
 
 
 def chosen(box: Any) -> list[str]:
-    """The values of the ticked lines."""
+    """Return the values of the ticked lines."""
     lines = [box.item(at) for at in range(box.count())]
     return [line.data(QtCore.Qt.UserRole) for line in lines if line.checkState() == QtCore.Qt.Checked]
 
 
 def _list(name: str, choices: list[tuple[str, str]], ticked: set[str]) -> Any:
-    """A list whose lines can be ticked; what is ticked but not among the choices joins them under its own
-    name."""
+    """Return a list whose lines can be ticked; what is ticked but not among the choices joins them under its
+    own name."""
     box = QtWidgets.QListWidget()
     box.setObjectName(name)
     known = {value for value, _ in choices}

@@ -60,7 +60,7 @@ and those that do not count then."""
 
 
 def idle_options(fields: Mapping[str, Field]) -> set[str]:
-    """The options that count for nothing as the choices stand: they are not shown, not checked and not
+    """Return the options that count for nothing as the choices stand: they are not shown, not checked and not
     given."""
     choices = [
         (choice, holds(fields[choice].value()), only, never)

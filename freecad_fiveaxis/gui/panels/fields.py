@@ -61,8 +61,8 @@ class Field(QtCore.QObject):
         self.place_line: Callable[[str, Any], Any] = lambda kind, line: None
 
     def line_of(self, kind: str) -> Any:
-        """The label of that kind, one of LINES, made and placed when it is asked for first: most fields never
-        say anything, and a panel of sixty fields opens in half the time without their lines."""
+        """Return the label of that kind, one of LINES, made and placed when it is asked for first: most
+        fields never say anything, and a panel of sixty fields opens in half the time without their lines."""
         if kind not in self.lines:
             self.lines[kind] = LINES[kind](f"{self.name}_{kind}")
             self.place_line(kind, self.lines[kind])
@@ -84,7 +84,7 @@ class Field(QtCore.QObject):
         return self.line_of("note")
 
     def says(self, kind: str) -> str:
-        """What the line of that kind says; nothing where there is none yet."""
+        """Return what the line of that kind says; nothing where there is none yet."""
         return str(self.lines[kind].text()) if kind in self.lines else ""
 
     def _say(self, kind: str, text: str) -> None:
@@ -94,7 +94,7 @@ class Field(QtCore.QObject):
             line.setVisible(bool(text))
 
     def focus_widget(self) -> Any:
-        """What the field's label leads to."""
+        """Return what the field's label leads to."""
         return self.editor
 
     def room(self) -> int:
@@ -102,11 +102,11 @@ class Field(QtCore.QObject):
         return NARROW
 
     def words(self) -> str:
-        """What the title of a group says of the field; empty where it says nothing."""
+        """Return what the title of a group says of the field; empty where it says nothing."""
         return ""
 
     def show_warning(self, text: str) -> None:
-        """What to think of before the value is used, in amber under the editor; an empty text takes it
+        """Show what to think of before the value is used, in amber under the editor; an empty text takes it
         away."""
         self._say("warning", text)
 
@@ -117,18 +117,19 @@ class Field(QtCore.QObject):
         self.editor.setEnabled(not text)
 
     def show_error(self, text: str) -> None:
-        """The reason why the value cannot be used, in red under the editor; an empty text takes it away."""
+        """Show the reason why the value cannot be used, in red under the editor; an empty text takes it
+        away."""
         self._say("error", text)
 
     def want(self) -> None:
-        """The user has asked for the result: what he has not given yet is missing from now on."""
+        """Call what the user has not given yet missing from now on: he has asked for the result."""
 
     def check(self) -> None:
-        """Raises FiveAxisError for a value that cannot be used, where the core's settings do not know of
+        """Raise FiveAxisError for a value that cannot be used, where the core's settings do not know of
         it."""
 
     def value(self) -> Any:
-        """The option's value as job files write it; None: not given."""
+        """Return the option's value as job files write it; None: not given."""
         raise NotImplementedError
 
     def show_value(self, value: Any) -> None:
@@ -183,7 +184,7 @@ class QuantityField(Field):
 
 
 def _word_for_none(name: str) -> str:
-    """What an option is called that is not given; nothing where 0 says it."""
+    """Return what an option is called that is not given; nothing where 0 says it."""
     if name in FOUND:
         return translate("FiveAxis", "automatic")
     return translate("FiveAxis", "off") if name in OFF else ""
@@ -222,7 +223,7 @@ class FeedField(Field):
 
 
 def feed_unit() -> tuple[str, float]:
-    """The unit of feeds in a box, and how many of it one mm/s is.
+    """Return the unit of feeds in a box, and how many of it one mm/s is.
 
     FreeCAD's own boxes take a plain number for mm/s, and refuse "mm/min" letter by letter.
     """
@@ -241,7 +242,7 @@ class ChoiceField(Field):
         self.editor.currentIndexChanged.connect(self._changed)
 
     def offer(self, unknown: Collection[Any]) -> None:
-        """These values cannot be chosen for now, all others can."""
+        """Offer all values but these, which cannot be chosen for now."""
         model = (
             self.editor.model()
         )  # by indexes: PySide keeps what it hands out of Qt's own items longer than Qt has them
@@ -250,21 +251,21 @@ class ChoiceField(Field):
             model.setData(model.index(at, 0), CHOSEN if on else 0, FLAGS)
 
     def explain(self, hints: Mapping[Any, str]) -> None:
-        """What each choice means, as the tool tip of its line in the list."""
+        """Explain what each choice means, as the tool tip of its line in the list."""
         for at in range(self.editor.count()):
             self.editor.setItemData(at, hints.get(self.editor.itemData(at), ""), QtCore.Qt.ToolTipRole)
 
     def value(self) -> Any:
-        """The value of the chosen item."""
+        """Return the value of the chosen item."""
         return self.editor.currentData()
 
     def room(self) -> int:
-        """The longest item."""
+        """Return the longest item."""
         texts = [self.editor.itemText(at) for at in range(self.editor.count())]
         return max((width_of(self.editor, text) for text in texts), default=0) + ARROW
 
     def words(self) -> str:
-        """The chosen item; of what is switched on its label, of what is off or not given nothing."""
+        """Return the chosen item; of what is switched on its label, of what is off or not given nothing."""
         chosen = self.value()
         return "" if chosen in (None, "off") else self.label if chosen == "on" else self.editor.currentText()
 
@@ -289,11 +290,11 @@ class NumberField(Field):
         editor.valueChanged.connect(self._changed)
 
     def value(self) -> float | None:
-        """The number."""
+        """Return the number."""
         return None if self.optional and self.editor.value() == 0 else self.editor.value()
 
     def show_value(self, value: float | None) -> None:
-        """The number, or None."""
+        """Show the number, or None."""
         self.editor.setValue(int(value or 0) if self.whole else float(value or 0.0))
 
     def room(self) -> int:
@@ -345,15 +346,15 @@ class TextField(Field):
         self.editor.textChanged.connect(self._changed)
 
     def value(self) -> str:
-        """The text."""
+        """Show the text."""
         return self.editor.text().strip()
 
     def show_value(self, value: str | None) -> None:
-        """The text."""
+        """Show the text."""
         self.editor.setText(value or "")
 
     def room(self) -> int:
-        """What is to be typed there may be long."""
+        """Return what is to be typed there may be long."""
         return width_of(self.editor, self.editor.placeholderText() or "0" * 12)
 
     def words(self) -> str:

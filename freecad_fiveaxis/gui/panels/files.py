@@ -34,7 +34,7 @@ class FileField(TextField):
         self.wanted = True
 
     def check(self) -> None:
-        """Raises FileError for a file that cannot be read, or is wanted and not named."""
+        """Raise FileError for a file that cannot be read, or is wanted and not named."""
         from freecad_fiveaxis.core.base.errors import FileError
         from freecad_fiveaxis.core.base.files import check_readable
 
@@ -71,11 +71,11 @@ class SaveField(FileField):
             self.show_value(path)
 
     def value(self) -> str:
-        """The whole name; empty where there is none."""
+        """Return the whole name; empty where there is none."""
         return os.path.abspath(os.path.expanduser(super().value())) if super().value() else ""
 
     def check(self) -> None:
-        """Raises FileError for a file that is not named, has no known ending, or is there although it may
+        """Raise FileError for a file that is not named, has no known ending, or is there although it may
         not."""
         from freecad_fiveaxis.app.machines import is_new_folder
         from freecad_fiveaxis.core.base.errors import FileError
@@ -109,7 +109,7 @@ def all_files() -> str:
 
 
 def cl_files() -> str:
-    """The kinds of CL files, as Qt filters them."""
+    """Return the kinds of CL files, as Qt filters them."""
     return ";;".join(
         [translate("FiveAxis", "CL files (*.apt *.cl *.cls *.ncl *.aptsource *.txt)"), all_files()]
     )
@@ -121,12 +121,12 @@ def machine_files() -> str:
 
 
 def any_file(leaf: Any) -> FileField:
-    """The field of an option that names a file to read, of which no more is known than its help."""
+    """Return the field of an option that names a file to read, of which no more is known than its help."""
     return FileField(leaf.name, translate("FiveAxis", "Choose a file"), all_files(), option_hint(leaf))
 
 
 def new_machine() -> SaveField:
-    """The field of a machine file to write, which is never one that is there."""
+    """Return the field of a machine file to write, which is never one that is there."""
     return SaveField(
         "machine_file", translate("FiveAxis", "The machine file to write"), machine_files(),
         translate("FiveAxis", "In the folder that is proposed it stands in every list of machines from then "

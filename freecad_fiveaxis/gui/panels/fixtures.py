@@ -45,7 +45,7 @@ class FixturesField(Field):
         return [one for one in items if one.checkState() == QtCore.Qt.Checked]
 
     def value(self) -> list[Any]:
-        """The objects that are ticked and still there."""
+        """Return the objects that are ticked and still there."""
         found = [self.doc.getObject(one.data(QtCore.Qt.UserRole)) for one in self._ticked()]
         return [one for one in found if one is not None]
 

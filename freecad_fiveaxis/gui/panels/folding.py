@@ -54,12 +54,12 @@ class FoldingGroup(QtWidgets.QWidget):
         self.header.setChecked(True)
 
     def show_state(self, state: str) -> None:
-        """What the group says, in a few words."""
+        """Show what the group says, in a few words."""
         self.state = state
         self._write()
 
     def resizeEvent(self, event: Any) -> None:
-        """The title is cut to the new width."""
+        """Cut the title to the new width."""
         super().resizeEvent(event)
         self._write()
 
@@ -83,7 +83,7 @@ class FoldingGroup(QtWidgets.QWidget):
 
 
 def _header(name: str, title: str) -> Any:
-    """A button as wide as the panel; Tab reaches it, the space bar presses it."""
+    """Return a button as wide as the panel; Tab reaches it, the space bar presses it."""
     button = QtWidgets.QToolButton()
     button.setObjectName("fold_" + name)
     button.setAccessibleName(title)

@@ -120,7 +120,7 @@ class Form(QtCore.QObject):
         return translate("FiveAxis", "none") if self.task in ANY_MACHINE else ""
 
     def _with_more(self, sections: list[Section]) -> list[Section]:
-        """The sections, and one with the fields that none of them names."""
+        """Return the sections, and one with the fields that none of them names."""
         named = {name for section in sections for name in section.names}
         rest = [name for name in self.fields if name not in named]
         return [
@@ -140,7 +140,7 @@ class Form(QtCore.QObject):
             self.groups[section.name] = group
 
     def _tell(self) -> None:
-        """What the fields say stands in the titles of their groups."""
+        """Tell what the fields say in the titles of their groups."""
         for section in self.sections:
             shown = [name for name in section.in_title if not self.rows[name][0].isHidden()]
             words = [section.about, *(self._words(name) for name in shown)]
@@ -173,8 +173,8 @@ class Form(QtCore.QObject):
         self._tell()
 
     def dialect(self) -> Any:
-        """The core's table of the controller that is chosen, or of the machine's own; None where that is not
-        known."""
+        """Return the core's table of the controller that is chosen, or of the machine's own; None where that
+        is not known."""
         if not {"machine", "controller"} <= set(self.fields):
             return None
         from freecad_fiveaxis.app.controllers import dialect_of
@@ -182,7 +182,7 @@ class Form(QtCore.QObject):
         return dialect_of(self.fields["controller"].value(), self.fields["machine"].value())
 
     def _lack(self) -> None:
-        """What the controller does not know cannot be chosen; what was chosen before comes back with a
+        """Keep what the controller does not know from being chosen; what was chosen before comes back with a
         controller that does."""
         dialect = self.dialect()
         if dialect is None:
@@ -210,7 +210,7 @@ class Form(QtCore.QObject):
             widget.setVisible(shown)
 
     def options(self) -> dict[str, Any]:
-        """What the form says, without the extras that are no options."""
+        """Return what the form says, without the extras that are no options."""
         values: dict[str, Any] = {}
         for name, field in self.fields.items():
             if name in self.leaves or name == SPACING:
@@ -223,7 +223,7 @@ class Form(QtCore.QObject):
         }
 
     def read_values(self) -> dict[str, Any]:
-        """The options and the extras."""
+        """Return the options and the extras."""
         values = self.options() | {
             name: field.value() for name, field in self.extras.items() if name not in self.leaves
         }
@@ -250,7 +250,7 @@ class Form(QtCore.QObject):
         self._changed()
 
     def want(self) -> None:
-        """The user asks for the result: a file that is not named yet is an error from now on."""
+        """Call a file that is not named yet an error from now on: the user asks for the result."""
         for field in self.fields.values():
             field.want()
 
@@ -279,7 +279,7 @@ class Form(QtCore.QObject):
         return any(field.missing and not field.value() and not field.wanted for field in files)
 
     def check_together(self, options: Mapping[str, Any]) -> None:
-        """Raises FiveAxisError where values contradict each other."""
+        """Raise FiveAxisError where values contradict each other."""
         from freecad_fiveaxis.app.auditing import audit_options
         from freecad_fiveaxis.core.pipeline.settings import build_settings
 
@@ -324,7 +324,7 @@ class Form(QtCore.QObject):
             )
 
     def show_error(self, text: str) -> None:
-        """What is wrong with the values together; an empty text takes it away. The panel places the line
+        """Show what is wrong with the values together; an empty text takes it away. The panel places the line
         ``error``."""
         self.error.setText(text)
         self.error.setVisible(bool(text))

@@ -94,7 +94,7 @@ class Picker(QtCore.QObject):
         self.named.setVisible(link is not None)
 
     def let_go(self) -> None:
-        """The numbers were edited: they are the user's own from now on."""
+        """Let go of the object: the numbers were edited and are the user's own from now on."""
         if self.link is not None:
             self.take(None)
 
@@ -135,7 +135,7 @@ class PlaceField(TextField):
             self.edited.emit()
 
     def check(self) -> None:
-        """Raises FileError for a boundary that is a file which cannot be read."""
+        """Raise FileError for a boundary that is a file which cannot be read."""
         from freecad_fiveaxis.core.base.curve_text import is_inline
         from freecad_fiveaxis.core.base.files import check_readable
 
@@ -148,26 +148,26 @@ class PlaceField(TextField):
         return self.picker.link
 
     def focus_widget(self) -> Any:
-        """The line."""
+        """Return the line."""
         return self.line
 
     def room(self) -> int:
-        """The name of what is picked may be long."""
+        """Return the name of what is picked may be long."""
         return width_of(self.line, "0" * 12) + (
             0 if self.file is None else self.file.sizeHint().width() + APART
         )
 
     def value(self) -> str:
-        """The text."""
+        """Show the text."""
         return str(self.line.text()).strip()
 
     def show_value(self, value: str | None) -> None:
-        """The text, as typed."""
+        """Show the text, as typed."""
         self.picker.let_go()
         self._show(value)
 
     def show_link(self, link: Link | None) -> None:
-        """A link, or none."""
+        """Show a link, or none."""
         show_link(self.picker, link)
 
     def follow_zero(self) -> None:
@@ -208,7 +208,7 @@ class AxisField(TripleField):
         self._show(value)
 
     def show_link(self, link: Link | None) -> None:
-        """A link, or none."""
+        """Show a link, or none."""
         show_link(self.picker, link)
 
     def _show(self, value: Sequence[float] | None) -> None:
@@ -223,7 +223,7 @@ class AxisField(TripleField):
 
 
 def _wanted(name: str) -> str:
-    """What may be clicked for an option."""
+    """Return what may be clicked for an option."""
     if name == "pass_centre":
         return translate("FiveAxis", "Then click a vertex, a circle or a sphere in the 3D view; Esc stops it")
     if name == "boundary":
@@ -234,7 +234,7 @@ def _wanted(name: str) -> str:
 
 
 def _with(line: Any, file: Any, named: Any, name: str) -> Any:
-    """An editor with a button for a file beside it, None for none, and a line of words below it."""
+    """Return an editor with a button for a file beside it, None for none, and a line of words below it."""
     whole = QtWidgets.QWidget()
     whole.setObjectName(name)
     whole.setAccessibleName(line.accessibleName())

@@ -48,7 +48,7 @@ class ImportPanel(WorkPanel):
             self.target.propose(machines.free_file(Path(self.source.value()).stem))
 
     def compute(self) -> Any:
-        """The machine, and what its source leaves open."""
+        """Return the machine, and what its source leaves open."""
         from freecad_fiveaxis.app import importing
 
         importing.check_target(self.target.value())
@@ -59,7 +59,7 @@ class ImportPanel(WorkPanel):
         return result_html.imported(done)
 
     def files(self, done: Any) -> list[str]:
-        """The machine file."""
+        """Return the machine file."""
         return [self.target.value()]
 
     def write(self, done: Any, overwrite: bool) -> None:

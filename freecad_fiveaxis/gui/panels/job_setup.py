@@ -51,14 +51,14 @@ class SetupDialog(QtWidgets.QDialog):
         self.resize(420, 420)
 
     def accept(self) -> None:
-        """The dialog stays where something cannot be used."""
+        """Accept the fields; the dialog stays where something cannot be used."""
         if self.options.check():
             super().accept()
 
 
 def ask(doc: Any, obj: Any = None, values: dict[str, Any] | None = None) -> Any:
-    """The Setup ``obj`` with other values, or a new one that begins with ``values``, as the user wishes;
-    None: he cancels."""
+    """Return the Setup ``obj`` with other values, or a new one that begins with ``values``, as the user
+    wishes; None: he cancels."""
     from freecad_fiveaxis.app import job_setup
 
     name = obj.Label if obj is not None else translate("FiveAxis", "Setup")
@@ -122,12 +122,12 @@ class SetupField(ChoiceField):
         self._name_button()
 
     def value(self) -> Any:
-        """The Setup, or None."""
+        """Return the Setup, or None."""
         name = super().value()
         return self.doc.getObject(name) if name else None
 
     def show_value(self, value: Any) -> None:
-        """A Setup, which joins the list where it is new, or None."""
+        """Show a Setup, which joins the list where it is new, or None."""
         if value is not None and self.editor.findData(value.Name) < 0:
             self.editor.addItem(value.Label, value.Name)
         super().show_value(value.Name if value is not None else None)

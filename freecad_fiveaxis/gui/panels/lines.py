@@ -9,7 +9,7 @@ from freecad_fiveaxis.gui.qt import QtWidgets, translate
 
 
 def error_line(name: str) -> Any:
-    """A line in red, hidden until it says something."""
+    """Return a line in red, hidden until it says something."""
     label = QtWidgets.QLabel()
     label.setObjectName(name)
     label.setAccessibleDescription(translate("FiveAxis", "Error"))
@@ -20,7 +20,7 @@ def error_line(name: str) -> Any:
 
 
 def warning_line(name: str) -> Any:
-    """A line in amber, hidden until it says something."""
+    """Return a line in amber, hidden until it says something."""
     label = error_line(name)
     label.setAccessibleDescription(translate("FiveAxis", "Warning"))
     label.setStyleSheet("color: #b06000;")
@@ -28,7 +28,7 @@ def warning_line(name: str) -> Any:
 
 
 def note_line(name: str) -> Any:
-    """A line in small letters, hidden until it says something."""
+    """Return a line in small letters, hidden until it says something."""
     label = QtWidgets.QLabel()
     label.setObjectName(name)
     label.setWordWrap(True)

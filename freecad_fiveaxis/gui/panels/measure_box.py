@@ -71,7 +71,7 @@ class MeasureBox(QtWidgets.QDoubleSpinBox):
         return (QtGui.QValidator.Acceptable if good else QtGui.QValidator.Intermediate), text, at
 
     def _read(self, text: str) -> float | None:
-        """A number of the box's unit, or one with a unit of its own; None for anything else."""
+        """Return a number of the box's unit, or one with a unit of its own; None for anything else."""
         if self.unset and text.strip() == self.unset:
             return 0.0
         given = text.strip().replace(str(self.locale().decimalPoint()), ".")

@@ -16,7 +16,7 @@ STACK = "40x25,63x50"
 
 
 def option_field(leaf: Any, choices: Sequence[tuple[Any, str]] = (), none_text: str = "") -> Field:
-    """The field of one option of the core's settings (a field of its dataclass).
+    """Return the field of one option of the core's settings (a field of its dataclass).
 
     ``choices`` where it is one of some names; ``none_text`` for a triple that may be left open.
     """

@@ -70,7 +70,7 @@ class FormArea(QtWidgets.QScrollArea):
         return QtCore.QSize(WIDTH, LOW)
 
     def minimumSizeHint(self) -> Any:
-        """The form's own width and the scroll bar's."""
+        """Return the form's own width and the scroll bar's."""
         bar = self.verticalScrollBar().sizeHint().width()
         return QtCore.QSize(self.widget().minimumSizeHint().width() + bar, LOW)
 
@@ -102,6 +102,6 @@ class TextArea(QtWidgets.QScrollArea):
         )
 
     def minimumSizeHint(self) -> Any:
-        """The text's widest word and the scroll bar; some lines."""
+        """Return the text's widest word and the scroll bar; some lines."""
         width = self.label.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
         return QtCore.QSize(width, min(self.label.heightForWidth(self.viewport().width()), LINES))

@@ -81,7 +81,7 @@ class PathPanel:
         raise NotImplementedError
 
     def finish(self) -> None:
-        """What OK adds to a computed object."""
+        """Add what OK adds to a computed object."""
 
     def calculate(self) -> bool:
         """Compute what the form says and show the summary; whether that went well. Otherwise the document is

@@ -91,8 +91,8 @@ class _Escape(QtCore.QObject):
 
 
 def point_of(obj: Any, element: str, spot: Point) -> Point:
-    """The point that a picked element means, document coordinates, mm: ``spot`` unless it is a vertex or a
-    circle."""
+    """Return the point that a picked element means, document coordinates, mm: ``spot`` unless it is a vertex
+    or a circle."""
     shape: Any = obj.getSubObject(element) if hasattr(obj, "getSubObject") else None
     if getattr(shape, "ShapeType", "") == "Vertex":
         return spot_of(shape.Point)
@@ -105,7 +105,7 @@ def point_of(obj: Any, element: str, spot: Point) -> Point:
 
 
 def spot_of(vector: Any) -> Point:
-    """The three numbers of a vector of FreeCAD's."""
+    """Return the three numbers of a vector of FreeCAD's."""
     x, y, z = vector
     return x, y, z
 

@@ -79,7 +79,7 @@ class PostPanel:
         return widget
 
     def _spindle_row(self) -> list[Any]:
-        """The speed that the path does not give, asked for here."""
+        """Return the speed that the path does not give, asked for here."""
         if self.spindle is None:
             return []
         label = QtWidgets.QLabel(
@@ -175,7 +175,7 @@ class PostPanel:
         return not parts or ask("\n\n".join(parts), translate("FiveAxis", "Write anyway"))
 
     def _spindle_off(self) -> list[str]:
-        """What to ask of a path that has no speed."""
+        """Return what to ask of a path that has no speed."""
         text = translate(
             "FiveAxis",
             "No spindle speed is given: the program leaves the spindle off, as for a dry run. Cancel, and "
@@ -184,7 +184,8 @@ class PostPanel:
         return [] if self.path.Spindle else [text]
 
     def _errors_first(self, figures: Any) -> list[str]:
-        """The verdict of a program that is not safe, its errors, then its warnings; nothing of another."""
+        """Return the verdict of a program that is not safe, its errors, then its warnings; nothing of
+        another."""
         from freecad_fiveaxis.core.base.codes import Severity
         from freecad_fiveaxis.core.report import Light, summary, verdict
 
@@ -205,7 +206,7 @@ class PostPanel:
         return parts
 
     def _nc_path(self) -> str:
-        """The name of the NC file, whole. Raises FileError where there is none."""
+        """Return the name of the NC file, whole. Raises FileError where there is none."""
         from freecad_fiveaxis.core.base.errors import FileError
 
         if not self.file.value():
@@ -213,7 +214,7 @@ class PostPanel:
         return os.path.abspath(os.path.expanduser(self.file.value()))
 
     def _report_paths(self) -> dict[str, str]:
-        """The name of each report that is wished: that of the NC file with another ending."""
+        """Return the name of each report that is wished: that of the NC file with another ending."""
         stem = os.path.splitext(self._nc_path())[0]
         return {kind: f"{stem}.{kind}" for kind, box in self.reports.items() if box.isChecked()}
 
@@ -280,8 +281,8 @@ def proposed_name(path: Any) -> str:
 
 
 def proposed_file(name: str, document: str, suffix: str) -> str:
-    """A file of that name in the folder of the preferences, else beside the file of the document, else in the
-    user's own."""
+    """Return a file of that name in the folder of the preferences, else beside the file of the document, else
+    in the user's own."""
     from freecad_fiveaxis.app import preferences
     from freecad_fiveaxis.core.base.files import plain_name
 
@@ -290,7 +291,7 @@ def proposed_file(name: str, document: str, suffix: str) -> str:
 
 
 def nc_files() -> str:
-    """The kinds of NC files, as Qt filters them."""
+    """Return the kinds of NC files, as Qt filters them."""
     kinds = translate(
         "FiveAxis", "NC files (*.ngc *.nc *.tap *.cnc *.h *.mpf *.spf *.eia *.iso *.gcode *.txt)"
     )

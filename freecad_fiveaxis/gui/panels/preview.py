@@ -58,7 +58,8 @@ class PreviewRow(QtWidgets.QWidget):
 
 
 def summarize(found: Any) -> str:
-    """What the passes of a Preview come to, in one line; estimates where only some of them are laid."""
+    """Return what the passes of a Preview come to, in one line; estimates where only some of them are
+    laid."""
     one = translate("FiveAxis", "1 pass, {length}, {time} of cutting at the feed, links not counted")
     many = translate("FiveAxis", "{count} passes, {length}, {time} of cutting at the feed, links not counted")
     some = translate(

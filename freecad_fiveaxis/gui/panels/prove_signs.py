@@ -134,11 +134,11 @@ class ProvePanel(WorkPanel):
         return signs.prove(nc_file, values, sheet or None)
 
     def tell(self, done: Any) -> str:
-        """The sheet."""
+        """Return the sheet."""
         return result_html.sheet(done)
 
     def files(self, done: Any) -> list[str]:
-        """The program and its sheet."""
+        """Return the program and its sheet."""
         from freecad_fiveaxis.app import signs
 
         return signs.targets(done)
@@ -186,7 +186,7 @@ def create(machine: str = "") -> ProvePanel:
 
 
 def _top(path: Any) -> float | None:
-    """The top of what is selected, else of the tool path's part, else of all that is seen, mm in the
+    """Return the top of what is selected, else of the tool path's part, else of all that is seen, mm in the
     document."""
     from freecad_fiveaxis.app import signs
 

@@ -44,7 +44,7 @@ class ReachSummary(Summary):
     would bring."""
 
     def show_result(self, obj: Any) -> None:
-        """The figures of the map."""
+        """Show the figures of the map."""
         from freecad_fiveaxis.gui.reach_picture import area_lines
 
         cells = "".join(
@@ -113,7 +113,7 @@ class ReachPanel(PathPanel):
         return widget
 
     def _edited(self) -> None:
-        """The empty field of the table's height says what the machine's file knows of it."""
+        """Let the empty field of the table's height say what the machine's file knows of it."""
         self.options.fields["table_height"].editor.setPlaceholderText(
             table_of(self.options.fields["machine"].value())
         )
@@ -124,7 +124,8 @@ class ReachPanel(PathPanel):
             self.obj.ViewObject.ShowAxes = self.axes_box.isChecked()
 
     def _show_parts(self) -> None:
-        """A map is no path: it has no cuts, links and rapids to switch, but axes once it is there."""
+        """Hide what a map has not: it is no path, and has no cuts, links and rapids to switch, but axes once
+        it is there."""
         self.shown_parts.show_for(None)
         self.axes_box.setEnabled(self.obj is not None)
         self.axes_box.setChecked(self.obj is not None and bool(self.obj.ViewObject.ShowAxes))
@@ -136,7 +137,7 @@ class ReachPanel(PathPanel):
         return not reach.out_of_date(self.obj)
 
     def calculate(self) -> bool:
-        """A part that was out of sight is to be seen, the first time."""
+        """Return a part that was out of sight is to be seen, the first time."""
         new = self.obj is None
         good = super().calculate()
         if good and new:
@@ -144,7 +145,7 @@ class ReachPanel(PathPanel):
         return good
 
     def compute(self) -> Any:
-        """A new map, or the one that is there with other settings."""
+        """Return a new map, or the one that is there with other settings."""
         from freecad_fiveaxis.app import reach
 
         settings = self.options.read_values()
@@ -160,7 +161,7 @@ class ReachPanel(PathPanel):
 
 
 def _part(of: Any) -> Any:
-    """The solid that is looked at: that of a Toolpath, of a map, of a tessellation; any other object
+    """Return the solid that is looked at: that of a Toolpath, of a map, of a tessellation; any other object
     itself."""
     return milled(of.Mesh if hasattr(of, "Proxy") and not is_mesh(of) and hasattr(of, "Mesh") else of)
 

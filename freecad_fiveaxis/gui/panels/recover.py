@@ -47,7 +47,7 @@ class RecoverPanel(WorkPanel):
             self.target.propose(machines.free_file(Path(self.program.value()).stem))
 
     def compute(self) -> Any:
-        """The machine that the post had in mind."""
+        """Return the machine that the post had in mind."""
         from freecad_fiveaxis.app import recovering
 
         values = self.options.read_values()
@@ -59,7 +59,7 @@ class RecoverPanel(WorkPanel):
         return result_html.recovered(done.found)
 
     def files(self, done: Any) -> list[str]:
-        """The machine file."""
+        """Return the machine file."""
         return [done.settings.recover.machine_file]
 
     def write(self, done: Any, overwrite: bool) -> None:

@@ -19,7 +19,8 @@ COLOURS = ("#4a5a6a", "#b06000", "#d0342c")
 
 
 def recovered(found: Any) -> str:
-    """The sentence, the numbers with their certainty, and the findings; ``found`` is the core's Recovery."""
+    """Return the sentence, the numbers with their certainty, and the findings; ``found`` is the core's
+    Recovery."""
     from freecad_fiveaxis.core.calibration.recover import parameters, verdict
 
     estimates = parameters(found)
@@ -56,7 +57,7 @@ def _value(value: float, unit: str, digits: int) -> str:
 
 
 def parameter_label(name: str) -> str:
-    """``A line, Y`` and ``X zero`` of the core in the user's language; any other name as it is."""
+    """Return ``A line, Y`` and ``X zero`` of the core in the user's language; any other name as it is."""
     letter, _, rest = name.partition(" ")
     if rest == "zero":
         return translate("FiveAxis", "{letter} zero").format(letter=letter)
@@ -68,7 +69,7 @@ def parameter_label(name: str) -> str:
 
 
 def sheet(proof: Any) -> str:
-    """What must be seen at each stop; ``proof`` is the core's Proof."""
+    """Return what must be seen at each stop; ``proof`` is the core's Proof."""
     from freecad_fiveaxis.core.calibration.prove_signs import READY, STAND, notices, rows, verdict
 
     plan = proof.plan
@@ -110,7 +111,7 @@ def _stop(row: Any) -> str:
 
 
 def imported(found: Any) -> str:
-    """The axes and what the source leaves open; ``found`` is the core's Imported."""
+    """Return the axes and what the source leaves open; ``found`` is the core's Imported."""
     machine = found.machine
     head = [translate("FiveAxis", "axis"), translate("FiveAxis", "carries"), translate("FiveAxis", "along"),
             translate("FiveAxis", "through"), translate("FiveAxis", "limits")]  # fmt: skip
@@ -150,22 +151,22 @@ def numbers(values: Iterable[float]) -> str:
 
 
 def paragraph(text: str, bold: bool = False) -> str:
-    """A paragraph of plain text."""
+    """Return a paragraph of plain text."""
     return f"<p><b>{html.escape(text)}</b></p>" if bold else f"<p>{html.escape(text)}</p>"
 
 
 def heading(text: str) -> str:
-    """A heading of plain text."""
+    """Return a heading of plain text."""
     return f"<h4>{html.escape(text)}</h4>"
 
 
 def items(texts: Iterable[str]) -> str:
-    """A list of plain texts."""
+    """Return a list of plain texts."""
     return "<ul>" + "".join(f"<li>{html.escape(text)}</li>" for text in texts) + "</ul>"
 
 
 def table(rows: Sequence[Sequence[str]]) -> str:
-    """A table of plain texts; the first row is its head."""
+    """Return a table of plain texts; the first row is its head."""
     head, *body = rows
     top = "".join(f"<th align='left'>{html.escape(cell)}&nbsp;&nbsp;</th>" for cell in head)
     lines = "".join(
@@ -176,7 +177,7 @@ def table(rows: Sequence[Sequence[str]]) -> str:
 
 
 def findings(found: Iterable[Any]) -> str:
-    """The findings, the gravest first."""
+    """Return the findings, the gravest first."""
     ordered = sorted(found, key=lambda one: -one.severity)
     return "".join(
         f"<p><span style='color: {COLOURS[one.severity]}'><b>{html.escape(severity_name(one.severity))}:</b> "

@@ -38,7 +38,7 @@ class Rows(QtWidgets.QWidget):
             self.grid.setColumnStretch(column, round(100 * share))
 
     def add(self, field: Field) -> list[Any]:
-        """A row of the field; returns the widgets that are hidden with it."""
+        """Return a row of the field; returns the widgets that are hidden with it."""
         row = Row(field, self._next())
         self.rows.append(row)
         for kind, line in field.lines.items():
@@ -48,11 +48,11 @@ class Rows(QtWidgets.QWidget):
         return row.widgets
 
     def add_wide(self, widget: Any) -> None:
-        """A row of one widget."""
+        """Add a row of one widget."""
         self.grid.addWidget(widget, self._next(), 0, 1, 3)
 
     def _next(self) -> int:
-        """The first line of the grid after the last field and its lines, which may still come."""
+        """Return the first line of the grid after the last field and its lines, which may still come."""
         return max([self.grid.rowCount(), *(row.at + 2 + len(LINES) for row in self.rows[-1:])])
 
     def resizeEvent(self, event: Any) -> None:

@@ -30,7 +30,7 @@ class SetupSummary(Summary):
     """What is recommended, in a sentence that is always whole, before and after."""
 
     def show_result(self, obj: Any) -> None:
-        """The figures of the map."""
+        """Show the figures of the map."""
         cells = "".join(
             f"<tr><td>{label}&nbsp;</td><td>{html.escape(before)}&nbsp;</td><td><b>{html.escape(after)}</b></td></tr>"
             for label, before, after in rows(obj)
@@ -61,8 +61,8 @@ def rows(obj: Any) -> list[tuple[str, str, str]]:
 
 
 def deviation_words(obj: Any) -> str:
-    """What the deviations of a map are called: of a path that divides its blocks they are not those of its
-    program."""
+    """Return what the deviations of a map are called: of a path that divides its blocks they are not those of
+    its program."""
     from freecad_fiveaxis.app import setups
 
     if setups.divides_blocks(obj.Path):
@@ -71,8 +71,8 @@ def deviation_words(obj: Any) -> str:
 
 
 def applied_words(path: Any) -> str:
-    """What a path has come to in its new place: of divided blocks what the verdict goes by, else what the map
-    tells of."""
+    """Return what a path has come to in its new place: of divided blocks what the verdict goes by, else what
+    the map tells of."""
     from freecad_fiveaxis.app import results, setups
 
     if setups.divides_blocks(path):
@@ -116,7 +116,7 @@ class SetupPanel(PathPanel):
         return widget
 
     def _show_parts(self) -> None:
-        """A map is no path: it has no cuts, links and rapids to switch."""
+        """Hide what a map has not: it is no path, and has no cuts, links and rapids to switch."""
         self.shown_parts.show_for(None)
 
     def is_current(self) -> bool:
@@ -124,14 +124,14 @@ class SetupPanel(PathPanel):
         return bool(self.obj.UpToDate)
 
     def calculate(self) -> bool:
-        """The places of the map lie about the part: all of them are to be seen."""
+        """Return the places of the map lie about the part: all of them are to be seen."""
         good = super().calculate()
         if good:
             QtCore.QTimer.singleShot(DRAWN, lambda: fit(self.doc.Name))
         return good
 
     def compute(self) -> Any:
-        """The map of the toolpath; over a part, of a new toolpath with the preferences."""
+        """Return the map of the toolpath; over a part, of a new toolpath with the preferences."""
         from freecad_fiveaxis import app
 
         if self.path is None:
@@ -187,7 +187,7 @@ class SetupPanel(PathPanel):
 
 
 def table_of(machine: str) -> str:
-    """What the empty field of the table's height says: the machine's own, where its file has one."""
+    """Return what the empty field of the table's height says: the machine's own, where its file has one."""
     from freecad_fiveaxis.core.base.errors import FiveAxisError
     from freecad_fiveaxis.core.machine import load_machine
 
@@ -199,8 +199,8 @@ def table_of(machine: str) -> str:
 
 
 def ask_file(parent: Any, document: str, name: str) -> str:
-    """The file that the user names for a report, proposed beside the file of the document; empty where he
-    names none."""
+    """Return the file that the user names for a report, proposed beside the file of the document; empty where
+    he names none."""
     proposed = proposed_file(name, document, ".html")
     kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
     dialog = QtWidgets.QFileDialog

@@ -62,8 +62,8 @@ CURES = (
 
 
 def cured(obj: Any) -> list[str]:
-    """What was done against deviation and gouges, in sentences; after opening a document only once it is
-    computed again."""
+    """Return what was done against deviation and gouges, in sentences; after opening a document only once it
+    is computed again."""
     last = getattr(obj.Proxy, "last", None)
     return (
         []
@@ -73,7 +73,7 @@ def cured(obj: Any) -> list[str]:
 
 
 def gravest(obj: Any) -> str:
-    """The gravest finding of an object that was computed since its document was opened, else the first
+    """Return the gravest finding of an object that was computed since its document was opened, else the first
     one."""
     last = getattr(obj.Proxy, "last", None)
     if last is not None and last.figures.findings:
@@ -82,7 +82,7 @@ def gravest(obj: Any) -> str:
 
 
 def length(value: Any) -> str:
-    """A length (quantity, or mm) in the user's units with four digits."""
+    """Return a length (quantity, or mm) in the user's units with four digits."""
     return length_text(float(getattr(value, "Value", value)))
 
 
@@ -117,12 +117,12 @@ class Summary(QtWidgets.QGroupBox):
         self.area.updateGeometry()
 
     def forget(self) -> None:
-        """The settings have changed since the last calculation."""
+        """Forget the figures: the settings have changed since the last calculation."""
         self.verdict.show_verdict(None)
         self.tell(translate("FiveAxis", "Press Calculate to see what these settings come to."))
 
     def show_result(self, obj: Any) -> None:
-        """The figures of the object's last computation, and the gravest of its findings."""
+        """Show the figures of the object's last computation, and the gravest of its findings."""
         cells = "".join(
             f"<tr><td>{label}&nbsp;</td><td><b>{html.escape(value)}</b></td></tr>"
             for label, value in summary_lines(obj)

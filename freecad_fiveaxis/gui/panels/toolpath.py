@@ -64,7 +64,7 @@ class ToolpathPanel(PathPanel):
         self.setup.browse.clicked.connect(lambda *_: self._edit_setup())
 
     def _zero(self) -> Sequence[float]:
-        """The work zero of the form, mm, document."""
+        """Return the work zero of the form, mm, document."""
         return self.options.fields["work_zero"].value()
 
     def _take_setup(self) -> None:
@@ -87,8 +87,7 @@ class ToolpathPanel(PathPanel):
             self.options.show_options(shown(chosen))
 
     def _undone(self) -> None:
-        """A setup that was made in the step that is taken back is gone: its values stay, to be edited
-        here."""
+        """Keep the values of a setup that was made in the step that is taken back, to be edited here."""
         super()._undone()
         self.setup.forget_gone()
         self._take_setup()
@@ -239,7 +238,7 @@ class ToolpathPanel(PathPanel):
         return super().is_current() and self.obj.Mesh is not None and "Invalid" not in self.obj.Mesh.State
 
     def compute(self) -> Any:
-        """A new Toolpath, or the one that is there with other settings."""
+        """Return a new Toolpath, or the one that is there with other settings."""
         from freecad_fiveaxis import app
         from freecad_fiveaxis.app import changes
 
@@ -250,7 +249,7 @@ class ToolpathPanel(PathPanel):
 
 
 def _box(path: Any) -> Any:
-    """The box of the part that a path was computed over, document coordinates."""
+    """Return the box of the part that a path was computed over, document coordinates."""
     vertex, zero = path.Proxy.last.result.draft.mesh.vertex, path.WorkZero
     low, high = (zero + FreeCAD.Vector(*side.tolist()) for side in (vertex.min(axis=0), vertex.max(axis=0)))
     return FreeCAD.BoundBox(low.x, low.y, low.z, high.x, high.y, high.z)
@@ -275,8 +274,8 @@ def create(
 
 
 def _usual_tool_axis(choices: Mapping[str, Any]) -> str | None:
-    """The tool axis that the core chooses for these options; None where it cannot use them, which the form
-    says."""
+    """Return the tool axis that the core chooses for these options; None where it cannot use them, which the
+    form says."""
     from freecad_fiveaxis.app.toolpath import with_strategies
     from freecad_fiveaxis.core.base.errors import FiveAxisError
 
@@ -287,7 +286,7 @@ def _usual_tool_axis(choices: Mapping[str, Any]) -> str | None:
 
 
 def preferred() -> dict[str, Any]:
-    """What the user's preferences say of a new path."""
+    """Return what the user's preferences say of a new path."""
     from freecad_fiveaxis.app import preferences
 
     return {
@@ -327,7 +326,8 @@ def milled(part: Any) -> Any:
 
 
 def _tessellation(obj: Any) -> Any:
-    """The Tessellation that a Toolpath is made of, where it is one of a solid; None for any other mesh."""
+    """Return the Tessellation that a Toolpath is made of, where it is one of a solid; None for any other
+    mesh."""
     base = getattr(obj.Mesh, "Base", None)
     return obj.Mesh if base and hasattr(obj.Mesh, "LinearDeflection") and not is_mesh(base[0]) else None
 
@@ -381,7 +381,8 @@ OPEN = ("Machine", "Tool", "Passes")
 
 
 def _sections(part: str, extras: Sequence[str]) -> list[Section]:
-    """The groups of the panel over the object labelled ``part``; of the extras those that there are."""
+    """Return the groups of the panel over the object labelled ``part``; of the extras those that there
+    are."""
     sections = []
     for name, names in SECTIONS.items():
         there = [one for one in names if one in extras or one not in EXTRAS]

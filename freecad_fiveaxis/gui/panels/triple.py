@@ -78,7 +78,7 @@ class TripleField(Field):
         return max(self.width, width_of(part.editor, str(part.editor.property("text"))) + ARROW)
 
     def focus_widget(self) -> Any:
-        """The first box."""
+        """Return the first box."""
         return self.parts[0].editor
 
     def room(self) -> int:

@@ -66,11 +66,11 @@ class WorkPanel:
         raise NotImplementedError
 
     def tell(self, done: Any) -> str:
-        """What was found, as HTML."""
+        """Return what was found, as HTML."""
         raise NotImplementedError
 
     def files(self, done: Any) -> list[str]:
-        """The files that OK writes."""
+        """Return the files that OK writes."""
         raise NotImplementedError
 
     def write(self, done: Any, overwrite: bool) -> None:

@@ -63,7 +63,7 @@ class Controls:
         self.widget = self._create_widget()
 
     def each_speed(self) -> float:
-        """The speed that is chosen, times real time."""
+        """Return the speed that is chosen, times real time."""
         return float(self.speed.currentData())
 
     def name_stops(self, collisions: bool) -> None:
@@ -79,13 +79,13 @@ class Controls:
         self.slider.blockSignals(held)
 
     def show_playing(self, playing: bool) -> None:
-        """The play button shows what it would do."""
+        """Show on the play button what it would do."""
         kind = QtWidgets.QStyle.SP_MediaPause if playing else QtWidgets.QStyle.SP_MediaPlay
         self.play.setIcon(self.play.style().standardIcon(kind))
         self.play.setChecked(playing)
 
     def connect(self, actions: dict[str, Callable[[], Any]]) -> None:
-        """What each button does."""
+        """Connect each button with what it does."""
         for name, action in actions.items():
             getattr(self, name).clicked.connect(lambda *_, action=action: action())
 

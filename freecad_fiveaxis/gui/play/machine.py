@@ -72,7 +72,7 @@ class DrawnMachine:
             )
 
     def room(self, playback: Playback) -> tuple[np.ndarray, np.ndarray]:
-        """The box (two corners (3,) mm, machine frame) in which the bodies move while the program is
+        """Return the box (two corners (3,) mm, machine frame) in which the bodies move while the program is
         played."""
         words = playback.program.words
         chosen = np.unique(np.linspace(0, len(words) - 1, MOMENTS).astype(int))
@@ -92,8 +92,8 @@ def machine_of(
     standing: Sequence[StandingBody] = (),
     held: bool = False,
 ) -> DrawnMachine:
-    """The machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table`` mm:
-    height of the table's face there, None where it is not known; ``standing``: the bodies of its file;
+    """Return the machine of a program whose part has the box ``low``, ``high`` (3,) mm, work frame; ``table``
+    mm: height of the table's face there, None where it is not known; ``standing``: the bodies of its file;
     ``held``: whether the part's fixtures are known, so that nothing is made up for them."""
     radius, height = size_of(tool)
     sketched = sketch(playback.kinematics, low, high, ToolRoom(height, radius), table)
@@ -102,7 +102,7 @@ def machine_of(
 
 
 def _corners(low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """The corners (8, 3) of a box."""
+    """Return the corners (8, 3) of a box."""
     return 0.5 * (low + high) + 0.5 * _SIGNS * (high - low)
 
 

@@ -92,7 +92,7 @@ class PlayPanel:
         self.refresh()
 
     def slide(self, value: int) -> None:
-        """The user has moved the slider."""
+        """Go where the user has moved the slider."""
         self.player.go_to_share(value / SLIDER)
         self._then = time.monotonic()
         self.refresh()
@@ -146,7 +146,8 @@ class PlayPanel:
         )
 
     def _part_box(self) -> tuple[np.ndarray, np.ndarray]:
-        """The corners (3,) mm of the part's box, work frame; those of the path where no part is known."""
+        """Return the corners (3,) mm of the part's box, work frame; those of the path where no part is
+        known."""
         draft, figures = results.result_of(self.obj).draft, self.player.figures
         cut = figures.tip[figures.feeds] if len(figures.feeds) else figures.tip
         points = draft.mesh.vertex if isinstance(draft, MilledProgram) else cut
@@ -160,7 +161,7 @@ class PlayPanel:
             later(self._reload)
 
     def _reload(self) -> None:
-        """The object shows another result: play that one, from the same block; close where there is none."""
+        """Play the other result that the object shows now, from the same block; close where there is none."""
         self._stale = False
         if not self._open:
             return
@@ -180,8 +181,7 @@ class PlayPanel:
         self.refresh()
 
     def _gone(self) -> None:
-        """The object or its document is being deleted: FreeCAD must be done with that before the panel
-        goes."""
+        """Close the panel once FreeCAD is done with deleting the object or its document."""
         self.close()
         later(self._leave)
 
@@ -217,7 +217,7 @@ class PlayPanel:
         return flags(QtWidgets.QDialogButtonBox.Close)
 
     def isAllowedAlterSelection(self) -> bool:
-        """The user may select while the panel is open."""
+        """Return the user may select while the panel is open."""
         return True
 
     def isAllowedAlterView(self) -> bool:
@@ -291,7 +291,7 @@ _panels: list[PlayPanel] = []
 
 
 def current() -> PlayPanel | None:
-    """The player that is open."""
+    """Return the player that is open."""
     return _panels[-1] if _panels else None
 
 

@@ -147,8 +147,8 @@ class Player:
 
 
 def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
-    """What is hit, of findings by their codes. A body of the machine may be what enters, and a fixture what
-    it enters."""
+    """Return what is hit, of findings by their codes. A body of the machine may be what enters, and a fixture
+    what it enters."""
     fixture = (Code.FIXTURE_COLLISION, Code.FIXTURE_NEAR)
     machine = [hit for code, hit in hits if code not in fixture]
     return Struck(
@@ -163,7 +163,7 @@ def _between(hits: Sequence[tuple[str, Hit]]) -> Struck:
 
 
 def _met(finding: Finding) -> Hit | None:
-    """The collision or near miss of a finding."""
+    """Return the collision or near miss of a finding."""
     return finding.hit or finding.near
 
 

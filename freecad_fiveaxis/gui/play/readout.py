@@ -150,7 +150,7 @@ class Readout:
 
 
 def met_text(finding: Finding) -> str:
-    """What is in what, or how near to what, in a few words."""
+    """Return what is in what, or how near to what, in a few words."""
     near = finding.near
     if near is None:
         return "" if finding.hit is None else collision_text(finding.hit)
@@ -162,7 +162,7 @@ def met_text(finding: Finding) -> str:
 
 
 def collision_text(hit: Hit) -> str:
-    """What is in what, in a few words."""
+    """Return what is in what, in a few words."""
     entered = hit.entered or wording.localize(say("part"))
     return translate("FiveAxis", "Collision: {enters} in {entered}").format(
         enters=wording.localize(hit.enters), entered=entered
@@ -170,7 +170,8 @@ def collision_text(hit: Hit) -> str:
 
 
 def joint_text(word: float, rotary: bool) -> str:
-    """A joint in degrees, or in the user's unit of length, with the digits that the machine is told."""
+    """Return a joint in degrees, or in the user's unit of length, with the digits that the machine is
+    told."""
     if rotary:
         return f"{word:.4f}°"
     return f"{word / INCH:.5f} in" if inches() else f"{word:.4f} mm"
@@ -181,7 +182,7 @@ def _distance(mm: float) -> str:
 
 
 def motion_name(motion: int) -> str:
-    """What a block does, in a word."""
+    """Return what a block does, in a word."""
     return {
         Motion.CUT: translate("FiveAxis", "cut"),
         Motion.FILL: translate("FiveAxis", "around an edge"),
@@ -210,7 +211,7 @@ def _label(name: str) -> Any:
 
 
 def _code(name: str) -> Any:
-    """A line of NC text that can be selected and copied."""
+    """Return a line of NC text that can be selected and copied."""
     field = QtWidgets.QLineEdit()
     field.setObjectName(name)
     field.setReadOnly(True)

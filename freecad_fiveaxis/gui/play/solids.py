@@ -70,7 +70,7 @@ class DrawnFixtures:
 
 
 def mesh_node(mesh: Mesh, look: Look) -> Any:
-    """The nodes of a mesh with its edges."""
+    """Return the nodes of a mesh with its edges."""
     faces, drawn = coin.SoIndexedFaceSet(), nodes.vertices(mesh.vertex)
     faces.vertexProperty = drawn
     corners = np.full((len(mesh.face), 4), -1, np.int32)

@@ -161,7 +161,7 @@ class Stage:
 
 
 def _legend_of(machine: DrawnMachine) -> Legend:
-    """What the legend says of the machine: how much of it is a sketch."""
+    """Return what the legend says of the machine: how much of it is a sketch."""
     notes: tuple[str, ...] = (
         translate("FiveAxis", "The machine is a sketch from its axes: not to scale."),
         translate("FiveAxis", "Collisions are not checked against it."),
@@ -200,8 +200,8 @@ def _put(node: Any, placement: np.ndarray) -> None:
 
 
 def _about(placement: np.ndarray, zero: np.ndarray) -> np.ndarray:
-    """A placement given in the work frame as one of document coordinates, in which the work zero stands at
-    ``zero``."""
+    """Return a placement given in the work frame as one of document coordinates, in which the work zero
+    stands at ``zero``."""
     moved = placement.copy()
     moved[:3, 3] += zero - placement[:3, :3] @ zero
     return moved

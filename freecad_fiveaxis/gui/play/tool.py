@@ -33,8 +33,8 @@ class DrawnTool:
 
 
 def tool_of(obj: Any, centre_driven: bool = False) -> DrawnTool:
-    """The tool of a Toolpath or an Audit, from its properties. Raises SettingsError for one that cannot
-    be."""
+    """Return the tool of a Toolpath or an Audit, from its properties. Raises SettingsError for one that
+    cannot be."""
     from freecad_fiveaxis.app import convert
 
     cutter, body = convert.tool_of(obj)
@@ -42,14 +42,14 @@ def tool_of(obj: Any, centre_driven: bool = False) -> DrawnTool:
 
 
 def size_of(tool: DrawnTool) -> tuple[float, float]:
-    """The tool's largest radius and the height of its top above the driven point, mm."""
+    """Return the tool's largest radius and the height of its top above the driven point, mm."""
     profile = outline(tool.body)
     points = np.concatenate([profile.start, profile.end])
     return float(points[:, 0].max()), float(points[:, 1].max()) - tool.driven
 
 
 def tool_node(tool: DrawnTool) -> Any:
-    """The tool's nodes in the tool frame."""
+    """Return the tool's nodes in the tool frame."""
     shift, profile = coin.SoTranslation(), outline(tool.body)
     shift.translation.setValue(0.0, 0.0, -tool.driven)
     parts = [(part, np.flatnonzero(profile.part == part)) for part in COLOURS]
@@ -67,8 +67,8 @@ def tool_node(tool: DrawnTool) -> Any:
 
 
 def _turned(line: Outline) -> Any:
-    """The surface of an outline turned about z: two rings of points for each stretch, so that edges stay
-    sharp."""
+    """Return the surface of an outline turned about z: two rings of points for each stretch, so that edges
+    stay sharp."""
     around = np.linspace(0.0, 2.0 * np.pi, TURNS + 1)
     mesh, drawn = coin.SoQuadMesh(), coin.SoVertexProperty()
     points, normals = (

@@ -32,17 +32,17 @@ class Watch:
             FreeCAD.removeDocumentObserver(self)
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """A property was set."""
+        """Hear that a property was set."""
         if self._watching and name in WATCHED and self._is_ours(obj):
             self._changed()
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """An object is about to be deleted."""
+        """Hear that an object is about to be deleted."""
         if self._watching and self._is_ours(obj):
             self._gone()
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """A document is about to be closed."""
+        """Hear that a document is about to be closed."""
         if self._watching and document.Name == self._document:
             self._gone()
 

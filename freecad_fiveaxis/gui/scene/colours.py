@@ -40,7 +40,7 @@ hues."""
 
 
 def ramp(good: Colour, bad: Colour) -> Floats:
-    """The colours (SHADES, 3) of even levels from 0 to 1."""
+    """Return the colours (SHADES, 3) of even levels from 0 to 1."""
     half = np.linspace(0.0, 1.0, SHADES // 2)[:, None]
     deep, pale = _mixed(good, DEEP, 0.75), _mixed(bad, PALE, 0.75)
     return np.concatenate([_mixed(good, deep, half), _mixed(pale, bad, half)])
@@ -56,7 +56,8 @@ def packed(levels: Floats, good: Colour, bad: Colour) -> np.ndarray:
 
 
 def heat(bad: Colour) -> Floats:
-    """The colours (SHADES, 3) of a map: from the pale colour over the bad one to a dark one, ever darker."""
+    """Return the colours (SHADES, 3) of a map: from the pale colour over the bad one to a dark one, ever
+    darker."""
     half = np.linspace(0.0, 1.0, SHADES // 2)[:, None]
     return np.concatenate([_mixed(PALE, bad, half), _mixed(bad, DARK, half)])
 

@@ -39,7 +39,7 @@ def _overlays() -> list[Any]:
 
 
 def _viewport() -> Any:
-    """The widget that draws the active view; None where another window is active."""
+    """Return the widget that draws the active view; None where another window is active."""
     area = main_window().findChild(QtWidgets.QMdiArea)
     window = area.currentSubWindow() if area is not None else None
     drawn = window.findChild(QtWidgets.QGraphicsView) if window is not None else None

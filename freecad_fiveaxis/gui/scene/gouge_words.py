@@ -21,7 +21,7 @@ UNCUT, TOO_DEEP, BURIED, LIFTED, LEFT_OUT = "uncut", "cut-too-deep", "buried", "
 
 
 def names() -> dict[str, str]:
-    """A few words for each code."""
+    """Return a few words for each code."""
     return {
         OVERCUT: translate("FiveAxis", "Cut too deep"),
         HOLDER_COLLISION: translate("FiveAxis", "Shank or holder collides"),
@@ -36,7 +36,7 @@ def names() -> dict[str, str]:
 
 
 def label_text(kind: str, depth: float) -> str:
-    """What stands at the deepest place of a kind of marks (mm)."""
+    """Return what stands at the deepest place of a kind of marks (mm)."""
     texts = {
         OVERCUT: translate("FiveAxis", "{depth} too deep"),
         HOLDER_COLLISION: translate("FiveAxis", "shank or holder {depth} in the part"),
@@ -49,8 +49,8 @@ def label_text(kind: str, depth: float) -> str:
 def labels(
     places: Sequence[Sequence[float]], kinds: Sequence[str], values: Sequence[float | None]
 ) -> list[Label]:
-    """The label of the first mark of each kind, which is its deepest; ``values`` mm. A cut that is too deep
-    comes first."""
+    """Return the label of the first mark of each kind, which is its deepest; ``values`` mm. A cut that is too
+    deep comes first."""
     first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
     rows = [
         first[kind]
@@ -79,7 +79,7 @@ def legend_keys(kinds: Sequence[str]) -> list[tuple[tuple[float, float, float], 
 
 
 def explain(finding: Finding) -> tuple[str, str, str] | None:
-    """What happens, why, and what helps; None for another code, or where no value is known."""
+    """Return what happens, why, and what helps; None for another code, or where no value is known."""
     sayings = {
         OVERCUT: _overcut, TOO_DEEP: _overcut, HOLDER_COLLISION: _holder, RAPID_COLLISION: _between,
         UNCUT: _uncut,

@@ -34,8 +34,8 @@ def of_marks(
     values: Sequence[float | None],
     largest: LargestDeviation,
 ) -> list[Label]:
-    """The labels of markers at ``places`` (mm) of these kinds; ``values``: how deep the tool enters the part
-    there, mm, or the area of a side that is not machined, mm²; None where that is not known."""
+    """Return the labels of markers at ``places`` (mm) of these kinds; ``values``: how deep the tool enters
+    the part there, mm, or the area of a side that is not machined, mm²; None where that is not known."""
     count = Counter(kinds)
     first = {kind: at for at, kind in reversed(list(enumerate(kinds)))}
     labels = gouge_words.labels(places, kinds, values)
@@ -52,7 +52,7 @@ def of_marks(
 
 
 def _side(area: float | None) -> str:
-    """The label of a side that no pass machines; ``area`` mm², where it is known."""
+    """Return the label of a side that no pass machines; ``area`` mm², where it is known."""
     name = words.name_of(words.SIDE)
     return (
         translate("FiveAxis", "{finding}: {area}").format(finding=name, area=area_text(area))

@@ -34,8 +34,8 @@ def overlap(box: np.ndarray, others: np.ndarray, apart: float = 0.0) -> np.ndarr
 
 
 def legend_place(size: tuple[int, int], view: tuple[int, int]) -> tuple[float, float]:
-    """The lower left corner of a legend of ``size`` in a ``view`` (width and height): in the upper left
-    corner of that."""
+    """Return the lower left corner of a legend of ``size`` in a ``view`` (width and height): in the upper
+    left corner of that."""
     return EDGE, float(view[1] - EDGE - size[1])
 
 
@@ -78,7 +78,7 @@ def label_places(
 
 
 def _slot(free: np.ndarray, beside: np.ndarray, last: int) -> int:
-    """The slot of a label, of those that are ``free`` one ``beside`` the parts where there is one; the
+    """Return the slot of a label, of those that are ``free`` one ``beside`` the parts where there is one; the
     ``last`` (-1: it has no room any more) where that is no worse; -1: none."""
     some = bool((free & beside).any())
     if last >= 0 and (beside[last] or not some):
@@ -88,8 +88,8 @@ def _slot(free: np.ndarray, beside: np.ndarray, last: int) -> int:
 
 
 def middle_of(pixels: np.ndarray) -> np.ndarray:
-    """The middle (1, 4) of what is drawn between the corners ``pixels`` (n, 2) of a box; none where one is
-    behind the eye."""
+    """Return the middle (1, 4) of what is drawn between the corners ``pixels`` (n, 2) of a box; none where
+    one is behind the eye."""
     if not len(pixels) or not np.isfinite(pixels).all():
         return NONE
     low, high = pixels.min(axis=0), pixels.max(axis=0)
@@ -98,13 +98,14 @@ def middle_of(pixels: np.ndarray) -> np.ndarray:
 
 
 def leader_ends(anchor: np.ndarray, box: np.ndarray) -> np.ndarray:
-    """The point (n, 2) of each box (n, 4) at which the line from its anchor (n, 2) ends: the nearest one."""
+    """Return the point (n, 2) of each box (n, 4) at which the line from its anchor (n, 2) ends: the nearest
+    one."""
     return np.clip(anchor, box[:, :2], box[:, 2:])
 
 
 def projected(places: np.ndarray, clip_from_place: np.ndarray, view: tuple[int, int]) -> np.ndarray:
-    """The pixels (n, 2) of places (n, 3); NaN behind the eye. Rows are multiplied by ``clip_from_place`` (4,
-    4), as Coin does."""
+    """Return the pixels (n, 2) of places (n, 3); NaN behind the eye. Rows are multiplied by
+    ``clip_from_place`` (4, 4), as Coin does."""
     clip = np.concatenate([places, np.ones((len(places), 1))], axis=1) @ clip_from_place
     depth = np.where(clip[:, 3] > 1e-9, clip[:, 3], np.nan)[:, None]
     return np.asarray((0.5 + 0.5 * clip[:, :2] / depth) * view)

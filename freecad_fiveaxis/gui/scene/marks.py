@@ -50,21 +50,21 @@ _serial = itertools.count()
 def largest_colour(
     deviation: float, tolerance: float, good: nodes.Colour, bad: nodes.Colour
 ) -> nodes.Colour | None:
-    """The colour of the marker and the label at the largest deviation (mm): calm within the tolerance, loud
-    over it or where the deviation is not known; None where there is nothing to show."""
+    """Return the colour of the marker and the label at the largest deviation (mm): calm within the tolerance,
+    loud over it or where the deviation is not known; None where there is nothing to show."""
     if deviation < NOTHING:
         return None
     return good if deviation <= tolerance else bad
 
 
 def least_size(whole: float) -> float:
-    """The pixels of a marker on a part that is far away; ``whole``: of the same on a near one."""
+    """Return the pixels of a marker on a part that is far away; ``whole``: of the same on a near one."""
     return min(whole, max(LEAST, LEAST_SHARE * whole))
 
 
 def suited_size(part: float, least: float, whole: float) -> float:
-    """The pixels of a marker of a part that is ``part`` pixels from corner to corner: from ``least`` to
-    ``whole``."""
+    """Return the pixels of a marker of a part that is ``part`` pixels from corner to corner: from ``least``
+    to ``whole``."""
     return least + (whole - least) * min(max(part / WHOLE, 0.0), 1.0)
 
 
@@ -138,8 +138,8 @@ class Marks:
             self._add(places, np.flatnonzero(chosen), look)
 
     def stand_on(self, low: np.ndarray, high: np.ndarray) -> None:
-        """The markers are those of a part between two corners (3,) mm: they are as large as suits that on the
-        screen."""
+        """Take the markers for those of a part between two corners (3,) mm: they are as large as suits that
+        on the screen."""
         self.part = float(np.linalg.norm(high - low))
 
     def zoom_to(self, pixels_per_mm: float) -> None:
@@ -181,7 +181,7 @@ class Marks:
             self.many.append((shape, len(rows), look.size))
 
     def _sized(self, least: float, whole: float) -> Any:
-        """A style for points whose size in pixels is between these."""
+        """Return a style for points whose size in pixels is between these."""
         style = nodes.style(point=whole)
         style.enableNotify(False)  # what a frame changes must not ask for the next frame
         self.sizes.append((style, least, whole))
@@ -193,7 +193,7 @@ class Marks:
         self.drawn.addChild(separator)
 
     def picked(self, point: Any) -> int | None:
-        """The row of the marker that a picked point (SoPickedPoint) lies on."""
+        """Return the row of the marker that a picked point (SoPickedPoint) lies on."""
         tail = point.getPath().getTail()
         named = _NAME.match(tail.getName().getString())
         detail = point.getDetail()

@@ -51,7 +51,7 @@ def style(line: float = 1.0, point: float = 1.0, pattern: int = 0xFFFF) -> Any:
 
 
 def colour(rgb: Colour, transparency: float = 0.0) -> Any:
-    """The colour of what follows."""
+    """Return the colour of what follows."""
     material = coin.SoMaterial()
     material.diffuseColor.setValue(*rgb)
     material.emissiveColor.setValue(*rgb)
@@ -60,28 +60,28 @@ def colour(rgb: Colour, transparency: float = 0.0) -> Any:
 
 
 def flat() -> Any:
-    """What follows is drawn in its own colour, without light."""
+    """Return what follows is drawn in its own colour, without light."""
     light_model = coin.SoLightModel()
     light_model.model = coin.SoLightModel.BASE_COLOR
     return light_model
 
 
 def unpickable() -> Any:
-    """The mouse does not see what follows: searching a million lines would hold the view up."""
+    """Return the mouse does not see what follows: searching a million lines would hold the view up."""
     pick_style = coin.SoPickStyle()
     pick_style.style = coin.SoPickStyle.UNPICKABLE
     return pick_style
 
 
 def on_top_for_picking() -> Any:
-    """The mouse takes what follows before what lies nearer: a marker stands in the part's surface."""
+    """Return the mouse takes what follows before what lies nearer: a marker stands in the part's surface."""
     pick_style = coin.SoPickStyle()
     pick_style.style = coin.SoPickStyle.SHAPE_ON_TOP
     return pick_style
 
 
 def separate(*children: Any) -> Any:
-    """A group whose properties stay within."""
+    """Return a group whose properties stay within."""
     separator = coin.SoSeparator()
     for child in children:
         separator.addChild(child)
@@ -89,7 +89,7 @@ def separate(*children: Any) -> Any:
 
 
 def switch(child: Any, on: bool = True) -> Any:
-    """A group that can be switched off."""
+    """Return a group that can be switched off."""
     node = coin.SoSwitch()
     node.addChild(child)
     turn(node, on)
@@ -102,7 +102,7 @@ def turn(node: Any, on: bool) -> None:
 
 
 def without_box(child: Any) -> Any:
-    """A group that "fit all" does not look at."""
+    """Return a group that "fit all" does not look at."""
     group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
     group.set("mode EXCLUDE_BBOX")
     group.addChild(child)
@@ -110,7 +110,8 @@ def without_box(child: Any) -> Any:
 
 
 def nearer(depth: float, covers: bool = True) -> Any:
-    """What follows is drawn as if it lay nearer by this share of the scene's depth; 1: before everything.
+    """Return what follows is drawn as if it lay nearer by this share of the scene's depth; 1: before
+    everything.
 
     A path lies in the part's surface, and the picture of that surface is coarser than the path; a tip that
     leaves its line may lie below the surface. ``covers``: whether it hides what is drawn later.

@@ -81,11 +81,11 @@ class _View:
         return legend in self.legends and self.legends[legend] == max(self.legends.values())
 
     def taken(self, item: int) -> np.ndarray:
-        """What others have taken in this frame."""
+        """Return what others have taken in this frame."""
         return np.concatenate([layout.NONE, *(boxes for other, boxes in self.boxes.items() if other != item)])
 
     def later(self, item: int) -> np.ndarray:
-        """What stood in the frame before and may come again after the item."""
+        """Return what stood in the frame before and may come again after the item."""
         rest = [boxes for other, boxes in self.before.items() if other != item and other not in self.boxes]
         return np.concatenate([layout.NONE, *rest])
 
@@ -144,7 +144,7 @@ class _Overlay:
 
 
 def _moved(*children: Any) -> Any:
-    """A group whose nodes move within a frame, unheard: nothing of it is kept for the next one."""
+    """Return a group whose nodes move within a frame, unheard: nothing of it is kept for the next one."""
     separator = nodes.separate(*children)
     separator.renderCaching = separator.renderCulling = coin.SoSeparator.OFF
     return separator
@@ -166,9 +166,9 @@ def _place(overlay: Any, action: Any) -> None:
 
 
 def _aim(_data: Any, action: Any) -> None:
-    """An overlay has a camera of its own, and Coin aims the mouse's ray anew at every camera it meets. Aimed
-    with that one, it would miss all that comes later in the scene: here it is aimed once more, with the
-    view's camera."""
+    """Aim the mouse's ray at the scene again: an overlay has a camera of its own, and Coin aims the mouse's
+    ray anew at every camera it meets. Aimed with that one, it would miss all that comes later in the scene:
+    here it is aimed once more, with the view's camera."""
     if action.isOfType(coin.SoRayPickAction.getClassTypeId()):
         picking = action if hasattr(action, "computeWorldSpaceRay") else coin.cast(action, "SoRayPickAction")
         picking.computeWorldSpaceRay()
@@ -197,19 +197,19 @@ class LegendBox(_Overlay):
             self.shown.addChild(self.switch)
 
     def come_forward(self, chosen: bool | None = None) -> None:
-        """The object was shown, or selected (``chosen``): of those in its view, its legend is seen from now
-        on."""
+        """Show this legend, of those in its view, from now on: the object was shown, or selected
+        (``chosen``)."""
         self.chosen, self.number = self.chosen if chosen is None else chosen, next(_numbers)
         self.root.touch()
 
     def step_back(self) -> None:
-        """The object is no longer selected."""
+        """Leave the legend's place to others: the object is no longer selected."""
         self.chosen = False
         self.root.touch()
 
     def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
-        """The legend's box, where it led in the frame before: only when all have asked it is known which one
-        leads in this."""
+        """Return the legend's box, where it led in the frame before: only when all have asked it is known
+        which one leads in this."""
         self.claimed = layout.NONE
         if self.size[0]:
             view.legends[id(self)] = self.chosen, self.number
@@ -280,7 +280,7 @@ class Labels(_Overlay):
         self.places = np.asarray(places, float).reshape(-1, 3)
 
     def arrange(self, action: Any, size: tuple[int, int], view: _View) -> np.ndarray:
-        """The boxes of the labels that have room."""
+        """Return the boxes of the labels that have room."""
         clip = clip_from_place(action.getState())
         view.middles[id(self)] = layout.middle_of(layout.projected(self.part, clip, size))
         if not len(self.places):

@@ -46,7 +46,7 @@ class Legend:
     ink: tuple[int, int, int] = INK
 
     def folded(self) -> Legend:
-        """The same in one line, in the warning colour where there is a warning."""
+        """Return the same in one line, in the warning colour where there is a warning."""
         line = f"{self.title}: {self.warning or self.gist}" if self.warning or self.gist else self.title
         if len(line) > FOLDED_WIDTH:
             line = line[:FOLDED_WIDTH].rstrip() + "…"
@@ -54,7 +54,7 @@ class Legend:
 
 
 def image(picture: QtGui.QImage) -> Any:
-    """A picture as a node: its lower left corner stands at the origin."""
+    """Return a picture as a node: its lower left corner stands at the origin."""
     upright = picture.convertToFormat(QtGui.QImage.Format_RGBA8888)
     rows = np.frombuffer(upright.constBits(), np.uint8, upright.bytesPerLine() * upright.height())
     rows = rows.reshape(upright.height(), upright.bytesPerLine())[::-1, : 4 * upright.width()]
@@ -89,7 +89,8 @@ def _painter(picture: QtGui.QImage) -> QtGui.QPainter:
 
 
 def label_picture(text: str, colour: nodes.Colour | None = None) -> QtGui.QImage:
-    """A short text on paper; at its left side a bar in the ``colour`` of its marker, where it has one."""
+    """Return a short text on paper; at its left side a bar in the ``colour`` of its marker, where it has
+    one."""
     font, side = _font(FONT, bold=True), STRIPE if colour else 0
     width, height = side + _width(text, font) + 2 * PAD, FONT + PAD
     picture = _paper(width, height)

@@ -86,7 +86,7 @@ class PathNodes:
         nodes.turn(self.sticks, self.stick * pixels_per_mm >= SHORTEST)
 
     def move_to(self, origin: tuple[float, float, float]) -> None:
-        """The work zero in the document, mm."""
+        """Move to the work zero in the document, mm."""
         self.origin.translation.setValue(*origin)
 
     def show(self, drawing: Drawing, look: Look) -> None:
@@ -129,7 +129,8 @@ class PathNodes:
 
 
 def _sticks(drawing: Drawing, look: Look) -> Any:
-    """The tool axes, dark at the tip and bright at the holder's end: seen on light and on dark grounds."""
+    """Return the tool axes, dark at the tip and bright at the holder's end: seen on light and on dark
+    grounds."""
     tops = drawing.foot + drawing.axis * (look.axis_length or drawing.axis_length)
     red, green, blue = look.axes
     dark = (FOOT_SHADE * red, FOOT_SHADE * green, FOOT_SHADE * blue)
@@ -138,8 +139,8 @@ def _sticks(drawing: Drawing, look: Look) -> Any:
 
 
 def _curves(drawing: Drawing, look: Look) -> list[Any]:
-    """The commanded chord in white with thick ends, the real curve, and where they are farthest apart: in the
-    good colour within the tolerance, in the bad one over it."""
+    """Return the commanded chord in white with thick ends, the real curve, and where they are farthest apart:
+    in the good colour within the tolerance, in the bad one over it."""
     off = np.linalg.norm(drawing.spoke[1::2] - drawing.spoke[0::2], axis=1)
     rows, width = np.flatnonzero(off >= NOTHING), look.line_width
     if not len(rows):

@@ -38,8 +38,8 @@ def reach_surface(corner: Floats, obstacle: Any) -> Any:
 
 
 def reach_axes(point: Floats, axis: Floats, length: float, colour: nodes.Colour) -> Any:
-    """A stroke of ``length`` mm from some of the places ``point`` (k, 3) mm along their unit ``axis`` (k,
-    3)."""
+    """Return a stroke of ``length`` mm from some of the places ``point`` (k, 3) mm along their unit ``axis``
+    (k, 3)."""
     some = slice(None, None, -(-len(point) // STROKES) or 1)
     ends = np.stack([point[some], point[some] + length * axis[some]], axis=1).reshape(-1, 3)
     return nodes.separate(
@@ -53,5 +53,5 @@ def reach_axes(point: Floats, axis: Floats, length: float, colour: nodes.Colour)
 
 
 def patches(mesh: Any, chart: Any, facets: Any) -> Floats:
-    """The triangles (k, 3, 3) mm that the map's places stand for, in their order."""
+    """Return the triangles (k, 3, 3) mm that the map's places stand for, in their order."""
     return surface_parts(mesh, chart.spacing, facets)[0]

@@ -42,7 +42,8 @@ APART = 0.075
 
 
 def rest_surface(mesh: Mesh, rest: RestMaterial, scale: HeightScale) -> Any:
-    """The machined facets, one triangle for each sample of ``rest``, coloured by its height; work frame."""
+    """Return the machined facets, one triangle for each sample of ``rest``, coloured by its height; work
+    frame."""
     if len(rest.height) <= MOST_PATCHES:
         corner, height = rest_material_patches(mesh, rest), rest.height
     else:
@@ -79,7 +80,8 @@ def outside_only() -> Any:
 
 
 def scale_ramp() -> Floats:
-    """The colours (SHADES, 3) of the legend's bar, from the deepest cut up to the most rest material."""
+    """Return the colours (SHADES, 3) of the legend's bar, from the deepest cut up to the most rest
+    material."""
     side = np.linspace(-1.0, 1.0, colours.SHADES)
     return level_colours(np.sign(side) * np.maximum(np.abs(side) - BAND, 0.0) / (1.0 - BAND))
 

@@ -24,8 +24,8 @@ FEW, SAME_HEIGHT = 30, 1e-3
 
 
 def layer_rows(places: Floats, kinds: Sequence[str]) -> Ints:
-    """The rows of the places (k, 3) that are shown: all where they are few, else the recommended one, the
-    present one, and of the grid the layer that is nearest to the recommended one in height: of a block of
+    """Return the rows of the places (k, 3) that are shown: all where they are few, else the recommended one,
+    the present one, and of the grid the layer that is nearest to the recommended one in height: of a block of
     points no depth can be read."""
     kind = np.asarray(kinds)
     named = (kind == BEST) | (kind == PRESENT)

@@ -35,7 +35,7 @@ Explanation = tuple[str, str, str]
 
 
 def name_of(code: str) -> str:
-    """A few words for a code."""
+    """Return a few words for a code."""
     names = {
         LARGEST: translate("FiveAxis", "Largest deviation"),
         OVER: translate("FiveAxis", "Over the tolerance"),
@@ -46,7 +46,8 @@ def name_of(code: str) -> str:
 
 
 def short_names() -> dict[str, str]:
-    """A few words for each finding that stands at a place of the part: what its marker is labelled with."""
+    """Return a few words for each finding that stands at a place of the part: what its marker is labelled
+    with."""
     return {
         SIDE: translate("FiveAxis", "Not machined"),
         "corner-not-reached": translate("FiveAxis", "Corner not reached"),
@@ -70,7 +71,7 @@ def severity_name(severity: int) -> str:
 
 
 def value_text(finding: Finding) -> str:
-    """A finding's value in the user's units; empty where it has none."""
+    """Return a finding's value in the user's units; empty where it has none."""
     if finding.value is None:
         return ""
     if finding.unit in ("mm", "mm2"):
@@ -83,7 +84,7 @@ def value_text(finding: Finding) -> str:
 
 
 def explain(code: str, spot: Spot) -> Explanation | None:
-    """What happens at a block, why, and what helps; None for a code without words of its own."""
+    """Return what happens at a block, why, and what helps; None for a code without words of its own."""
     sayings = {LARGEST: _deviates, OVER: _deviates, SINGULAR: _near_pole, UNPROVEN: _unproven}
     return sayings[code](spot) if code in sayings else None
 
@@ -149,7 +150,7 @@ def _turning(spot: Spot) -> dict[str, str]:
 
 
 def _OFF() -> dict[tuple[bool, bool], str]:
-    """What leaves its line: by whether it is a ball's centre, and whether that is too far."""
+    """Return what leaves its line: by whether it is a ball's centre, and whether that is too far."""
     return {
         (False, True): translate(
             "FiveAxis", "The tip leaves the commanded straight line by {deviation}; allowed are {tolerance}."
@@ -219,7 +220,7 @@ def _GUIDE() -> str:
 
 
 def label_text(deviation: float, line: int, tolerance: float) -> str:
-    """What stands at the largest deviation; mm."""
+    """Return what stands at the largest deviation; mm."""
     if deviation <= tolerance:
         text = translate("FiveAxis", "{deviation}, NC line {line}: within {tolerance}")
     else:
@@ -235,8 +236,8 @@ def legend_of(
     kinds: Sequence[str] = (),
     shown: Sequence[str] = MOVES[:2],
 ) -> Any:
-    """The legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its markers;
-    which of MOVES are ``shown``."""
+    """Return the legend of a path, drawn with the colours of ``look`` (path_nodes.Look); ``kinds`` of its
+    markers; which of MOVES are ``shown``."""
     from freecad_fiveaxis.core.report import judged_largest, summary
 
     from .overlay import Legend
@@ -276,8 +277,8 @@ def legend_of(
 
 
 def _scale(figures: Figures, look: Any) -> tuple[Any, list[tuple[float, str]], tuple[str, str]]:
-    """The ramp of a legend, its marks, and what its halves are called. A path within the tolerance has the
-    calm half only."""
+    """Return the ramp of a legend, its marks, and what its halves are called. A path within the tolerance has
+    the calm half only."""
     from freecad_fiveaxis.core.report import scale_end, scale_marks
 
     from .colours import SHADES, ramp
@@ -298,7 +299,7 @@ def _scale(figures: Figures, look: Any) -> tuple[Any, list[tuple[float, str]], t
 
 
 def _moves(look: Any, shown: Sequence[str]) -> list[tuple[Any, str]]:
-    """The kinds of moves in the legend: colour and text."""
+    """Return the kinds of moves in the legend: colour and text."""
     from .path_nodes import LINK_COLOUR, RAPID_COLOUR
 
     texts = {
@@ -310,7 +311,7 @@ def _moves(look: Any, shown: Sequence[str]) -> list[tuple[Any, str]]:
 
 
 def empty_legend(label: str, warning: str) -> Any:
-    """A legend that only says why nothing is drawn."""
+    """Return a legend that only says why nothing is drawn."""
     import numpy as np
 
     from .overlay import Legend

@@ -25,7 +25,7 @@ INSERTED = 2
 
 
 def proof_program(plan: Plan, dialect: Dialect) -> Program:
-    """The blocks, one for each pose of the plan: G94, no axis faster than the wished feed (mm/min and
+    """Return the blocks, one for each pose of the plan: G94, no axis faster than the wished feed (mm/min and
     deg/min). ``line``: where each stands in the text of :func:`proof_nc`."""
     poses = np.asarray(q_to_words(plan.poses))
     words = np.stack([rounded(poses[:, k], dialect.decimals(k)) for k in range(5)], axis=1)
@@ -51,7 +51,7 @@ def proof_program(plan: Plan, dialect: Dialect) -> Program:
 
 
 def proof_nc(plan: Plan, program: Program, dialect: Dialect, options: PostOptions) -> bytes:
-    """The NC text. The blocks are the writer's; the lines of the stops stand between them."""
+    """Return the NC text. The blocks are the writer's; the lines of the stops stand between them."""
     text = write_nc(program, dialect, f"{plan.machine.name}, proving signs", options).decode("ascii")
     lines = text.split(dialect.newline)
     at = dialect.first_line - 1

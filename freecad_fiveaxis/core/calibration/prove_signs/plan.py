@@ -92,7 +92,8 @@ class Plan:
 
 
 def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
-    """The moves and stops. Raises SettingsError where an axis would leave its limits, with the remedy."""
+    """Return the moves and stops. Raises SettingsError where an axis would leave its limits, with the
+    remedy."""
     kinematics, wrong = chain(machine, setup), wrong_machines(machine, setup)
     angles = np.array([_turn(kinematics, k, wishes.angle) for k in (3, 4)])
     both = angles * (_unlike(kinematics, angles), 1.0)
@@ -108,7 +109,7 @@ def make_plan(machine: Machine, setup: Setup, wishes: Wishes) -> Plan:
 
 
 def _turn(kinematics: Chain, k: int, angle: float) -> float:
-    """The angle, positive where the limits allow it."""
+    """Return the angle, positive where the limits allow it."""
     for turn in (angle, -angle):
         if kinematics.low[k] <= turn <= kinematics.high[k]:
             return turn
@@ -137,7 +138,8 @@ def _base(wishes: Wishes, height: float) -> Floats:
 
 
 def _last_pose(kinematics: Chain, wishes: Wishes, angles: Floats, distance: float) -> Floats:
-    """The tip on the line through the mark along the tool, ``distance`` from it, both rotary axes turned."""
+    """Return the tip on the line through the mark along the tool, ``distance`` from it, both rotary axes
+    turned."""
     axis = forward(kinematics, np.array([[0.0, 0.0, 0.0, *angles]]))[1]
     tip = np.array([wishes.place]) + distance * axis
     return np.asarray(joint_words(kinematics, tip, angles[None])[0])
@@ -175,7 +177,7 @@ def _distance(kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angle
 def _height(
     kinematics: Chain, wrong: tuple[Wrong, ...], wishes: Wishes, angles: Floats, both: Floats, distance: float
 ) -> float:  # fmt: skip
-    """The least height over the mark from which every single move is clear."""
+    """Return the least height over the mark from which every single move is clear."""
     for count in range(RAISES):
         height = max(wishes.gap + wishes.travel, distance) + count * STEP
         base = _base(wishes, height)
@@ -307,7 +309,7 @@ def _check_limits(kinematics: Chain, q: Floats) -> None:
 
 
 def _unasked(wishes: Wishes) -> list[Finding]:
-    """What must be true where nobody has said how high part and clamps reach."""
+    """Return what must be true where nobody has said how high part and clamps reach."""
     if wishes.mark is not None:
         return []
     z = wishes.place[2]

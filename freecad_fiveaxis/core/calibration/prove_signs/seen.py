@@ -33,8 +33,8 @@ ARM = 100.0
 
 
 def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
-    """What must be seen when the word of a linear axis grows by ``travel`` mm, and what a wrong sign looks
-    like."""
+    """Return what must be seen when the word of a linear axis grows by ``travel`` mm, and what a wrong sign
+    looks like."""
     moved = np.array(axis.direction) * travel
     right, wrong = _way(moved), _way(-moved)
     if axis.side == "head":
@@ -59,8 +59,8 @@ def linear_seen(axis: Axis, travel: float) -> tuple[str, str]:
 
 
 def rotary_seen(axis: Axis, other: str, angle: float) -> tuple[str, str]:
-    """The same for the word of a rotary axis turned to ``angle`` rad; ``other``: the letter of the other
-    rotary axis."""
+    """Return the same for the word of a rotary axis turned to ``angle`` rad; ``other``: the letter of the
+    other rotary axis."""
     spin = np.array(axis.direction) * math.copysign(1.0, angle) * (1.0 if axis.side == "head" else -1.0)
     degrees = Angle(math.degrees(abs(angle)))
     view, right, wrong = _view(spin)
@@ -88,7 +88,7 @@ def rotary_seen(axis: Axis, other: str, angle: float) -> tuple[str, str]:
 
 
 def _way(moved: Floats) -> Sentence:
-    """The directions of a move, the largest first, small ones left out."""
+    """Return the directions of a move, the largest first, small ones left out."""
     size = np.abs(moved)
     parts = [k for k in np.argsort(-size, kind="stable").tolist() if size[k] > 0.1 * size.max()]
     ways = [WAYS[k][int(moved[k] > 0.0)] for k in parts]
@@ -106,7 +106,7 @@ def _view(spin: Floats) -> tuple[Sentence, Sentence, Sentence]:
 
 
 def _mark(spin: Floats, angle: float, side: str) -> tuple[Sentence, Sentence]:
-    """A place to watch and where it goes, by how much; and where it goes with the wrong sign."""
+    """Return a place to watch and where it goes, by how much; and where it goes with the wrong sign."""
     arc = ARM * math.sin(angle)
     if side == "head":
         moved = np.cross(spin, (0.0, 0.0, -1.0))

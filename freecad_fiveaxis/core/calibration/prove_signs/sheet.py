@@ -55,7 +55,7 @@ def verdict(plan: Plan) -> Sentence:
 
 
 def notices(plan: Plan) -> list[str]:
-    """What stands on the sheet's first line: that nobody has said how high part and clamps reach."""
+    """Return what stands on the sheet's first line: that nobody has said how high part and clamps reach."""
     return [one.text for one in plan.findings if one.code == Code.MARK_NOT_GIVEN]
 
 

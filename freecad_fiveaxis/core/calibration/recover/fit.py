@@ -97,8 +97,8 @@ class Fit:
 
 
 def screened(guess: Guess, pairs: Pairs, base: Floats, linear_zero: bool) -> Fit:
-    """A quick robust fit of the lines (and of the linear zero) at the guess's rotary zeros; certainties are
-    left out."""
+    """Return a quick robust fit of the lines (and of the linear zero) at the guess's rotary zeros;
+    certainties are left out."""
     freedom = Freedom(linear_zero, any(guess.zeros))
     unknown = np.zeros(UNKNOWNS)
     unknown[ROTARY_ZERO] = guess.zeros
@@ -137,7 +137,7 @@ def _whitened(rows: Rows, columns: Ints) -> tuple[Floats, Floats]:
 
 
 def _trimmed(rows: Rows, columns: Ints) -> Floats:
-    """The least-trimmed-squares change of the unknowns ``columns``, linear in them."""
+    """Return the least-trimmed-squares change of the unknowns ``columns``, linear in them."""
     matrix, right, square = _normal(rows, columns)
     count = len(square)
     if count < LEAST_TO_TRIM:
@@ -163,7 +163,7 @@ def _pinv_solved(matrix: Floats, right: Floats) -> Floats:
 
 
 def judged(layout: Layout, freedom: Freedom, pairs: Pairs, base: Floats, unknown: Floats) -> Fit:
-    """The fit that has these unknowns, on these pairs: scale, wrong rows; certainties are left out."""
+    """Return the fit that has these unknowns, on these pairs: scale, wrong rows; certainties are left out."""
     rows = rows_of(layout, pairs, base, unknown)
     white = np.einsum("nij,nj->ni", rows.whitener, rows.residual)
     row_scale = np.sqrt((white * white).sum(axis=1) / FREEDOMS)

@@ -50,7 +50,7 @@ class Guess:
 
 
 def guesses(pairs: Pairs, start: Machine | None = None, zeros: bool = True) -> list[Guess]:
-    """The layouts that explain the tool axes, the plainest first; ``zeros``: with shifted rotary zeros
+    """Return the layouts that explain the tool axes, the plainest first; ``zeros``: with shifted rotary zeros
     too."""
     found = [guess for layout in every_layout(pairs.letters, start) for guess in _tried(layout, pairs, zeros)]
     best = min(guess.off for guess in found)
@@ -62,7 +62,8 @@ def guesses(pairs: Pairs, start: Machine | None = None, zeros: bool = True) -> l
 
 
 def kinds(guess: Guess, start: Machine | None = None) -> Iterator[Guess]:
-    """The same axes as table-table, head-table and head-head; the machine that is given keeps its own."""
+    """Yield the same axes as table-table, head-table and head-head; the machine that is given keeps its
+    own."""
     if start is not None and guess.layout.strange < 0.0:
         yield guess
         return
@@ -71,7 +72,7 @@ def kinds(guess: Guess, start: Machine | None = None) -> Iterator[Guess]:
 
 
 def start_layout(machine: Machine) -> Layout:
-    """The layout of a machine that is given."""
+    """Return the layout of a machine that is given."""
     linear = sorted(machine.linear, key=lambda axis: axis.letter)
     first, second = machine.rotary
     places = [machine.axes.index(axis) for axis in machine.rotary]
@@ -81,7 +82,8 @@ def start_layout(machine: Machine) -> Layout:
 
 
 def every_layout(letters: str, start: Machine | None) -> Iterator[Layout]:
-    """The machine that is given, then both orders with every direction of both axes; all as table-table."""
+    """Yield the machine that is given, then both orders with every direction of both axes; all as
+    table-table."""
     if start is not None and set(letters) == {axis.letter for axis in start.rotary}:
         yield start_layout(start)
     for order in (letters, letters[::-1]):

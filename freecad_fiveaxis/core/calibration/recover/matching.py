@@ -55,7 +55,7 @@ class Sequences:
     steps: Steps
 
     def paired(self, rows: Ints, blocks: Ints) -> Pairs:
-        """Raises ProgramError where hardly any are left."""
+        """Return the pairs with both ends. Raises ProgramError where hardly any are left."""
         if len(rows) < LEAST:
             text = say(
                 "only {count} of {rows} CL rows can be paired with the program's {blocks} blocks; give a "
@@ -77,7 +77,7 @@ class Sequences:
 
 
 def sequences(path: CLPath, program: Program, axis_step: float) -> Sequences:
-    """What can be paired: the moving rows of the path, the blocks of the program."""
+    """Return what can be paired: the moving rows of the path, the blocks of the program."""
     own = program.letters[3:]
     letters = "".join(sorted(own))
     degrees = program.words[:, [3 + own.index(letter) for letter in letters]]
@@ -101,7 +101,7 @@ def sequences(path: CLPath, program: Program, axis_step: float) -> Sequences:
 
 
 def in_order(given: Sequences) -> Pairs | None:
-    """The n-th block with the n-th row, or with the n-th that moves; None where the numbers differ."""
+    """Return the n-th block with the n-th row, or with the n-th that moves; None where the numbers differ."""
     blocks = np.arange(len(given.line))
     pose = np.hstack([given.tip, given.axis])
     step = np.abs(np.diff(pose, axis=0)).max(axis=1, initial=0.0)
@@ -129,7 +129,7 @@ def aligned(given: Sequences, start: Machine | None = None) -> Pairs:
 
 
 def _likest(head: Sequences, layouts: list[Layout]) -> tuple[float, Layout]:
-    """The largest sum of likenesses, and the layout that has it."""
+    """Return the largest sum of likenesses, and the layout that has it."""
     sums = [float(_table(_axis_likeness(head, layout))[-1, -1]) for layout in layouts]
     best = int(np.argmax(sums))
     return sums[best], layouts[best]
@@ -144,8 +144,8 @@ def realigned(given: Sequences, layout: Layout, base: Floats, unknown: Floats) -
 
 
 def _probe(given: Sequences) -> Sequences:
-    """The first rows and blocks; of the longer sequence as many more as it is longer, for the shorter may
-    begin so late."""
+    """Return the first rows and blocks; of the longer sequence as many more as it is longer, for the shorter
+    may begin so late."""
     late = min(abs(len(given.row) - len(given.line)), MOST - PROBE)
     rows, blocks = (PROBE + late, PROBE) if len(given.row) > len(given.line) else (PROBE, PROBE + late)
     return _head(given, rows, blocks)
@@ -206,7 +206,7 @@ def _distance(one: Floats, two: Floats) -> Floats:
 
 
 def _table(alike: Floats) -> Floats:
-    """The largest sums (n + 1, m + 1) of likenesses of pairs in order, up to each row and block."""
+    """Return the largest sums (n + 1, m + 1) of likenesses of pairs in order, up to each row and block."""
     sums = np.zeros((alike.shape[0] + 1, alike.shape[1] + 1))
     for i, row in enumerate(alike):
         here = sums[i].copy()

@@ -61,7 +61,7 @@ class Pairs:
         freeze(self, None, tip="f3", axis="f3", linear="f3", rotary="f2", row="i", line="i", block="i")
 
     def chosen(self, rows: Ints) -> Pairs:
-        """Some of the rows."""
+        """Return some of the rows."""
         tip, axis, linear, rotary = self.tip[rows], self.axis[rows], self.linear[rows], self.rotary[rows]
         return Pairs(
             self.letters,
@@ -77,9 +77,9 @@ class Pairs:
 
 
 def step_of(column: Floats, inch: bool = True) -> float:
-    """What the last printed digit of the numbers is worth, by the power of ten of which all are multiples;
-    whole numbers count as printed with three decimals. ``inch``: in millimetres, but perhaps printed in
-    inches, with four decimals or more."""
+    """Return what the last printed digit of the numbers is worth, by the power of ten of which all are
+    multiples; whole numbers count as printed with three decimals. ``inch``: in millimetres, but perhaps
+    printed in inches, with four decimals or more."""
     values = np.ravel(column)
     decimals = max(_decimals(values), COARSEST)
     if inch and decimals > COARSEST + 1:
@@ -98,8 +98,8 @@ def _decimals(values: Floats) -> int:
 
 
 def printed_axis_step(text: bytes) -> float:
-    """The step of the tool axes of an APT text, by the longest of their printed numbers; AXIS_STEP where
-    there are none."""
+    """Return the step of the tool axes of an APT text, by the longest of their printed numbers; AXIS_STEP
+    where there are none."""
     most = 0
     for statement in _GOTO.findall(text[:TEXT_LOOKED_AT].upper()):
         numbers = statement.split(b"$")[0].split(b",")[3:6]
@@ -108,8 +108,8 @@ def printed_axis_step(text: bytes) -> float:
 
 
 def rotary_letters(text: bytes) -> str:
-    """The two letters of the rotary words of an NC text, as "AC". Raises ProgramError where there are not
-    two."""
+    """Return the two letters of the rotary words of an NC text, as "AC". Raises ProgramError where there are
+    not two."""
     plain = _COMMENTS.sub(b" ", text[:TEXT_LOOKED_AT]).upper()
     found = {letter.decode() for letter in _ROTARY_WORD.findall(plain)}
     letters = "".join(letter for letter in ROTARY_LETTERS if letter in found)

@@ -77,15 +77,15 @@ def _values(found: Recovery) -> tuple[list[float], list[str], list[float | None]
 
 
 def point_of(machine: Machine, letter: str) -> Floats:
-    """The point (3,) of a rotary axis in the file."""
+    """Return the point (3,) of a rotary axis in the file."""
     return np.array(next(axis.point for axis in machine.rotary if axis.letter == letter))
 
 
 def _given(
     start: Machine | None, letter: str, way: Floats, direction: tuple[float, float, float]
 ) -> float | None:
-    """The same coordinate of the machine to compare with, where its axis of that letter has the same line
-    direction."""
+    """Return the same coordinate of the machine to compare with, where its axis of that letter has the same
+    line direction."""
     same = [] if start is None else [axis for axis in start.rotary if axis.letter == letter]
     if not same or np.linalg.norm(np.cross(same[0].direction, direction)) > 1e-6:
         return None

@@ -65,7 +65,7 @@ def recover(
     axis_step: float = AXIS_STEP,
     name: str = "recovered", progress: Progress = silent,
 ) -> Recovery:  # fmt: skip
-    """The machine fitted to a path and its program; findings are left to :mod:`verdicts`.
+    """Return the machine fitted to a path and its program; findings are left to :mod:`verdicts`.
 
     ``program.letters[3:]``: its two rotary letters, in any order. ``start``: a machine to compare with, whose
     limits, rates and undetermined coordinates are kept. ``setup``: where the work zero is to stand and the
@@ -113,8 +113,8 @@ def _rotary_zeros(fit: Fit) -> tuple[float, float]:
 
 
 def _best(pairs: Pairs, start: Machine | None, setup: Setup, known: list[Guess] | None = None) -> list[Fit]:
-    """The best fit, then those of other layouts that are as good; of the ``known`` layouts where these are
-    given."""
+    """Return the best fit, then those of other layouts that are as good; of the ``known`` layouts where these
+    are given."""
     sample = pairs.chosen(_spread(len(pairs.row), TRIED))
     _check(sample)
     fits = _screened(known or _kinds(guesses(sample, start, False), start), sample, start, setup)
@@ -157,7 +157,7 @@ def _same(one: Layout, two: Layout) -> bool:
 
 
 def _check(pairs: Pairs) -> None:
-    """Raises ProgramError where the rows cannot tell anything."""
+    """Raise ProgramError where the rows cannot tell anything."""
     farthest = max(
         float(np.abs(column).max(initial=0.0)) for column in (pairs.tip, pairs.linear, pairs.rotary)
     )
@@ -191,8 +191,8 @@ def _spread(count: int, most: int) -> Ints:
 
 
 def base_points(layout: Layout, start: Machine | None, setup: Setup) -> Floats:
-    """The points (2, 3) mm, work frame, from which the coordinates of the two lines count: those of the
-    machine that is given where its axes come in the same order, else the work zero."""
+    """Return the points (2, 3) mm, work frame, from which the coordinates of the two lines count: those of
+    the machine that is given where its axes come in the same order, else the work zero."""
     if start is None or "".join(axis.letter for axis in start.rotary) != layout.letters:
         return np.zeros((2, 3))
     kinematics = chain(start, setup)
@@ -200,7 +200,7 @@ def base_points(layout: Layout, start: Machine | None, setup: Setup) -> Floats:
 
 
 def _machine(fit: Fit, base: Floats, start: Machine | None, setup: Setup, name: str) -> Machine:
-    """The fitted machine, such that the chain in this setup has the fitted lines."""
+    """Return the fitted machine, such that the chain in this setup has the fitted lines."""
     empty = _without_points(fit.layout, start, name)
     kinematics = chain(empty, setup)
     lines = lines_of(fit, base) - np.array([kinematics.point1, kinematics.point2])

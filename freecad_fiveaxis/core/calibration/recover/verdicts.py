@@ -44,7 +44,7 @@ def recovery_findings(found: Recovery, tolerance: float) -> tuple[Finding, ...]:
 
 
 def describe(layout: Layout) -> Sentence:
-    """A layout in one phrase."""
+    """Return a layout in one phrase."""
     one, two = layout.letters[0], layout.letters[1]
     return say(
         "{kind}, {one} nearer to the work turning about {way}, {two} about {other_way}",

@@ -42,8 +42,8 @@ class HalfEdges:
         return (self.word[row] & np.uint64((1 << self.low + 2) - 1)).view(np.int64)
 
     def paired(self) -> bool:
-        """True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and 2 i +
-        1."""
+        """Return True where each edge has two half-edges of opposite senses, which then stand in rows 2 i and
+        2 i + 1."""
         if len(self.word) % 2:
             return False
         bits = 0 if self.half is not None else self.low + 2
@@ -60,8 +60,8 @@ class HalfEdges:
 
 
 def sorted_half_edges(face: Ints, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
-    """The half-edges of ``face`` (f, 3), rows of so many ``vertices``, and what ``work`` gives, done in the
-    meantime.
+    """Return the half-edges of ``face`` (f, 3), rows of so many ``vertices``, and what ``work`` gives, done
+    in the meantime.
 
     Edge and half-edge share one word while they fit.
     """

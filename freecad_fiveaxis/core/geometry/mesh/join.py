@@ -53,8 +53,8 @@ class Joined(NamedTuple):
 
 
 def join_facets(vertex: Floats, face: Ints, rim: Bools) -> Joined | None:
-    """What becomes of facets (f, 3) of vertices (v, 3) mm of which those in ``rim`` (v,) lie on the border;
-    None: nothing."""
+    """Return what becomes of facets (f, 3) of vertices (v, 3) mm of which those in ``rim`` (v,) lie on the
+    border; None: nothing."""
     near = rim[face].any(axis=1)
     kept, doubled = _without_doubled(np.ascontiguousarray(face[near]))
     kept, corners = _join_corners(vertex, kept, rim)
@@ -98,7 +98,7 @@ def _flawed(vertex: Floats, face: Ints, side: _Sides) -> Bools:
 
 
 def _normals(vertex: Floats, face: Ints) -> Floats:
-    """Unit normals (f, 3), 0 of facets without area."""
+    """Return unit normals (f, 3), 0 of facets without area."""
     a, b, c = (vertex[corner] for corner in face.T)
     normal = np.cross(b - a, c - a)
     size = np.linalg.norm(normal, axis=1)
@@ -106,7 +106,7 @@ def _normals(vertex: Floats, face: Ints) -> Floats:
 
 
 def _shortest(vertex: Floats, side: _Sides) -> Floats:
-    """The shortest side (v,) mm at each vertex; without end where there is none."""
+    """Return the shortest side (v,) mm at each vertex; without end where there is none."""
     shortest, length = (
         np.full(len(vertex), np.inf),
         np.linalg.norm(vertex[side.end] - vertex[side.start], axis=1),
@@ -120,7 +120,7 @@ def _shortest(vertex: Floats, side: _Sides) -> Floats:
 
 
 def _without_doubled(face: Ints) -> tuple[Ints, Ints]:
-    """The facets but those that are there twice, and the first vertices (d,) of those."""
+    """Return the facets but those that are there twice, and the first vertices (d,) of those."""
     turn = (face.argmin(axis=1)[:, None] + np.arange(3)) % 3
     _, first = np.unique(np.take_along_axis(face, turn, axis=1), axis=0, return_index=True)
     again = np.ones(len(face), np.bool_)
@@ -132,7 +132,7 @@ def _without_doubled(face: Ints) -> tuple[Ints, Ints]:
 
 
 def _join_corners(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints]:
-    """The facets with the clusters of their corners joined, and the vertices (c,) that are gone."""
+    """Return the facets with the clusters of their corners joined, and the vertices (c,) that are gone."""
     side = _sides(face)
     was_open = _open(side, rim)
     place, shortest = _clusters(vertex, side, was_open), _shortest(vertex, side)
@@ -197,7 +197,7 @@ def _scattered(vertex: Floats, place: Ints, gone: Ints, shortest: Floats) -> Boo
 
 
 def _split_junctions(vertex: Floats, face: Ints, rim: Bools) -> tuple[Ints, Ints]:
-    """The facets, divided at vertices that lie on their sides, and those vertices (t,)."""
+    """Return the facets, divided at vertices that lie on their sides, and those vertices (t,)."""
     found = [np.empty(0, np.int64)]
     for _ in range(ROUNDS):
         half, at, share = _junctions(vertex, face, rim)

@@ -109,7 +109,7 @@ def _columns(path: str | os.PathLike[str], progress: Progress) -> NDArray[np.flo
 
 
 def _content(path: str | os.PathLike[str]) -> NDArray[np.float32] | bytes:
-    """The corner columns of a binary file, or the text of an ASCII one."""
+    """Return the corner columns of a binary file, or the text of an ASCII one."""
     try:
         with open_file(path) as stream:
             facets = int.from_bytes(stream.read(HEADER)[80:], "little")
@@ -235,7 +235,7 @@ def _ascii_piece(text: bytes, before: int) -> Floats:
 
 
 def _ascii_error(word: list[bytes], before: int) -> MeshError:
-    """What is wrong with the first word that does not fit."""
+    """Return what is wrong with the first word that does not fit."""
     for i, given in enumerate(word):
         facet, at = before + i // _PER_FACET + 1, i % _PER_FACET
         wanted = _WORDS.get(at)

@@ -96,8 +96,8 @@ def from_triangles(corners: ArrayLike) -> Mesh:
 
 
 def from_columns(column: Reals) -> Mesh:
-    """The same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner, facet; -0
-    becomes 0 in them."""
+    """Return the same as :func:`from_triangles` for corners (3, 3, f) float32 or float64: x y z, corner,
+    facet; -0 becomes 0 in them."""
     _numbers(column.T, say("triangle corners"), (3, 3))
     vertex, face, shape, halves = _welded(column)
     del column  # nobody needs it any more, and the rest needs room
@@ -257,7 +257,8 @@ def _build(vertex: Floats, face: Ints, shape: _Shape, halves: HalfEdges) -> Mesh
 
 
 def join_loose(mesh: Mesh) -> Mesh:
-    """The mesh with facets joined that ought to hang together; where there are none, the mesh itself."""
+    """Return the mesh with facets joined that ought to hang together; where there are none, the mesh
+    itself."""
     edge = mesh.coedge_face[:, 1] < 0
     rim = np.zeros(len(mesh.vertex), dtype=np.bool_)
     rim[mesh.coedge_vertex[edge]] = True
@@ -273,7 +274,7 @@ def join_loose(mesh: Mesh) -> Mesh:
 
 
 def _half_edges(face: Ints, shape: _Shape, vertices: int, work: Callable[[], T]) -> tuple[HalfEdges, T]:
-    """The half-edges of the facets that stay, and what ``work`` gives, done in the meantime."""
+    """Return the half-edges of the facets that stay, and what ``work`` gives, done in the meantime."""
     if len(shape.flat) == len(face):
         raise MeshError(
             say("none of the {count} facets has an area: check the units and the export", count=len(face)),
@@ -297,7 +298,7 @@ def _flat_finding(vertex: Floats, face: Ints, flat: Ints) -> Finding:
 
 
 def _turned(mesh: Mesh) -> Mesh:
-    """The same facets seen from the other side."""
+    """Return the same facets seen from the other side."""
     place = _place(mesh.vertex, mesh.face[0])
     text = say(
         "All {count} facets looked inward and were turned outward; check the export if only some of them "
@@ -476,7 +477,7 @@ _EDGE_FINDINGS = (
 def _edge_findings(
     key: Words, half: Ints, low: int, vertex: Floats, face: Ints
 ) -> tuple[list[Finding], bool]:
-    """Findings on the half-edges without a partner, and whether the mesh is closed all the same.
+    """Return findings on the half-edges without a partner, and whether the mesh is closed all the same.
 
     It is closed when every edge is run along as often in one sense as in the other.
     """

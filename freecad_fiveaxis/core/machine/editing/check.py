@@ -98,7 +98,7 @@ def _check_body(body: MachineBody, draft: MachineDraft) -> None:
 
 
 def _whole(draft: MachineDraft) -> tuple[Machine | None, list[Problem]]:
-    """The machine as its file will be read, and the chain that it makes."""
+    """Return the machine as its file will be read, and the chain that it makes."""
     try:
         machine = read_machine(draft_data(draft))
     except FiveAxisError as error:
@@ -115,7 +115,7 @@ def _tried(field: str, work: Callable[[], Any]) -> Iterator[Problem]:
 
 
 def _open_questions(draft: MachineDraft) -> Iterator[Problem]:
-    """What a machine may leave out, and what then is not looked at."""
+    """Yield what a machine may leave out, and what then is not looked at."""
     for axis in draft.axes:
         if not axis.rotary and (math.isinf(axis.low) or math.isinf(axis.high)):
             text = say(

@@ -71,7 +71,7 @@ class MachineDraft:
         return UNITS[self.units]
 
     def letters(self, side: Side | None = None) -> tuple[str, ...]:
-        """The letters of the axes, of one side alone where that is given."""
+        """Return the letters of the axes, of one side alone where that is given."""
         return tuple(axis.letter for axis in self.axes if side in (None, axis.side))
 
 
@@ -100,7 +100,7 @@ def read_draft(name_or_path: str | os.PathLike[str]) -> MachineDraft:
 
 
 def _today(axis: JsonObject) -> JsonObject:
-    """An axis without the keys that stand under ``limits`` today."""
+    """Return an axis without the keys that stand under ``limits`` today."""
     return {key: value for key, value in axis.items() if key not in LIMITS}
 
 

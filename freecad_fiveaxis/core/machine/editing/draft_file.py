@@ -27,12 +27,12 @@ TURNING = {"solution_preference": "shortest", "allow_flip": True, "wrap_strategy
 
 
 def draft_bytes(draft: MachineDraft, folder: Path | None = None) -> bytes:
-    """The text of the draft's file in a ``folder``; None: in none that is known."""
+    """Return the text of the draft's file in a ``folder``; None: in none that is known."""
     return file_bytes(draft_data(draft, folder))
 
 
 def draft_data(draft: MachineDraft, folder: Path | None = None) -> dict[str, Any]:
-    """The objects of the draft's file."""
+    """Return the objects of the draft's file."""
     data = copy.deepcopy(dict(draft.source))
     machine = data["machine"]
     if machine["name"].strip() != draft.name:
@@ -53,7 +53,7 @@ def draft_data(draft: MachineDraft, folder: Path | None = None) -> dict[str, Any
 
 
 def _places(draft: MachineDraft, extra: Mapping[str, Any]) -> dict[str, Any]:
-    """What of gauge point, origin and table was changed, in the file's unit."""
+    """Return what of gauge point, origin and table was changed, in the file's unit."""
     found: dict[str, Any] = {}
     for key in ("gauge_point", "origin"):
         new = getattr(draft, key)
@@ -91,7 +91,7 @@ def _axes_data(draft: MachineDraft) -> dict[str, Any]:
 
 
 def axis_data(axis: AxisDraft, unit: float) -> dict[str, Any]:
-    """The object of an axis, its lengths ``unit`` mm; what carries it is not said."""
+    """Return the object of an axis, its lengths ``unit`` mm; what carries it is not said."""
     before = read_axis_draft(axis.letter, axis.source, unit) if axis.source else None
     if before is not None and before.rotary != axis.rotary:
         before = None
@@ -131,7 +131,7 @@ def _limit(value: float, scale: float) -> float:
 
 
 def _number(value: float) -> float:
-    """A number without a sign where it is 0."""
+    """Return a number without a sign where it is 0."""
     return value + 0.0
 
 

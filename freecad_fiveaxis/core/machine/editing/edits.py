@@ -20,8 +20,8 @@ SIDES = ("table", "head")
 
 
 def free_letters(draft: MachineDraft) -> tuple[str, ...]:
-    """The letters that an axis to be added can have: no more than three linear and two rotary ones make a
-    machine."""
+    """Return the letters that an axis to be added can have: no more than three linear and two rotary ones
+    make a machine."""
     used = draft.letters()
     rotary = () if sum(letter in ROTARY_LETTERS for letter in used) > 1 else ROTARY_LETTERS
     return tuple(letter for letter in (*LINEAR_LETTERS, *rotary) if letter not in used)

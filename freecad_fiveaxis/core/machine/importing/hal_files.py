@@ -46,8 +46,8 @@ class HalValues:
             self._take(_substituted(text, where, ini).split(), where)
 
     def value(self, pin: str) -> float | None:
-        """The number that a pin has from the start, None where nothing sets it. Raises MachineError where
-        that is not known."""
+        """Return the number that a pin has from the start, None where nothing sets it. Raises MachineError
+        where that is not known."""
         signal = self.signal_of.get(pin)
         given = self._given(pin, signal)
         if given is None and signal is not None and self.sources[signal] - {pin}:
@@ -65,13 +65,13 @@ class HalValues:
         return found
 
     def _given(self, pin: str, signal: str | None) -> Value | None:
-        """What the slider that drives the signal starts with, else what ``sets`` says of it, else ``setp`` of
-        the pin itself."""
+        """Return what the slider that drives the signal starts with, else what ``sets`` says of it, else
+        ``setp`` of the pin itself."""
         of_signal = None if signal is None else self.signals.get(signal)
         return self._panel_of(pin) or of_signal or self.set.get(pin)
 
     def _panel_of(self, pin: str) -> Value | None:
-        """What a slider that a signal joins with the pin starts with."""
+        """Return what a slider that a signal joins with the pin starts with."""
         sources = self.sources.get(self.signal_of.get(pin, ""), set())
         return next((self.panel[source] for source in sorted(sources) if source in self.panel), None)
 
@@ -94,7 +94,7 @@ class HalValues:
         return default if (given := self.value(pin)) is None else given
 
     def _sum_into(self, pin: str) -> str | None:
-        """The sum2 whose output feeds a pin."""
+        """Return the sum2 whose output feeds a pin."""
         sources = self.sources.get(self.signal_of.get(pin, ""), set())
         return next((name for name in self._sums() if f"{name}.out" in sources), None)
 
@@ -152,7 +152,7 @@ def _statements(ini: IniFile, unread: list[FileError]) -> Iterator[tuple[str, st
 
 
 def _at_home(name: str, where: str) -> Path:
-    """The file, ``~`` and ``~user`` being folders of users. Raises MachineError where there is no such
+    """Return the file, ``~`` and ``~user`` being folders of users. Raises MachineError where there is no such
     user."""
     try:
         return Path(name).expanduser()
@@ -166,8 +166,8 @@ def _at_home(name: str, where: str) -> Path:
 
 
 def _of_file(path: Path, ini: IniFile, named: str, depth: int = 0) -> Iterator[tuple[str, str]]:
-    """The statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC has
-    it).
+    """Yield the statements of a HAL file and of those that it sources (relative to the ini file, as LinuxCNC
+    has it).
 
     ``named``: where it is named. Raises MachineError where the files go in a circle or are too many."""
     ini.reading.take(path, depth, named)

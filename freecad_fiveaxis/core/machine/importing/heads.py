@@ -26,7 +26,7 @@ PIVOT = "pivot-length"
 
 
 def _fork(given: Given) -> tuple[Turn, ...]:
-    """The fork C that carries B."""
+    """Return the fork C that carries B."""
     pivot = (0.0, 0.0, given.values[PIVOT])
     return Turn("C", "head", Z, (0.0, 0.0, 0.0)), Turn("B", "head", turned(Y, -1.0), pivot)
 
@@ -43,7 +43,7 @@ def _fork_remarks(given: Given) -> tuple[Finding, ...]:
 
 
 def _head_over_table(given: Given) -> tuple[Turn, ...]:
-    """The head B over the table C."""
+    """Return the head B over the table C."""
     sense = 1.0 if given.values["conventional-directions"] else -1.0
     pivot = (0.0, 0.0, given.values[PIVOT])
     return Turn("C", "table", Z, (0.0, 0.0, 0.0)), Turn("B", "head", turned(Y, sense), pivot)

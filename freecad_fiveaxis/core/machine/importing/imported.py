@@ -47,8 +47,8 @@ class Imported:
 
 
 def import_machine(path: str) -> Imported:
-    """The machine of a LinuxCNC ini file, a URDF file or a FreeCAD machine file, checked for a chain that can
-    be solved.
+    """Return the machine of a LinuxCNC ini file, a URDF file or a FreeCAD machine file, checked for a chain
+    that can be solved.
 
     Raises MachineError that names the missing or wrong value and its file, FileError where a file cannot be
     read.
@@ -117,7 +117,7 @@ def _controller(data: dict[str, object]) -> str:
 
 
 def as_text(imported: Imported) -> str:
-    """The machine as a table, from the work to the tool, and the findings."""
+    """Return the machine as a table, from the work to the tool, and the findings."""
     machine = imported.machine
     rows = [
         f"{machine.name}: {machine.description}",
@@ -139,7 +139,7 @@ def _row(axis: Axis) -> str:
 
 
 def _bodies(machine: Machine) -> list[str]:
-    """What each of machine's bodies is carried by, in one row."""
+    """Return what each of machine's bodies is carried by, in one row."""
     named = ", ".join(f"{body.name} ({body.carrier})" for body in machine.bodies)
     return [f"  bodies, and what carries them: {named}"] if named else []
 

@@ -83,11 +83,11 @@ class IniFile:
         return self.values.get((section, key), [])
 
     def get(self, section: str, key: str) -> Value | None:
-        """The first value of a key (the one that LinuxCNC takes), or None."""
+        """Return the first value of a key (the one that LinuxCNC takes), or None."""
         return next(iter(self.every(section, key)), None)
 
     def need(self, section: str, key: str, remedy: str) -> Value:
-        """The first value. Raises MachineError naming what is missing."""
+        """Return the first value. Raises MachineError naming what is missing."""
         value = self.get(section, key)
         if value is None or not value.text:
             raise MachineError(
@@ -106,8 +106,8 @@ class IniFile:
 def text_lines(
     path: Path, what: str, reading: Reading | None = None, depth: int = 0
 ) -> Iterator[tuple[str, str]]:
-    """The lines of a text file without blanks at their ends, those that end in a backslash joined, each with
-    its place.
+    """Yield the lines of a text file without blanks at their ends, those that end in a backslash joined, each
+    with its place.
 
     ``reading``: counts the files that ``#INCLUDE`` names; without it, that is a line like any other."""
     content = read_bytes(path, what)
@@ -128,7 +128,7 @@ def text_lines(
 
 
 def number(value: Value, what: str) -> float:
-    """The value as a finite number. Raises MachineError naming it and its place."""
+    """Return the value as a finite number. Raises MachineError naming it and its place."""
     words = value.text.split()
     try:
         given = float(words[0]) if words else math.nan

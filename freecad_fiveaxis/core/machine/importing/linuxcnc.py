@@ -67,8 +67,8 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
 
 
 def _kinematics_line(ini: IniFile, hal: HalValues) -> Value:
-    """The module and its options: what HAL loads, else what the ini file names. Raises MachineError where
-    they differ."""
+    """Return the module and its options: what HAL loads, else what the ini file names. Raises MachineError
+    where they differ."""
     remedy = say("known are {modules}", modules=", ".join(KINEMATICS))
     loaded = next((value for value in hal.loaded if _is_kinematics(value.text.split()[0])), None)
     if loaded is None:
@@ -90,7 +90,7 @@ def _is_kinematics(module: str) -> bool:
 
 
 def _kinematics(line: Value) -> tuple[Kinematics, str]:
-    """The module's record, and the letters in the order of the joints."""
+    """Return the module's record, and the letters in the order of the joints."""
     module, *options = line.text.split()
     if module not in KINEMATICS:
         remedy = say("known are {modules}", modules=", ".join(KINEMATICS))
@@ -120,8 +120,8 @@ def _kinematics(line: Value) -> tuple[Kinematics, str]:
 
 
 def _present(ini: IniFile, order: str) -> str:
-    """The letters of the axes that there are: those of the module that [TRAJ] COORDINATES names too, where it
-    is given."""
+    """Return the letters of the axes that there are: those of the module that [TRAJ] COORDINATES names too,
+    where it is given."""
     named = ini.get("TRAJ", "COORDINATES")
     letters = named.text.upper() if named is not None and named.text else order
     return "".join(letter for letter in dict.fromkeys(order) if letter in letters)
@@ -200,7 +200,8 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
 
 
 def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> list[float]:
-    """What [JOINT_n] says, or where it says nothing [AXIS_L]; with ``both``, what each of them says."""
+    """Return what [JOINT_n] says, or where it says nothing [AXIS_L]; with ``both``, what each of them
+    says."""
     given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
     found = [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
     if not found:

@@ -36,8 +36,8 @@ LEAST = 1e-3
 
 
 def _head(given: Given, letter: str, along: int) -> tuple[Turn, ...]:
-    """The head's C and the axis ``letter`` that it carries; ``along``: 0 where that leans towards X, 1 for
-    Y."""
+    """Return the head's C and the axis ``letter`` that it carries; ``along``: 0 where that leans towards X, 1
+    for Y."""
     value = given.values
     if not LEAST < abs(value[NUTATION]) < 180.0 - LEAST:
         text = say(

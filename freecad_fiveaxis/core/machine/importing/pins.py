@@ -60,7 +60,7 @@ def pin_values(hal: HalValues, kind: Kinematics, length: float) -> PinValues:
 
 
 def _given(hal: HalValues, kind: Kinematics) -> tuple[dict[str, float | None], bool]:
-    """What the files say of each pin, and whether the tool length comes in by one of them."""
+    """Return what the files say of each pin, and whether the tool length comes in by one of them."""
     given, follows = (
         {pin.name: hal.value(kind.pin(pin.name)) for pin in kind.pins if not _summed(kind, pin.name)},
         False,

@@ -27,13 +27,13 @@ CENTRE = tuple(Pin(f"{letter}-rot-point", required=False) for letter in "xyz")
 
 
 def _centre(given: Given) -> Vector:
-    """The point r of the formulas, mm."""
+    """Return the point r of the formulas, mm."""
     x, y, z = (given.values[pin.name] for pin in CENTRE)
     return x, y, z
 
 
 def _trunnion(given: Given, letter: str, direction: Vector) -> tuple[Turn, ...]:
-    """The table C on the trunnion ``letter``."""
+    """Return the table C on the trunnion ``letter``."""
     value, (x, y, z) = given.values, _centre(given)
     sense = 1.0 if value["conventional-directions"] else -1.0
     shifted = (x + value.get("x-offset", 0.0), y + value.get("y-offset", 0.0), z + value["z-offset"])
@@ -43,7 +43,7 @@ def _trunnion(given: Given, letter: str, direction: Vector) -> tuple[Turn, ...]:
 
 
 def _dual_rotary(given: Given) -> tuple[Turn, ...]:
-    """The table A on the axle B."""
+    """Return the table A on the axle B."""
     x, y, z = _centre(given)
     return Turn("A", "table", X, (x, y, z + given.values["z-offset"])), Turn("B", "table", Y, (x, y, z))
 

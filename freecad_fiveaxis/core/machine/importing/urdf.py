@@ -104,7 +104,7 @@ def _check_upright(place: Floats, tool: str, path: Path) -> None:
 
 
 def _letters(joints: Sequence[Joint], tree: Tree, rotary: bool, path: Path) -> dict[str, str]:
-    """The letters of the joints of one kind: by name where each has one of its own there, else by
+    """Return the letters of the joints of one kind: by name where each has one of its own there, else by
     direction."""
     kind = [joint for joint in joints if joint.rotary is rotary]
     by_name = {joint.name: _letter_in(joint.name, LETTERS[rotary]) for joint in kind}
@@ -121,8 +121,8 @@ def _letters(joints: Sequence[Joint], tree: Tree, rotary: bool, path: Path) -> d
 
 
 def _letter_in(name: str, letters: str) -> str:
-    """The one letter that stands for itself in a joint's name, or behind "axis" or "joint"; empty for none,
-    or several."""
+    """Return the one letter that stands for itself in a joint's name, or behind "axis" or "joint"; empty for
+    none, or several."""
     words = re.split(r"[^A-Za-z0-9]+|(?<=axis)(?=[A-Z])|(?<=joint)(?=[A-Z])", name)
     found = {word.upper() for word in words if len(word) == 1 and word.upper() in letters}
     return found.pop() if len(found) == 1 else ""
@@ -139,7 +139,7 @@ def _letter_along(joint: Joint, tree: Tree, path: Path) -> str:
 
 
 def _direction(joint: Joint, tree: Tree, path: Path) -> Floats:
-    """The joint's axis in the root's frame, of length 1."""
+    """Return the joint's axis in the root's frame, of length 1."""
     axis = tree.place[joint.child][:3, :3] @ np.array(joint.axis)
     length = float(np.linalg.norm(axis))
     if not 0.0 < length < math.inf:
@@ -173,8 +173,8 @@ def _point(tree: Tree, link: str) -> Vector:
 
 
 def _carrier(tree: Tree, link: str, tool: str, letters: Mapping[str, str]) -> str:
-    """What carries a link: the spindle for the tool's and what hangs from it, the axis of its last joint, or
-    the base."""
+    """Return what carries a link: the spindle for the tool's and what hangs from it, the axis of its last
+    joint, or the base."""
     if tree.is_under(link, tool):
         return SPINDLE
     group = tree.group(link)

@@ -106,7 +106,8 @@ def _box_corners(shape: Shape) -> Floats:
 
 
 def _file_corners(name: str, shape: Shape, path: Path) -> Floats:
-    """The facets (f, 3, 3), m, of a mesh in its link's frame, outside out for a scale that mirrors too."""
+    """Return the facets (f, 3, 3), m, of a mesh in its link's frame, outside out for a scale that mirrors
+    too."""
     if not all(shape.sizes):
         raise wrong(
             path,
@@ -129,7 +130,7 @@ def _file_corners(name: str, shape: Shape, path: Path) -> Floats:
 
 
 def _find(name: str, given: str, path: Path) -> Path:
-    """The file of a mesh. Raises MachineError where there is none."""
+    """Return the file of a mesh. Raises MachineError where there is none."""
     for one in _candidates(given, path.absolute().parent):
         if os.path.isfile(one):
             return one

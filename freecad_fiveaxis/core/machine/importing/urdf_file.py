@@ -174,7 +174,7 @@ def _shape(holder: Element, path: Path, where: str) -> Shape:
 
 
 def _place(holder: Element, path: Path, where: str) -> Floats:
-    """The 4x4 matrix of an origin, the identity where there is none."""
+    """Return the 4x4 matrix of an origin, the identity where there is none."""
     origin = holder.find("origin")
     found = np.eye(4)
     if origin is None:
@@ -194,7 +194,7 @@ def _right(angle: float) -> tuple[float, float]:
 
 
 def _turn(about: int, angle: tuple[float, float]) -> Floats:
-    """The right-handed turn (3, 3) about X, Y or Z by an angle's cosine and sine."""
+    """Return the right-handed turn (3, 3) about X, Y or Z by an angle's cosine and sine."""
     found, (one, two) = np.eye(3), ((about + 1) % 3, (about + 2) % 3)
     found[one, one] = found[two, two] = angle[0]
     found[one, two], found[two, one] = -angle[1], angle[1]
@@ -249,5 +249,5 @@ def _floats(text: str) -> Iterator[float]:
 
 
 def wrong(path: Path, problem: str) -> MachineError:
-    """What to raise of a ``problem`` with the file."""
+    """Return what to raise of a ``problem`` with the file."""
     return MachineError(say("{path}: {problem}", path=path, problem=problem), str(path))

@@ -35,7 +35,7 @@ class Tree:
     parents: dict[str, str]
 
     def group(self, link: str) -> str:
-        """The joint that carries a link last; empty for what stands with the root."""
+        """Return the joint that carries a link last; empty for what stands with the root."""
         joints = self.chain[link]
         return joints[-1].name if joints else ""
 
@@ -135,8 +135,8 @@ def _named(tree: Tree, words: Sequence[str], path: Path) -> str:
 
 
 def sides(tree: Tree, table: str, tool: str, path: Path) -> tuple[tuple[Joint, ...], tuple[Joint, ...]]:
-    """The joints of the table from the work to the base, and those of the head from the base to the tool.
-    Raises MachineError for a joint that is in neither, or in both."""
+    """Return the joints of the table from the work to the base, and those of the head from the base to the
+    tool. Raises MachineError for a joint that is in neither, or in both."""
     under, over = tree.chain[table], tree.chain[tool]
     if both := [joint.name for joint in under if joint in over]:
         raise wrong(path, say("joint {joint} moves table and tool alike; make it fixed", joint=both[0]))

@@ -82,8 +82,8 @@ class RotaryPair:
 
     @staticmethod
     def of(a1: Floats, a2: Floats) -> RotaryPair:
-        """The pair with unit directions ``a1``, ``a2`` (3,); they must not be parallel, nor a2 parallel to
-        ez."""
+        """Return the pair with unit directions ``a1``, ``a2`` (3,); they must not be parallel, nor a2
+        parallel to ez."""
         cos_b, towards = _cleaned(float(a2[2])), _cleaned(float(a1 @ a2) * float(a2[2]))
         sign = -1.0 if towards < 0.0 or (towards == 0.0 and a1[2] < -TINY) else 1.0
         p = sign * a1
@@ -115,7 +115,7 @@ def _cleaned(value: float) -> float:
 
 
 def poses(k: RotaryPair, axis: Floats) -> tuple[Floats, list[Pose]]:
-    """The singularity measure (m,), and the pose of each branch, for axes (m, 3)."""
+    """Return the singularity measure (m,), and the pose of each branch, for axes (m, 3)."""
     with np.errstate(invalid="ignore", divide="ignore"):
         x, y, z = split(axis)
         length = np.sqrt(x * x + y * y + z * z)
@@ -135,7 +135,7 @@ def poses(k: RotaryPair, axis: Floats) -> tuple[Floats, list[Pose]]:
 
 
 def _half_tilt(k: RotaryPair, p: Floats, across: Floats) -> tuple[_Half, Floats, Floats, Floats]:
-    """The half angle, then d, cos d and sin d; NaN beyond the reach."""
+    """Return the half angle, then d, cos d and sin d; NaN beyond the reach."""
     one_less_p = 0.5 * (
         across * across + (1.0 - p) * (1.0 - p)
     )  # 1 - p of a unit vector, without cancellation
@@ -146,8 +146,8 @@ def _half_tilt(k: RotaryPair, p: Floats, across: Floats) -> tuple[_Half, Floats,
 
 
 def _standing(k: RotaryPair, way: float, half: _Half | None) -> tuple[Column, Column]:
-    """The n and t parts of R2 ez on the branch d = way |d|, divided by what they have in common and vanishes
-    at the pole."""
+    """Return the n and t parts of R2 ez on the branch d = way |d|, divided by what they have in common and
+    vanishes at the pole."""
     if half is None:
         return 0.0, -way
     sin, cos = half
@@ -173,7 +173,7 @@ def _first(
 
 
 def _half_open(angle: Floats) -> Floats:
-    """An angle of less than a turn and a half brought into (-pi, pi]; changes it in place."""
+    """Return an angle of less than a turn and a half brought into (-pi, pi]; changes it in place."""
     angle[np.flatnonzero(angle <= -np.pi)] += 2.0 * np.pi
     angle[np.flatnonzero(angle > np.pi)] -= 2.0 * np.pi
     return angle

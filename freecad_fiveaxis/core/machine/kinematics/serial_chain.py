@@ -77,7 +77,7 @@ class Chain:
 
 
 def chain(machine: Machine, setup: Setup) -> Chain:
-    """The machine's constants in this setup. Raises MachineError for a chain without a solution."""
+    """Return the machine's constants in this setup. Raises MachineError for a chain without a solution."""
     linear = sorted(machine.linear, key=lambda axis: axis.letter)
     axes = (*linear, *machine.rotary)
     direction = np.array([axis.direction for axis in axes], float)
@@ -113,8 +113,8 @@ def chain(machine: Machine, setup: Setup) -> Chain:
 
 
 def raised(kinematics: Chain, lift: Floats) -> Chain:
-    """The chain whose driven point stands ``lift`` (3,) mm, in words X Y Z, above that of ``kinematics`` and
-    turns with the tool: its words are those of ``kinematics`` and ``lift``."""
+    """Return the chain whose driven point stands ``lift`` (3,) mm, in words X Y Z, above that of
+    ``kinematics`` and turns with the tool: its words are those of ``kinematics`` and ``lift``."""
     moves, slot = lift[:, None] * kinematics.direction[:3], np.array(kinematics.slot)
     point1, point2 = (
         point - moves[slot <= i].sum(axis=0) for i, point in enumerate((kinematics.point1, kinematics.point2))
@@ -126,8 +126,8 @@ def raised(kinematics: Chain, lift: Floats) -> Chain:
 
 
 def lift_of(kinematics: Chain, height: float, decimals: int) -> Floats:
-    """The linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words are
-    zero, rounded to ``decimals``: added to rounded words they give rounded words."""
+    """Return the linear words (3,) mm that move the tool ``height`` mm along its axis where both rotary words
+    are zero, rounded to ``decimals``: added to rounded words they give rounded words."""
     return rounded(
         np.asarray(np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, height)), float), decimals
     )
@@ -172,7 +172,7 @@ def forward(kinematics: Chain, q: Floats) -> tuple[Floats, Floats]:
 
 
 def forward_tip(kinematics: Chain, q: Floats) -> Floats:
-    """The tip (n, 3) mm alone, as forward."""
+    """Return the tip (n, 3) mm alone, as forward."""
     q = np.asarray(q, float)
     k, tip = _constants(kinematics), empty_rows(len(q), 3)
 
@@ -220,13 +220,13 @@ def inverse_axis(kinematics: Chain, axis: Floats) -> tuple[Floats, Floats]:
 
 
 def linear_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
-    """The linear words X Y Z (n, 3) mm alone, as joint_words."""
+    """Return the linear words X Y Z (n, 3) mm alone, as joint_words."""
     return joint_words(kinematics, tip, angles)[:, :3]
 
 
 def joint_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
-    """The words (n, 5) mm and rad that put the tip (n, 3) mm, work frame, in place at rotary words ``angles``
-    (n, 2) rad.
+    """Return the words (n, 5) mm and rad that put the tip (n, 3) mm, work frame, in place at rotary words
+    ``angles`` (n, 2) rad.
 
     NaN linear words where the linear axes lie in a plane, which only happens to those on different sides of a
     rotary axis.
@@ -243,7 +243,7 @@ def joint_words(kinematics: Chain, tip: Floats, angles: Floats) -> Floats:
 
 
 def branch_of(kinematics: Chain, second: Floats) -> Bytes:
-    """The branch (n,) to which a second rotary word (n,) rad of any winding belongs."""
+    """Return the branch (n,) to which a second rotary word (n,) rad of any winding belongs."""
     turns = (np.asarray(second, float) - _constants(kinematics).pair.best) / (2.0 * np.pi)
     with np.errstate(invalid="ignore"):
         return np.asarray(turns - np.ceil(turns - 0.5) < 0.0, np.int8)
@@ -297,7 +297,8 @@ def _constants(kinematics: Chain) -> _Constants:
 
 
 def _foot(point: Floats, direction: Floats) -> list[float]:
-    """The point of the line that is nearest to the work zero: any of its points gives the same turns."""
+    """Return the point of the line that is nearest to the work zero: any of its points gives the same
+    turns."""
     return cast("list[float]", clean(point - float(point @ direction) * direction).tolist())
 
 
@@ -314,7 +315,7 @@ def _tip(k: _Constants, sums: list[list[Column]], turns: Turns) -> list[Column]:
 
 
 def _linear(kinematics: Chain, k: _Constants, place: Columns, turns: Turns) -> list[Column]:
-    """The linear words for tips at known rotary words."""
+    """Return the linear words for tips at known rotary words."""
     cos1, sin1, cos2, sin2 = turns
     rest = less(place, _tip(k, [[0.0] * 3] * 3, turns))
     if len(set(kinematics.slot)) > 1:

@@ -41,7 +41,8 @@ CELLS = 65536
 
 
 def _normal(start: Vectors, end: Vectors) -> tuple[Vectors, Bools]:
-    """The unit normal of the plane of both axes; the start axis where there is none, and where that is so."""
+    """Return the unit normal of the plane of both axes; the start axis where there is none, and where that is
+    so."""
     x, y, z = start
     n = (y * end[2] - z * end[1], z * end[0] - x * end[2], x * end[1] - y * end[0])
     sine = np.sqrt(dot(n, n))
@@ -55,8 +56,8 @@ def _normal(start: Vectors, end: Vectors) -> tuple[Vectors, Bools]:
 
 
 def small_swing(start: Vectors, end: Vectors, nodes: Vectors) -> Floats:
-    """The swing (n,) rad of blocks that turn little, from the axes at both ends and at the nodes, columns (3,
-    n).
+    """Return the swing (n,) rad of blocks that turn little, from the axes at both ends and at the nodes,
+    columns (3, n).
 
     The sine is ``u (1 - u)`` times a parabola through the nodes, like the bow of the tip's path.
     """
@@ -82,7 +83,7 @@ def _some(vector: Vectors, rows: Ints) -> Vectors:
 
 
 def swing(frame: Frames, move: Motion) -> Floats:
-    """The swing (n,) rad of blocks that turn by any amount, from samples and Newton's method."""
+    """Return the swing (n,) rad of blocks that turn by any amount, from samples and Newton's method."""
     turn = np.abs(move.a_step) + np.abs(move.b_step)
     doublings = np.ceil(np.log2(np.maximum(turn / (SAMPLE_TURN * FEWEST_SAMPLES), 1.0))).astype(np.int64)
     result = np.empty(len(turn))
@@ -120,6 +121,6 @@ def _polished(frame: Frames, move: Motion, normal: Vectors, u: Floats, reach: fl
 
 
 def _angle(start: Vectors, k: Vectors) -> Floats:
-    """The angle between two unit vectors, rad, exact for small ones."""
+    """Return the angle between two unit vectors, rad, exact for small ones."""
     x, y, z = (q - p for p, q in zip(start, k, strict=True))
     return np.asarray(2.0 * np.arcsin(np.minimum(0.5 * np.sqrt(x * x + y * y + z * z), 1.0)))

@@ -75,8 +75,8 @@ class Levers:
 
 
 def bending(levers: Levers, order: int) -> Floats:
-    """The bound of ``|d^k tip / du^k|`` over the block for k = ``order`` >= 2, mm (formula at the module's
-    head)."""
+    """Return the bound of ``|d^k tip / du^k|`` over the block for k = ``order`` >= 2, mm (formula at the
+    module's head)."""
     k, a, b, turn = order, levers.a, levers.b, levers.turn
     a_once, turn_once = a, turn  # to the power of k - 1
     for _ in range(k - 2):
@@ -135,7 +135,7 @@ def _levers(move: Motion, lever1: Floats) -> Levers:
 
 
 def _without_first_turn(move: Motion) -> Motion:
-    """The same motion as seen from the first rotary axis: its tip is y."""
+    """Return the same motion as seen from the first rotary axis: its tip is y."""
     zero = np.asarray(0.0)
     still = np.zeros_like(move.a)
     return Motion(
@@ -151,7 +151,7 @@ def _ends(move: Motion, first: int) -> tuple[Vectors, Vectors]:
 
 
 def allowance(move: Motion) -> Floats:
-    """What rounding can add to a distance in these blocks (n,) mm: so many roundings of a size.
+    """Return what rounding can add to a distance in these blocks (n,) mm: so many roundings of a size.
 
     The size is the sum of the arm's components, times one more than the angles in rad: a rounded angle moves
     the tip, too.
@@ -164,7 +164,8 @@ def allowance(move: Motion) -> Floats:
 
 
 def quick_bound(kinematics: Chain, words: ArrayLike) -> Floats:
-    """A proven upper bound (m,) mm of each block's segment deviation, from the end words alone; row 0 zero.
+    """Return a proven upper bound (m,) mm of each block's segment deviation, from the end words alone; row 0
+    zero.
 
     ``words`` (m, 5) mm and **degrees**. The same-u point of the commanded segment is at most ``max |tip''| /
     8`` away (error of linear interpolation), so the segment is. It is typically four times the deviation:

@@ -17,7 +17,8 @@ from .measurement import Deviation
 
 
 def without_guided(deviation: Deviation, on: Bools, tip: Floats) -> Deviation:
-    """The same with zeros in the blocks ``on`` (m,); their place is the ``tip`` (m, 3) mm at their ends."""
+    """Return the same with zeros in the blocks ``on`` (m,); their place is the ``tip`` (m, 3) mm at their
+    ends."""
     given = (
         deviation.line,
         deviation.u_line,

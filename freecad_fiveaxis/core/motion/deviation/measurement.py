@@ -104,7 +104,7 @@ METHODS = ("exact", "so2008", "so2008-printed")
 def measure(
     kinematics: Chain, words: ArrayLike, method: str = "exact", progress: Progress = silent
 ) -> Deviation:
-    """The deviation of every block of a program, from its words as rounded for the controller.
+    """Return the deviation of every block of a program, from its words as rounded for the controller.
 
     ``words`` (m, 5) mm and **degrees** in the chain's word order, turns not folded. ``method``: ``exact``, or
     ``so2008`` or ``so2008-printed`` for ``line`` and ``u_line`` by the model of So et al. (module
@@ -225,7 +225,7 @@ def _fit(frame: Frames, words: Floats, rows: slice, table: _Table) -> Ints:
 
 
 def _five_points(frame: Frames, move: Motion, poses: Pose) -> tuple[Chord, Pose, Levers]:
-    """The chords, the poses at the nodes between their ends, and the levers."""
+    """Return the chords, the poses at the nodes between their ends, and the levers."""
     y = inner(frame, poses)
     tips, reach = np.array(outer(poses, y)), flat_length(y[0], y[1])
     return chord(tips[:, :-1], tips[:, 1:]), node_poses(move, poses), end_levers(move, reach[:-1], reach[1:])
@@ -266,8 +266,8 @@ def _columns(vector: Floats) -> Vectors:
 def same_u_deviation(
     kinematics: Chain, words: ArrayLike, progress: Progress = silent
 ) -> tuple[Floats, Floats]:
-    """The largest distance (m,) mm of the real tip from the point of the chord with the same u, and that u;
-    row 0 zero.
+    """Return the largest distance (m,) mm of the real tip from the point of the chord with the same u, and
+    that u; row 0 zero.
 
     ``words`` (m, 5) mm and **degrees**. It is never less than the segment deviation, and accurate like that.
     """

@@ -83,23 +83,24 @@ class Bow:
 
 
 def chord(start: Floats, end: Floats) -> Chord:
-    """The chords of blocks between the tips (3, n) at their ends."""
+    """Return the chords of blocks between the tips (3, n) at their ends."""
     vector = end - start
     length = _lengths(vector)
     return Chord(start, vector, vector * ((length > POINT) / np.maximum(length, POINT)), length)
 
 
 def held_back(move: Motion, way: Chord, blocks: Bools) -> Motion:
-    """The motion, in these ``blocks`` (n,) less the even motion along their chords: the path then begins and
-    ends at the chord's start, and is as far from it as the real path is from the chord's point of the same
-    u."""
+    """Return the motion, in these ``blocks`` (n,) less the even motion along their chords: the path then
+    begins and ends at the chord's start, and is as far from it as the real path is from the chord's point of
+    the same u."""
     start = tuple(np.broadcast_to(p, way.length.shape) for p in move.arm[:3])
     step = tuple(p - np.where(blocks, v, 0.0) for p, v in zip(move.arm_step[:3], way.vector, strict=True))
     return replace(move, arm=start + move.arm[3:], arm_step=step + move.arm_step[3:])
 
 
 def node_poses(move: Motion, rows: Pose) -> Pose:
-    """The poses at the nodes, by angle addition from those of the ``rows`` (n + 1) between the blocks."""
+    """Return the poses at the nodes, by angle addition from those of the ``rows`` (n + 1) between the
+    blocks."""
     arm = tuple(
         p if p.ndim == 0 else p + NODES * step for p, step in zip(move.arm, move.arm_step, strict=True)
     )
@@ -118,8 +119,8 @@ def _added(cos: Floats, sin: Floats, step: Floats) -> tuple[Floats, Floats]:
 
 
 def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
-    """The largest distance from the chord of the paths through ``nodes``: components, nodes, blocks (3, 3,
-    n), mm; from a chord that is a point, from its point of the same u."""
+    """Return the largest distance from the chord of the paths through ``nodes``: components, nodes, blocks
+    (3, 3, n), mm; from a chord that is a point, from its point of the same u."""
     full = _coefficients(way, nodes)
     along = [_dots(v, way.along) for v in full]
     a, b, c = (v - part * way.along for v, part in zip(full, along, strict=True))
@@ -144,8 +145,8 @@ def bow(way: Chord, nodes: Floats, levers: Levers) -> Bow:
 
 
 def _coefficients(way: Chord, nodes: Floats) -> tuple[Floats, Floats, Floats]:
-    """A, B, C (3, n) of the bow through the nodes: g there is the way from the same-u point, over u (1 -
-    u)."""
+    """Return a, B, C (3, n) of the bow through the nodes: g there is the way from the same-u point, over u (1
+    - u)."""
     low, mid, high = (nodes[:, j] - (way.start + u * way.vector) for j, u in enumerate(NODES[:, 0].tolist()))
     return 4.0 * mid, (32.0 / 3.0) * (high - low), (128.0 / 3.0) * (low + high) - 64.0 * mid
 

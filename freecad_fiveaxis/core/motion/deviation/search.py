@@ -69,7 +69,7 @@ class Chords:
     turn: Floats
 
     def take(self, rows: Ints) -> Chords:
-        """The chords of some blocks; an index may come more than once."""
+        """Return the chords of some blocks; an index may come more than once."""
         columns = (column[rows] for column in (self.low, self.high, self.second, self.third, self.turn))
         return Chords(self.move.take(rows), _taken(self.origin, rows), _taken(self.along, rows), *columns)
 
@@ -98,8 +98,8 @@ class _Local:
 
 
 def farthest(frame: Frames, chords: Chords) -> tuple[Floats, Floats, Floats]:
-    """The largest distance (n,) mm of each block's path from its chord, its u, and an upper bound of that
-    distance.
+    """Return the largest distance (n,) mm of each block's path from its chord, its u, and an upper bound of
+    that distance.
 
     The distance is one that the path takes at that u; the bound holds for every u, up to the rounding of the
     arithmetic.
@@ -129,7 +129,7 @@ def _branch_and_bound(frame: Frames, chords: Chords) -> tuple[Floats, Floats]:
 
 
 def _proven(best: Floats) -> Floats:
-    """The distance that no piece may exceed: what the search proves, and where it ends."""
+    """Return the distance that no piece may exceed: what the search proves, and where it ends."""
     return best * (1.0 + RELATIVE) + ABSOLUTE
 
 

@@ -81,7 +81,7 @@ rounding."""
 def line_deviation(
     kinematics: Chain, words: Floats, printed: bool = False, progress: Progress = silent
 ) -> tuple[Floats, Floats, tuple[Finding, ...]]:
-    """The largest distance (m,) mm from the infinite line by the model, and its u; row 0 zero.
+    """Return the largest distance (m,) mm from the infinite line by the model, and its u; row 0 zero.
 
     ``words`` (m, 5) mm and **degrees**; ``printed``: eq. (8) and Table 1 to the letter. u is the model's
     (eqs. 7 to 9), the distance that of the real tip at this u (eq. 6). Where the quartic has several roots
@@ -115,7 +115,7 @@ def model_tip(kinematics: Chain, words: Floats, u: Floats) -> Floats:
 
 
 def _wide(move: Motion) -> tuple[list[Floats], list[Floats]]:
-    """The arm ``s`` and its step with every column of full length."""
+    """Return the arm ``s`` and its step with every column of full length."""
     shape = move.a.shape
     return [np.broadcast_to(p, shape) for p in move.arm[:3]], [
         np.broadcast_to(p, shape) for p in move.arm_step[:3]
@@ -176,8 +176,8 @@ def _eq_8(
 
 
 def _quartic_roots(u: Floats, f: Floats) -> Floats:
-    """The four roots (4, n) of the quartic through ``f`` at ``u``, both (5, n): eq. (9), as eigenvalues of
-    the companion."""
+    """Return the four roots (4, n) of the quartic through ``f`` at ``u``, both (5, n): eq. (9), as
+    eigenvalues of the companion."""
     powers = u.T[:, :, None] ** np.arange(4, -1, -1)
     c = np.linalg.solve(powers, f.T[:, :, None])[:, :, 0]
     least = FLAT_LEAD * np.abs(c).max(axis=1)
@@ -189,8 +189,8 @@ def _quartic_roots(u: Floats, f: Floats) -> Floats:
 
 
 def _farthest(frame: Frames, move: Motion, poses: Pose, u: Floats, valid: Bools) -> tuple[Floats, Floats]:
-    """The largest distance (eq. 6) of the real tip at the candidates from the line through the chord, and its
-    u."""
+    """Return the largest distance (eq. 6) of the real tip at the candidates from the line through the chord,
+    and its u."""
     start = outer(poses, inner(frame, poses))
     vector = tuple(np.diff(p) for p in start)
     square = dot((vector[0], vector[1], vector[2]), (vector[0], vector[1], vector[2]))

@@ -122,7 +122,7 @@ def within_limits(angles: Floats, low: Floats, high: Floats) -> Bools:
 
 
 def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) -> Bools:
-    """The breaks (n - 1,) of a way that was chosen."""
+    """Return the breaks (n - 1,) of a way that was chosen."""
     broken = np.empty(len(cutting), bool)
     for rows in chunks(len(broken)):
         travel = np.abs(np.diff(words[rows.start : rows.stop + 1], axis=0))
@@ -133,12 +133,12 @@ def broken_steps(words: Floats, branch: Bytes, cutting: Bools, crossing: Bools) 
 
 
 def _limited(low: float, high: float) -> bool:
-    """A word that is limited on one side only can always be brought inside by whole turns."""
+    """Return a word that is limited on one side only can always be brought inside by whole turns."""
     return math.isfinite(low) and math.isfinite(high)
 
 
 def _least_word(angle: Floats, low: float) -> Floats:
-    """The least winding of ``angle`` that is not below ``low``."""
+    """Return the least winding of ``angle`` that is not below ``low``."""
     return np.asarray(angle - TURN * np.floor((angle - low + SLACK) * (1.0 / TURN)))
 
 
@@ -160,8 +160,8 @@ def _windings(low: float, high: float) -> int:
 
 
 def _fitting_turns(word: Floats, low: float, high: float) -> float:
-    """The whole turns nearest to none that bring all of ``word`` (n,) within the limits; NaN where none
-    do."""
+    """Return the whole turns nearest to none that bring all of ``word`` (n,) within the limits; NaN where
+    none do."""
     least = math.ceil((low - 2 * SLACK - float(word.min())) / TURN) if math.isfinite(low) else -math.inf
     most = math.floor((high + 2 * SLACK - float(word.max())) / TURN) if math.isfinite(high) else math.inf
     return min(max(0.0, least), most) if least <= most else math.nan
@@ -191,7 +191,7 @@ def _layers(angles: Floats, fits: Bools, low: Floats, high: Floats, wraps: list[
 
 
 def _solve(layers: Layers, cutting: Bools, crossing: Bools, progress: Progress) -> tuple[Floats, Bytes]:
-    """The best states' words (n, 2), unwound where they wrap, and branch (n,)."""
+    """Return the best states' words (n, 2), unwound where they wrap, and branch (n,)."""
     entry = PREFER_ZERO * np.abs(layers.word[:, :, 0]).sum(0)
     entry[~layers.fits[:, 0]] = math.inf
     state = _by_branch_runs(layers, entry, cutting, crossing, progress) if all(layers.wraps) else None
@@ -230,7 +230,7 @@ def _unwind(word: Floats) -> None:
 
 
 def _nearest(step: Floats) -> Floats:
-    """The size of steps between angles on their nearest windings; changes ``step``."""
+    """Return the size of steps between angles on their nearest windings; changes ``step``."""
     step -= TURN * np.rint(step * (1.0 / TURN))
     return np.abs(step, out=step)
 
@@ -270,8 +270,8 @@ def _step_cost(
 def _by_branch_runs(
     layers: Layers, entry: Floats, cutting: Bools, crossing: Bools, progress: Progress
 ) -> Ints | None:
-    """The best states (n,) where both words wrap; None where changing branch at gates only is not proven to
-    be the best."""
+    """Return the best states (n,) where both words wrap; None where changing branch at gates only is not
+    proven to be the best."""
     if len(layers.branch) == 1:
         return np.zeros(len(cutting) + 1, np.int64)
     if not len(cutting):
@@ -293,9 +293,9 @@ def _by_branch_runs(
 
 
 def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -> tuple[Ints, Floats, float]:
-    """The steps ``rows`` cut into gates and branch runs of at most LONGEST steps: the first step of each,
-    their costs (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may follow,
-    on a branch run's only one."""
+    """Return the steps ``rows`` cut into gates and branch runs of at most LONGEST steps: the first step of
+    each, their costs (2, 2, m), and the sum of all steps' least costs. On a gate's step both branches may
+    follow, on a branch run's only one."""
     ends, after = slice(rows.start, rows.stop + 1), slice(rows.start + 1, rows.stop + 1)
     first, second = layers.word[:, :, ends]
     stay = _nearest(np.diff(first)) + _nearest(np.diff(second))
@@ -315,7 +315,7 @@ def _branch_runs(layers: Layers, cutting: Bools, crossing: Bools, rows: slice) -
 
 
 def least_path(entry: Floats, cost: StepCost, steps: int, progress: Progress = silent) -> Ints:
-    """The states (steps + 1,) of the cheapest way through the layers.
+    """Return the states (steps + 1,) of the cheapest way through the layers.
 
     ``entry`` (s,) cost of starting in each state; ``cost(start, end)`` the (s, s, end - start) costs of those
     steps, inf where there is no way. At least one way must be finite.
@@ -337,7 +337,7 @@ def least_path(entry: Floats, cost: StepCost, steps: int, progress: Progress = s
 
 
 def _fold(cost: Floats, blocks: int) -> Floats:
-    """Steps as (position, s, s, block), the end filled with steps that stay where they are."""
+    """Return steps as (position, s, s, block), the end filled with steps that stay where they are."""
     count, steps = len(cost), cost.shape[2]
     length = -(-steps // blocks)
     stay = np.where(np.eye(count, dtype=bool), 0.0, math.inf)
@@ -348,7 +348,8 @@ def _fold(cost: Floats, blocks: int) -> Floats:
 
 
 def _advance(value: Floats, cost: Floats) -> tuple[Floats, Bytes]:
-    """The least values (s,) after the slab, and for each state where it came from, (position, s, block)."""
+    """Return the least values (s,) after the slab, and for each state where it came from, (position, s,
+    block)."""
     length, count, _, blocks = cost.shape
     product = cost[0]
     for step in cost[1:]:
@@ -377,8 +378,8 @@ def _product(left: Floats, right: Floats) -> Floats:
 
 
 def _retrace(trace: Bytes, last: int) -> Ints:
-    """The states before every step of the slab, in the order of the steps, from the state after the last
-    one."""
+    """Return the states before every step of the slab, in the order of the steps, from the state after the
+    last one."""
     length, count, blocks = trace.shape
     block = np.arange(blocks)
     origin = np.broadcast_to(np.arange(count)[:, None], (count, blocks))

@@ -124,8 +124,8 @@ def solve(
 
 
 def _above(path: CLPath, height: float) -> Bools:
-    """The steps (n - 1,) that are rapids with both ends at least that high: a tool that swings there meets
-    nothing."""
+    """Return the steps (n - 1,) that are rapids with both ends at least that high: a tool that swings there
+    meets nothing."""
     high = path.tip[:, 2] >= height
     return np.asarray((path.motion[1:] == Motion.RAPID) & high[1:] & high[:-1])
 
@@ -308,7 +308,7 @@ def _turn_at_once(harmless: Floats, bounds: Ints, best: Floats, words: Floats, b
 
 
 def _rows_between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
-    """The runs (m,) and rows (m,) behind ``first`` (k,) up to and with ``last`` (k,)."""
+    """Return the runs (m,) and rows (m,) behind ``first`` (k,) up to and with ``last`` (k,)."""
     length = last - first
     run = np.repeat(np.arange(len(first)), length)
     return run, np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first - 1, length)
@@ -348,7 +348,7 @@ def _finish(drive: Drive, kinematics: Chain, findings: tuple[Finding, ...]) -> J
 
 
 def _limit_findings(path: CLPath, kinematics: Chain, q: Floats) -> tuple[Finding, ...]:
-    """An error for each linear axis that the path drives beyond its limits, with the worst place."""
+    """Return an error for each linear axis that the path drives beyond its limits, with the worst place."""
     findings = []
     for axis in range(3):
         for sign, limit in ((-1.0, float(kinematics.low[axis])), (1.0, float(kinematics.high[axis]))):

@@ -176,7 +176,7 @@ def _follow(drive: Drive, kinematics: Chain, breaks: Ints, share: Floats, end: i
 
 
 def _axis_at(path: CLPath, breaks: Ints, share: Floats) -> Floats:
-    """The commanded axis (b, 3) at a share of the step: along the great arc (slerp)."""
+    """Return the commanded axis (b, 3) at a share of the step: along the great arc (slerp)."""
     return slerp(path.axis[breaks], path.axis[breaks + 1], share)
 
 
@@ -306,7 +306,8 @@ def _evenly(drive: Drive, arrival: Ints, pieces: Ints) -> tuple[Floats, Floats, 
 def rewind_findings(
     given: Drive, driven: Drive, kinematics: Chain, breaks: Ints, uncut: Floats
 ) -> tuple[Finding, ...]:
-    """A warning for each of the first breaks, one with their number, and one for what they leave uncut."""
+    """Return a warning for each of the first breaks, one with their number, and one for what they leave
+    uncut."""
     findings = []
     for step in breaks[:LISTED].tolist():
         block = int(np.searchsorted(driven.row, step + 1))

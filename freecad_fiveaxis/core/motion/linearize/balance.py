@@ -18,21 +18,21 @@ from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
 
 
 def even_shares(count: Ints) -> Floats:
-    """The shares of all rows of blocks in ``count`` (b,) pieces of equal length."""
+    """Return the shares of all rows of blocks in ``count`` (b,) pieces of equal length."""
     first = first_rows(count)
     row = np.arange(int((count + 1).sum())) - np.repeat(first, count + 1)
     return np.asarray(row / np.repeat(count, count + 1))
 
 
 def first_rows(count: Ints) -> Ints:
-    """The row (b,) that each block begins at."""
+    """Return the row (b,) that each block begins at."""
     return np.asarray(np.cumsum(count + 1) - (count + 1))
 
 
 def balanced_shares(
     share: Floats, load: Floats, before: Ints, calm: Bools, blocks: Ints, after: Ints
 ) -> Floats:
-    """The shares of all rows of the ``blocks``, in ``after`` pieces of even load.
+    """Return the shares of all rows of the ``blocks``, in ``after`` pieces of even load.
 
     ``share``, ``load``: of all rows as they were, of ``before`` (b,) pieces; ``calm`` (b,): blocks whose
     loads differ by the noise of rounding, which is taken off; ``blocks`` (g,) that go on.

@@ -83,12 +83,12 @@ class CommandedMoves:
     last: Floats
 
     def take(self, rows: Ints) -> CommandedMoves:
-        """The moves of some blocks."""
+        """Return the moves of some blocks."""
         return CommandedMoves(*(column[rows] for column in vars(self).values()))
 
 
 def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -> Floats:
-    """Rounded words (n, 5), mm and **degrees**, that put the tip (n, 3) mm in place at rotary words
+    """Return rounded words (n, 5), mm and **degrees**, that put the tip (n, 3) mm in place at rotary words
     ``angles`` (n, 2) rad.
 
     NaN linear words where the linear axes lie in a plane.
@@ -101,7 +101,7 @@ def placed_words(kinematics: Chain, tip: Floats, angles: Floats, steps: Steps) -
 def commanded_moves(
     kinematics: Chain, tip: Floats, angles: Floats, words: Floats, rows: Ints
 ) -> CommandedMoves:
-    """The moves of the blocks that end in ``rows`` (b,).
+    """Return the moves of the blocks that end in ``rows`` (b,).
 
     ``tip`` (m, 3) mm and ``angles`` (m, 2) rad of all rows as commanded, ``words`` (m, 5) their rounded
     words.
@@ -143,14 +143,14 @@ def _axis(kinematics: Chain, angles: Floats) -> Floats:
 
 
 def _azimuth(kinematics: Chain, pair: RotaryPair, first: Floats, second: Floats) -> Floats:
-    """The angle of the tool axis about the pole, rad."""
+    """Return the angle of the tool axis about the pole, rad."""
     n, t, _ = np.asarray(pair.frame) @ _axis(kinematics, np.stack([first, second], axis=1)).T
     return np.asarray(np.arctan2(t, n))
 
 
 def follow(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats, steps: Steps) -> Floats:
-    """Rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the move ``block`` (r,); the block's
-    own at its ends."""
+    """Return rounded words (r, 5), mm and **degrees**, at a ``share`` (r,) of the move ``block`` (r,); the
+    block's own at its ends."""
     tip = way.tip[block] + share[:, None] * way.chord[block]
     words = placed_words(kinematics, tip, _angles(kinematics, way, block, share), steps)
     for end, own in ((0.0, way.first), (1.0, way.last)):
@@ -173,13 +173,13 @@ def _angles(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) 
 
 
 def arc_axis(way: CommandedMoves, block: Ints, share: Floats) -> Floats:
-    """The unit tool axis (r, 3) on the arc, of moves that have one."""
+    """Return the unit tool axis (r, 3) on the arc, of moves that have one."""
     return slerp(way.axis0[block], way.axis1[block], share)
 
 
 def tool_axis(kinematics: Chain, way: CommandedMoves, block: Ints, share: Floats) -> Floats:
-    """The unit tool axis (r, 3) of each move at a share: on the arc, or where the even rotary words lead
-    it."""
+    """Return the unit tool axis (r, 3) of each move at a share: on the arc, or where the even rotary words
+    lead it."""
     axis = _axis(kinematics, way.start[block] + share[:, None] * way.turn[block])
     rows = np.flatnonzero(~way.even[block])
     axis[rows] = arc_axis(way, block[rows], share[rows])

@@ -69,13 +69,13 @@ class Divided:
     doubt: Bools
 
     def taken(self, blocks: Ints) -> Divided:
-        """The division of some blocks, ascending."""
+        """Return the division of some blocks, ascending."""
         rows = np.flatnonzero(np.isin(np.repeat(np.arange(len(self.count)), self.count - 1), blocks))
         goal, held = self.goal[blocks], self.held[blocks]
         return Divided(self.count[blocks], self.share[rows], self.words[rows], goal, held, self.doubt[blocks])
 
     def with_others(self, rows: Ints, others: Divided) -> Divided:
-        """The same with the blocks ``rows`` as they are in ``others``."""
+        """Return the same with the blocks ``rows`` as they are in ``others``."""
         count, goal, held, doubt = self.count.copy(), self.goal.copy(), self.held.copy(), self.doubt.copy()
         count[rows], goal[rows], held[rows], doubt[rows] = (
             others.count,
@@ -205,7 +205,7 @@ def _tried(kinematics: Chain, way: CommandedMoves, state: _State, share: Floats,
 
 
 def _load(deviation: Floats, goal: Floats, rounding: Floats, inside: Bools) -> Floats:
-    """The load of all rows from that of the pieces between them."""
+    """Return the load of all rows from that of the pieces between them."""
     room = np.maximum(goal - rounding, LEAST_ROOM * goal)
     return np.append(np.where(inside, np.minimum(np.sqrt(deviation / room), LARGEST_LOAD), 0.0), 0.0)
 

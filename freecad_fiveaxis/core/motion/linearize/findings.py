@@ -43,8 +43,8 @@ class Outcome:
 def found(
     kinematics: Chain, outcome: Outcome, words: Floats, new: Ints, steps: Steps, tolerance: float
 ) -> tuple[Finding, ...]:
-    """The findings of a division: ``words`` (k, 5) of the divided path, mm and degrees, ``new`` its inserted
-    rows."""
+    """Return the findings of a division: ``words`` (k, 5) of the divided path, mm and degrees, ``new`` its
+    inserted rows."""
     rows = _end_rows(outcome)
     divided, even = outcome.count > 1, outcome.even & (outcome.count > 1)
     coarse, whole = np.isfinite(outcome.held) & (outcome.held > tolerance), np.isinf(outcome.held)
@@ -100,7 +100,7 @@ def found(
 
 
 def _end_rows(outcome: Outcome) -> Ints:
-    """The rows of the divided path that the blocks end in."""
+    """Return the rows of the divided path that the blocks end in."""
     return np.asarray(outcome.row + np.cumsum(outcome.count - 1), np.int64)
 
 
@@ -114,7 +114,7 @@ def _at(
     words: Floats,
     rows: Ints,
 ) -> Finding:
-    """A finding at the first of ``rows``."""
+    """Return a finding at the first of ``rows``."""
     row = int(rows[0])
     return report_finding(code, text, value, limit, row, place=_place(kinematics, words[row]), unit=unit)
 
@@ -130,7 +130,7 @@ def _spot(kinematics: Chain, words: Floats) -> Sentence:
 
 
 def _beyond_limits(kinematics: Chain, words: Floats, new: Ints) -> list[Finding]:
-    """An error for each axis that inserted rows drive beyond its limits, at the worst place."""
+    """Return an error for each axis that inserted rows drive beyond its limits, at the worst place."""
     reports = []
     q = words_to_q(words[new])
     for k, letter in enumerate(kinematics.letters):

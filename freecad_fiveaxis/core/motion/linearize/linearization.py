@@ -72,8 +72,8 @@ def linearize(
     progress: Progress = silent,
     above: float = 0.0,
 ) -> JointPath:
-    """The joint path with every feed block that is over ``tolerance`` (mm) divided into the fewest that hold
-    it.
+    """Return the joint path with every feed block that is over ``tolerance`` (mm) divided into the fewest
+    that hold it.
 
     ``wanted`` (n,): only the blocks that end in these rows may be divided; None: all. Rapids never are.
     ``above`` (mm): the point that holds the tolerance stands so far above the driven one along the tool axis,
@@ -133,8 +133,8 @@ def linearize_words(
     feeds: Bools | None = None,
     progress: Progress = silent,
 ) -> tuple[Floats, Ints, tuple[Finding, ...]]:  # fmt: skip
-    """The words of a program with every block that is over ``tolerance`` (mm) divided into the fewest that
-    hold it.
+    """Return the words of a program with every block that is over ``tolerance`` (mm) divided into the fewest
+    that hold it.
 
     ``words`` (m, 5) mm and **degrees**, turns not folded; ``decimals`` of linear and of rotary words;
     ``feeds`` (m,): the blocks that may be divided, None: all. Returns the words (k, 5), the row (k,) of
@@ -273,7 +273,7 @@ def _of_portion(
 
 
 def _woven(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
-    """The given rows and the inserted ones, each before the row that its block ends in."""
+    """Return the given rows and the inserted ones, each before the row that its block ends in."""
     pieces = np.ones(len(words), np.int64)
     pieces[outcome.row] = outcome.count
     row = np.repeat(np.arange(len(words)), pieces)
@@ -288,15 +288,15 @@ def _woven(words: Floats, outcome: Outcome, parts: list[_Part]) -> _Way:
 
 
 def _moved(findings: tuple[Finding, ...], way: _Way) -> Iterator[Finding]:
-    """The findings of the given path, each at the row that its own has become."""
+    """Yield the findings of the given path, each at the row that its own has become."""
     own = np.flatnonzero(way.share == 1.0)
     for finding in findings:
         yield finding if finding.block is None else replace(finding, block=int(own[finding.block]))
 
 
 def _longer(path: CLPath, way: _Way, above: float) -> CLPath:
-    """The CL path with the inserted rows. Those that cut touch the part between their neighbours, the others
-    nothing. The point ``above`` mm over the tip goes straight."""
+    """Return the CL path with the inserted rows. Those that cut touch the part between their neighbours, the
+    others nothing. The point ``above`` mm over the tip goes straight."""
     columns: dict[str, Any] = {name: getattr(path, name)[way.row] for name in _CL_COLUMNS}
     new, share = way.new, way.share[way.new][:, None]
     end = way.row[new]

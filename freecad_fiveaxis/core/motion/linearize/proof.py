@@ -91,8 +91,8 @@ def judge_pieces(
 
 
 def _by_quartic(way: Chord, nodes: Floats, levers: Levers) -> tuple[Floats, Floats]:
-    """A distance that each path takes from its chord, and a bound of all, infinite where there is no proof;
-    ``nodes`` (3, 3, n).
+    """Return a distance that each path takes from its chord, and a bound of all, infinite where there is no
+    proof; ``nodes`` (3, 3, n).
 
     The bound of the distance from the infinite line is that of ``deviation.quartic``. Where the foot of the
     perpendicular may leave the chord, it overshoots it by at most ``(1 - u) (u G - L)``, G the longest
@@ -116,20 +116,20 @@ def _by_quartic(way: Chord, nodes: Floats, levers: Levers) -> tuple[Floats, Floa
 
 
 def _bows(way: Chord, nodes: Floats) -> list[Floats]:
-    """A, B, C (3, n) of g = A + B s + C s^2 through the nodes; ``u (1 - u) g`` is the way from the chord at
-    the same u."""
+    """Return a, B, C (3, n) of g = A + B s + C s^2 through the nodes; ``u (1 - u) g`` is the way from the
+    chord at the same u."""
     low, mid, high = (nodes[:, j] - way.start - u * way.vector for j, u in enumerate(NODES[:, 0]))
     return [4.0 * mid, (32.0 / 3.0) * (high - low), (128.0 / 3.0) * (low + high) - 64.0 * mid]
 
 
 def _longest(sizes: list[Floats]) -> Floats:
-    """The longest that g, or a part of it, can be, from the sizes of A, B and C: ``|s| <= 1/2``."""
+    """Return the longest that g, or a part of it, can be, from the sizes of A, B and C: ``|s| <= 1/2``."""
     a, b, c = (np.abs(size) for size in sizes)
     return np.asarray(a + 0.5 * b + 0.25 * c)
 
 
 def _sampled(points: Floats, start: Floats, vector: Floats) -> Floats:
-    """The largest distance (n,) of points (3, k, n) from segments."""
+    """Return the largest distance (n,) of points (3, k, n) from segments."""
     way = points - start[:, None]
     share = np.clip(_dots(way, vector) / np.maximum(_dots(vector, vector), SMALLEST), 0.0, 1.0)
     rest = way - share * vector[:, None]
@@ -141,8 +141,8 @@ def _dots(p: Floats, q: Floats) -> Floats:
 
 
 def searched(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]:
-    """The segment deviation (n,) mm of blocks from words ``start`` to ``end`` (n, 5), and its proven bound,
-    by search."""
+    """Return the segment deviation (n,) mm of blocks from words ``start`` to ``end`` (n, 5), and its proven
+    bound, by search."""
     move = motion(frame, start, end)
     ends = [np.array(tip(frame, at(move, np.full_like(move.a, u)))) for u in (0.0, 1.0)]
     way, levers = chord(ends[0], ends[1]), close_levers(frame, move)
@@ -156,8 +156,8 @@ def searched(frame: Frames, start: Floats, end: Floats) -> tuple[Floats, Floats]
 
 
 def off_segment(frame: Frames, words: Floats, start: Floats, vector: Floats) -> Floats:
-    """The distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from the segments at
-    ``start`` (n, 3) along ``vector`` (n, 3), work frame, mm."""
+    """Return the distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from the segments
+    at ``start`` (n, 3) along ``vector`` (n, 3), work frame, mm."""
     move = motion(frame, words, words)
     points = np.array(tip(frame, at(move, np.zeros_like(move.a))))
     points[np.isnan(points)] = 0.0  # words that are no numbers are out of the question anyway
@@ -165,6 +165,6 @@ def off_segment(frame: Frames, words: Floats, start: Floats, vector: Floats) -> 
 
 
 def off_points(frame: Frames, words: Floats, tip_: Floats) -> Floats:
-    """The distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from points (n, 3) of the
-    work frame."""
+    """Return the distance (n,) mm of the real tip at ``words`` (n, 5), mm and **degrees**, from points (n, 3)
+    of the work frame."""
     return off_segment(frame, words, tip_, np.zeros_like(tip_))

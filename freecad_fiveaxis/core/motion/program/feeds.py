@@ -117,8 +117,8 @@ def _length(vector: Floats) -> Floats:
 
 
 def _lever_arms(kinematics: Chain, q: Floats) -> Floats:
-    """An upper bound, for each block (m - 1,), of the distance from either rotary line to what it turns, mm:
-    that at its farther end, because the linear words go straight."""
+    """Return an upper bound, for each block (m - 1,), of the distance from either rotary line to what it
+    turns, mm: that at its farther end, because the linear words go straight."""
     between = float(np.linalg.norm(kinematics.point2 - kinematics.point1)) + float(
         np.linalg.norm(kinematics.point2)
     )
@@ -147,8 +147,8 @@ def _sampled(kinematics: Chain, words: list[Floats], tip: list[Floats], pieces: 
 
 
 def _extrapolated(path: Floats) -> Floats:
-    """The length of the chords between all points (3, 2 k + 1, m), corrected by that between every other
-    one."""
+    """Return the length of the chords between all points (3, 2 k + 1, m), corrected by that between every
+    other one."""
     fine: Floats = _length(np.diff(path, axis=1)).sum(axis=0)
     coarse: Floats = _length(np.diff(path[:, ::2], axis=1)).sum(axis=0)
     length: Floats = fine + (fine - coarse) / 3.0
@@ -156,7 +156,8 @@ def _extrapolated(path: Floats) -> Floats:
 
 
 def _by_parabolas(path: Floats) -> Floats:
-    """The length of the parabolas through each three of the points (3, 2 k + 1, m); a cusp is one of them.
+    """Return the length of the parabolas through each three of the points (3, 2 k + 1, m); a cusp is one of
+    them.
 
     With chord c and sag s of the middle the course is ``c + 4 v s``, v from -1 to 1, and ``|c + 4 v s|^2 = a
     v^2 + b v + g``.
@@ -194,7 +195,7 @@ def rapid_minutes(kinematics: Chain, change: Floats) -> Floats:
 
 
 def least_minutes(rate: Floats, change: Floats) -> Floats:
-    """The shortest time (n,) in which no axis exceeds its ``rate`` (5,); ``change`` (n, 5) in the same
+    """Return the shortest time (n,) in which no axis exceeds its ``rate`` (5,); ``change`` (n, 5) in the same
     units."""
     least: Floats = np.abs(change[:, 0]) / rate[0]
     for k in range(1, 5):

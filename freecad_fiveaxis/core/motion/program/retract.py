@@ -33,9 +33,9 @@ LEAST_LIFT = 0.5
 
 
 def plane_above(kinematics: Chain, low: Floats, high: Floats, margin: float, words: Floats) -> float:
-    """The word of Z (mm) of the plane ``margin`` mm above the part's box ``low``, ``high`` (3,) mm; not below
-    the words (m, 5) of the blocks with which the program begins and ends. Raises SettingsError where Z does
-    not lift the tool.
+    """Return the word of Z (mm) of the plane ``margin`` mm above the part's box ``low``, ``high`` (3,) mm;
+    not below the words (m, 5) of the blocks with which the program begins and ends. Raises SettingsError
+    where Z does not lift the tool.
 
     The highest of all pairs of rotary words is not found but bounded: where it lies between those looked at,
     its slope is zero, and the nearest of them is lower by no more than the bend over half a step.
@@ -75,7 +75,7 @@ def _angles(kinematics: Chain) -> Floats:
 
 
 def upwards(kinematics: Chain, angles: Floats) -> Floats:
-    """The machine's Z (n, 3) in the work frame: turned by the axes of the table alone."""
+    """Return the machine's Z (n, 3) in the work frame: turned by the axes of the table alone."""
     up = np.tile((0.0, 0.0, 1.0), (len(angles), 1))
     for k in (1, 0):
         if kinematics.axes[3 + k].side == "table":
@@ -84,7 +84,7 @@ def upwards(kinematics: Chain, angles: Floats) -> Floats:
 
 
 def within_travel(kinematics: Chain, height: float) -> tuple[float, tuple[Finding, ...]]:
-    """The height, or the limit of Z where that is lower, and what there is to say of it."""
+    """Return the height, or the limit of Z where that is lower, and what there is to say of it."""
     low, high = float(kinematics.low[2]), float(kinematics.high[2])
     if low <= height <= high:
         return height, ()

@@ -75,7 +75,7 @@ class Program:
 
 
 def feed_blocks(program: Program) -> Ints:
-    """The rows of the feed blocks. Row 0 is none: where the machine comes from is not known."""
+    """Return the rows of the feed blocks. Row 0 is none: where the machine comes from is not known."""
     rows = np.flatnonzero(program.motion != Motion.RAPID)
     return rows[rows > 0]
 
@@ -83,8 +83,8 @@ def feed_blocks(program: Program) -> Ints:
 def build_program(
     joints: JointPath, kinematics: Chain, dialect: Dialect, inverse_time: bool, progress: Progress = silent
 ) -> Program:
-    """The program of a joint path for one controller: rounded words, one block for every row that moves, F
-    words, times.
+    """Return the program of a joint path for one controller: rounded words, one block for every row that
+    moves, F words, times.
 
     A row whose words are all those of the row before it is left out (row 0 never). Row 0 is a rapid, because
     no time can be given for a move that starts nowhere. Raises ProgramError where another row that is no
@@ -166,7 +166,8 @@ def _round_guided(joints: JointPath, guide: Guide, dialect: Dialect) -> tuple[Fl
 def _guided(
     joints: JointPath, row: Ints, programmed: Floats, kinematics: Chain, guide: Guide
 ) -> tuple[Guided, Floats, Floats]:
-    """What the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m, 5)."""
+    """Return what the guided blocks say; the tip with the rotary words (m, 5); and where the axes stand (m,
+    5)."""
     tip, angles, vector = programmed[:, :3], programmed[:, 3:], None
     if guide.vector is not None:
         vector = rounded(take_rows(joints.path.axis, row), guide.vector_decimals)
@@ -239,8 +240,8 @@ class _FeedScale:
         return self.dialect.largest_inverse if self.inverse_time else self.dialect.largest_feed
 
     def distance(self, change: Floats) -> Floats:
-        """What F times minutes gives in blocks that change the words by ``change`` (n, 5) mm and deg: 1, or
-        what F is measured over, mm (deg)."""
+        """Return what F times minutes gives in blocks that change the words by ``change`` (n, 5) mm and deg:
+        1, or what F is measured over, mm (deg)."""
         return np.ones(len(change)) if self.inverse_time else feed_distance(self.dialect, change)
 
     def rounded_down(self, commanded: Floats) -> Floats:
@@ -310,8 +311,8 @@ def _time_blocks(
 
 
 def block_findings(findings: tuple[Finding, ...], program: Program) -> tuple[Finding, ...]:
-    """Findings whose ``block`` is a row of the joint path, at the block of the program that drives to it,
-    with its NC line.
+    """Return findings whose ``block`` is a row of the joint path, at the block of the program that drives to
+    it, with its NC line.
 
     A row without a block of its own (the row before it has the same words) is at that row's.
     """

@@ -54,7 +54,7 @@ def by_the_shorter_way(
     dialect: Dialect,
     feeding: Bools,
 ) -> tuple[Floats, tuple[Finding, ...]]:
-    """The words (m, 5) mm and degrees as the axes really turn, and what there is to say about it.
+    """Return the words (m, 5) mm and degrees as the axes really turn, and what there is to say about it.
 
     ``rotary``: the machine's strategies, ``wrap``: how they are written (``wraps_of``); ``feeding`` (m,) is
     False in rapids. Where the machine file says modulo no block turns by more than half a turn, however its

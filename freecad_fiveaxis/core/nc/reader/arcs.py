@@ -62,8 +62,8 @@ class Chords:
 
 
 def chorded(arcs: Arcs, before: Floats, programmed: Floats, line: Ints) -> tuple[Chords, list[Finding]]:
-    """The moves (m, 5) with their arcs divided; one without a centre stays straight, with a finding. ``line``
-    (m,) is for that.
+    """Return the moves (m, 5) with their arcs divided; one without a centre stays straight, with a finding.
+    ``line`` (m,) is for that.
 
     Raises ProgramError where the arcs would need more than :data:`MOST` chords.
     """
@@ -136,7 +136,7 @@ def _chain(chords: Chords, pieces: Ints) -> None:
 
 
 def _centres(arcs: Arcs, start: Floats, end: Floats, axes: Ints, rows: Ints) -> Floats:
-    """The centres (2, n) in the arcs' planes, NaN where none is told."""
+    """Return the centres (2, n) in the arcs' planes, NaN where none is told."""
     offset = np.stack([arcs.offset[rows, axis] for axis in axes])
     modal = np.stack([arcs.centre[rows, axis] for axis in axes])
     given = ~np.isnan(offset).all(axis=0)
@@ -147,7 +147,7 @@ def _centres(arcs: Arcs, start: Floats, end: Floats, axes: Ints, rows: Ints) -> 
 
 
 def _by_radius(arcs: Arcs, start: Floats, end: Floats) -> Floats:
-    """The centre at distance R: to the left of the chord for G3 and R above 0."""
+    """Return the centre at distance R: to the left of the chord for G3 and R above 0."""
     chord = end - start
     length = np.hypot(*chord)
     with np.errstate(invalid="ignore", divide="ignore"):

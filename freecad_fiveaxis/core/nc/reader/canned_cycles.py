@@ -64,8 +64,9 @@ class CycleMoves:
 
 
 def written_out(words: Words, lines: Lines, grammar: Grammar, controller: str) -> tuple[Words, list[Finding]]:
-    """The words with the cycles as moves of G0 and G1 in absolute words; each line that becomes several keeps
-    its number in ``Words.source``. Without any cycle, the same object. ``controller``: the dialect's name, of
+    """Return the words with the cycles as moves of G0 and G1 in absolute words; each line that becomes
+    several keeps its number in ``Words.source``. Without any cycle, the same object. ``controller``: the
+    dialect's name, of
     :data:`WAYS` or LinuxCNC's."""
     ways = WAYS.get(controller, LINUXCNC)
     if grammar.name != "iso" or not np.isin(lines.code, ways.read).any():
@@ -127,7 +128,7 @@ class _Table:
         self.words = lines.words
 
     def line(self, row: int) -> int:
-        """The line of the file."""
+        """Return the line of the file."""
         return int(self.words.in_file(np.array([row]))[0])
 
     def end(self, place: Floats, first: int, last: int) -> Floats:
@@ -169,7 +170,7 @@ class _Table:
         return place
 
     def _take(self, hole: Hole, code: int, row: int, axis: int) -> str | None:
-        """The words of a line into ``hole``; the reason where they make none."""
+        """Return the words of a line into ``hole``; the reason where they make none."""
         if code != hole.code and self.ways.rises:
             # LinuxCNC wants R and Z again with another code
             hole.programmed_r = hole.programmed_z = hole.r = hole.z = hole.q = np.nan
@@ -185,7 +186,7 @@ class _Table:
         return self._wrong(hole, row)
 
     def _heights(self, hole: Hole, row: int, r: float, z: float) -> None:
-        """The heights that these words tell; those of words that are NaN stay."""
+        """Take the heights that these words tell; those of words that are NaN stay."""
         steps = self.steps[row]
         hole.r = hole.r if np.isnan(r) else r + (hole.initial if steps else 0.0)
         hole.z = hole.z if np.isnan(z) else z + (hole.r if steps else 0.0)
@@ -211,7 +212,7 @@ class _Table:
         return say("its feed is inverse time (G93)") if self.inverse[row] else None
 
     def _across(self, row: int, axes: Ints, place: Floats) -> tuple[list[float], list[float]]:
-        """The first place of the hole before its steps, and the steps from one to the next."""
+        """Return the first place of the hole before its steps, and the steps from one to the next."""
         kind, value = self.kind[row, axes[:2]], self.value[row, axes[:2]]
         start = np.where((kind != 0) & (kind != STEP), value, place[axes[:2]])
         return start.tolist(), np.where(kind == STEP, value, 0.0).tolist()
@@ -249,7 +250,7 @@ class _Table:
 
 
 def _with_moves(words: Words, lines: Lines, cycles: CycleMoves, table: _Table) -> Words:
-    """The words with the moves in rows of their own, and the rows after them moved down."""
+    """Return the words with the moves in rows of their own, and the rows after them moved down."""
     rows = np.array(sorted(cycles.moves), np.int64)
     count = np.array([len(cycles.moves[row]) for row in rows.tolist()], np.int64)
     more = np.zeros(lines.count, np.int64)
@@ -261,8 +262,8 @@ def _with_moves(words: Words, lines: Lines, cycles: CycleMoves, table: _Table) -
 
 
 def spread(words: Words, more: Ints, keep: Bools, letter: Bytes, put: tuple[Ints, Bytes, Floats]) -> Words:
-    """The words that are kept (``letter``: theirs), with ``more`` (lines,) rows after each line, and words
-    put in: the rows where they stand, letters, values."""
+    """Return the words that are kept (``letter``: theirs), with ``more`` (lines,) rows after each line, and
+    words put in: the rows where they stand, letters, values."""
     at, letters, values = put
     shift = np.cumsum(more) - more
     start = np.full(len(letter), NOT_IN_TEXT) if words.start is None else words.start[keep]
@@ -289,8 +290,8 @@ def _kept(words: Words, rows: Ints, cycles: CycleMoves, ways: Ways) -> Bools:
 
 
 def _stepwise(letter: Bytes, chosen: Bools) -> Bytes:
-    """The letters of rotary axes as those of incremental words, where ``chosen``: the moves themselves are
-    absolute."""
+    """Return the letters of rotary axes as those of incremental words, where ``chosen``: the moves themselves
+    are absolute."""
     letter = letter.copy()
     for axis in "ABC":
         letter[chosen & (letter == ord(axis))] = ord(codes.STEP_OF[axis])

@@ -71,8 +71,8 @@ class Contour:
 def angled(
     lines: Lines, at: Ints, words: list[tuple[Floats, Bytes]], mode: Ints, meaning: Ints
 ) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
-    """The words of the motion lines ``at`` (m,) with those that their angles make; ``mode`` (m,) of motion;
-    ``meaning`` (m,) of X Y Z."""
+    """Return the words of the motion lines ``at`` (m,) with those that their angles make; ``mode`` (m,) of
+    motion; ``meaning`` (m,) of X Y Z."""
     if codes.ANGLE not in lines.letters:
         return words, []
     straight = np.isin(mode, (codes.RAPID, codes.STRAIGHT))
@@ -84,7 +84,7 @@ def angled(
 def _with_angles(
     words: list[tuple[Floats, Bytes]], angle: Floats, straight: Bools, plane: Ints, meaning: Ints, line: Ints
 ) -> tuple[list[tuple[Floats, Bytes]], list[Finding]]:
-    """The words of the motion lines with those that the ``angle`` (m,), deg, of some of them makes;
+    """Return the words of the motion lines with those that the ``angle`` (m,), deg, of some of them makes;
     ``straight`` (m,): whether one moves so; ``meaning``: of X Y Z; ``line`` (m,) of the file."""
     rows = np.flatnonzero(~np.isnan(angle))
     if not len(rows):

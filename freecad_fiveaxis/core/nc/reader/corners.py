@@ -75,7 +75,8 @@ def sizes(column: Floats, at: Ints) -> tuple[Floats, Bools, Bools]:
 
 
 def marked(text: bytes, siemens: bool = False) -> bytes:
-    """The text, in capitals, with the private words for each corner and angle that has a plain number."""
+    """Return the text, in capitals, with the private words for each corner and angle that has a plain
+    number."""
     mark = b"ANG" if siemens else b","
     if mark in text:
         text = (SIEMENS_ANGLE if siemens else ISO_ANGLE).sub(
@@ -91,7 +92,8 @@ def marked(text: bytes, siemens: bool = False) -> bytes:
 
 
 def _siemens(found: re.Match[bytes]) -> bytes:
-    """The private word of RND=, RNDM=, CHR= or CHF=; as it stands where its number is none, or too large."""
+    """Return the private word of RND=, RNDM=, CHR= or CHF=; as it stands where its number is none, or too
+    large."""
     try:
         number = float(found[2])
     except ValueError:
@@ -118,8 +120,8 @@ class _RoundedCorners:
 def with_corners(
     corners: Corners, before: Floats, programmed: Floats, chords: Chords | None, line: Ints
 ) -> tuple[Chords, list[Finding]]:
-    """The chords with those of the corners between the moves ``before``, ``programmed`` (m, 5); ``line`` (m,)
-    of the file."""
+    """Return the chords with those of the corners between the moves ``before``, ``programmed`` (m, 5);
+    ``line`` (m,) of the file."""
     if chords is None:
         chords = Chords(
             np.arange(len(programmed)), np.ones(len(programmed), np.int64), before.copy(), programmed.copy()
@@ -151,7 +153,7 @@ class _Contour:
         return not np.ptp(self.places(move)[:, others], axis=0).any()
 
     def piece(self, move: int, plane: int) -> Piece | None:
-        """A move as a line or an arc in the plane; None where it is neither, or does not feed."""
+        """Return a move as a line or an arc in the plane; None where it is neither, or does not feed."""
         if not self.lies_in(move, plane) or not self.corners.cut[move]:
             return None
         places, axes = self.places(move), AXES[plane, :2]
@@ -164,7 +166,7 @@ def _line(places: Floats) -> Piece | None:
 
 
 def _arc(places: Floats) -> Piece | None:
-    """The arc on which chords (n + 1, 2) end, by three of them; None where they lie on none."""
+    """Return the arc on which chords (n + 1, 2) end, by three of them; None where they lie on none."""
     count = len(places) - 1
     a, b, c = places[0], places[-(-count // 3)], places[-(-2 * count // 3)]
     (ux, uy), (vx, vy) = b - a, c - a
@@ -209,8 +211,8 @@ def _corner(contour: _Contour, rounded: _RoundedCorners, move: int) -> bool:
 
 
 def _flat(one: Piece, two: Piece, size: float, by_length: bool, taken: float) -> Floats | None:
-    """The places (k, 2) from the corner's first to its last; None where the pieces are too short, or not of
-    that kind."""
+    """Return the places (k, 2) from the corner's first to its last; None where the pieces are too short, or
+    not of that kind."""
     if one.centre is not None or two.centre is not None:
         arc = rounding(one, two, size, taken) if size > 0.0 else None
         return None if arc is None else arc.places()
@@ -243,7 +245,7 @@ def _round(way: Floats, radius: float, angle: float) -> Floats:
 
 
 def _put(chords: Chords, first: Ints, rounded: _RoundedCorners) -> Chords:
-    """The chords with the corners' places at the ends of their moves; the next move goes on where they
+    """Return the chords with the corners' places at the ends of their moves; the next move goes on where they
     end."""
     if not rounded.ends:
         return chords

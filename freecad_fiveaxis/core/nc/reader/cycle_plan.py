@@ -60,7 +60,7 @@ class Hole:
 
 
 def steps_of(hole: Hole, clear: float, ways: Ways) -> Steps:
-    """What a cycle does between R and the level, as (fast, height)."""
+    """Return what a cycle does between R and the level, as (fast, height)."""
     r, z, code = hole.r, hole.z, hole.code
     if code in PECKING:
         return [*pecks(r, even_depths(r, z, hole.q), z, ways.peck, code == 830), (True, clear)]
@@ -74,7 +74,7 @@ def steps_of(hole: Hole, clear: float, ways: Ways) -> Steps:
 
 
 def even_depths(r: float, z: float, q: float) -> list[float]:
-    """The depths above ``z`` that pecks of ``q`` reach."""
+    """Return the depths above ``z`` that pecks of ``q`` reach."""
     depths: list[float] = (r - q * np.arange(1, int(np.ceil((r - z) / q - 1e-9)))).tolist()
     return depths
 

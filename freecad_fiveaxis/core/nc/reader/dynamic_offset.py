@@ -41,8 +41,9 @@ SAME = 1e-6
 def carried(
     lines: Lines, axes: Sequence[tuple[Floats, Bytes]], on: Bools, kinematics: Chain, grammar: Grammar
 ) -> tuple[Mapping[int, Tilt], list[Finding]]:
-    """The planes that the lines with G254 begin and end, by line, and what is said of them; ``axes``: the
-    words of each of the machine's axes in each line; ``on`` (lines,): whether the control guides the tip."""
+    """Return the planes that the lines with G254 begin and end, by line, and what is said of them; ``axes``:
+    the words of each of the machine's axes in each line; ``on`` (lines,): whether the control guides the
+    tip."""
     if grammar.name != "iso" or codes.DYNAMIC[0] not in lines.code:
         return {}, []
     stands = _stands(lines, axes[3:], kinematics, grammar)
@@ -84,8 +85,8 @@ def _broken(stands: Floats, on: Bools, row: int, since: int) -> str:
 
 
 def _plane(kinematics: Chain, angles: Floats) -> Tilt:
-    """The plane at the rotary words ``angles`` (2,) deg: its axes are where the machine's linear axes lead in
-    the work."""
+    """Return the plane at the rotary words ``angles`` (2,) deg: its axes are where the machine's linear axes
+    lead in the work."""
     there = fitted_columns(kinematics.letters)
     head = [
         axis.letter

@@ -61,13 +61,13 @@ class Variables:
     shared_named: dict[str, float] = field(default_factory=dict)
 
     def number(self, key: float) -> int:
-        """The number of a variable."""
+        """Return the number of a variable."""
         if not (abs(key - round(key)) < EQUAL and 0 <= key < 1e6):
             raise Unread(say("a variable of no whole number"))
         return round(key)
 
     def read(self, key: int) -> Value:
-        """The value of ``#key``. Raises Unread for one that only the machine knows."""
+        """Return the value of ``#key``. Raises Unread for one that only the machine knows."""
         if key <= (33 if self.fanuc else 30):
             return self.own.get(key, None if self.fanuc else 0.0)
         if key not in self.shared and (key >= 500 if self.fanuc else key >= 5061):
@@ -96,7 +96,7 @@ Expression = Callable[[Variables], Value]
 
 
 def number(value: Value) -> float:
-    """A vacant one counts as 0."""
+    """Return a vacant one counts as 0."""
     return 0.0 if value is None else value
 
 
@@ -108,7 +108,7 @@ class Parser:
         self.levels = FANUC_LEVELS if fanuc else LINUXCNC_LEVELS
 
     def rest(self) -> str:
-        """What is not yet read."""
+        """Return what is not yet read."""
         return self.text[self.at :]
 
     def takes(self, start: str) -> bool:
@@ -125,13 +125,13 @@ class Parser:
             )
 
     def match(self, pattern: re.Pattern[str]) -> str | None:
-        """The text of the pattern here, which is then read."""
+        """Return the text of the pattern here, which is then read."""
         found = pattern.match(self.text, self.at)
         self.at = found.end() if found else self.at
         return found[0] if found else None
 
     def value(self) -> Expression:
-        """A value with its sign."""
+        """Return a value with its sign."""
         if self.takes("-"):
             inner = self.value()
             return lambda known: -number(inner(known))
@@ -148,7 +148,7 @@ class Parser:
         raise Unread(say("no value: {rest}", rest=repr(self.rest()[:20])))
 
     def bracketed(self) -> Expression:
-        """What stands up to the closing bracket."""
+        """Return what stands up to the closing bracket."""
         self.depth += 1
         if self.depth > DEEPEST:
             raise Unread(say("more than {most} brackets in brackets", most=DEEPEST))
@@ -173,7 +173,7 @@ class Parser:
         )
 
     def function(self, name: str) -> Expression:
-        """A function with its arguments; its name is read already."""
+        """Return a function with its arguments; its name is read already."""
         if name == "EXISTS":
             return self.exists()
         inner = self.value()
@@ -212,7 +212,7 @@ class Parser:
         return found[0]
 
     def joined(self, name: str, left: Expression, right: Expression) -> Expression:
-        """The two with an operator between them."""
+        """Return the two with an operator between them."""
         if self.fanuc and name in ("EQ", "NE"):
             equal = name == "EQ"
             return lambda known: float((left(known) == right(known)) is equal)
@@ -233,7 +233,7 @@ def _named(name: str) -> tuple[Expression, Callable[[Variables, Value], None]]:
 
 
 def _shown(name: str) -> str:
-    """A name as the program writes it: Siemens' R1 and names of variables (:mod:`.siemens_names`), or
+    """Return a name as the program writes it: Siemens' R1 and names of variables (:mod:`.siemens_names`), or
     LinuxCNC's."""
     if re.fullmatch("_R[0-9]+", name):
         return name[1:]
@@ -245,7 +245,7 @@ def _whole(value: float) -> int:
 
 
 def _direction(y: float, x: float, turn: float) -> float:
-    """The angle of a direction, deg: from -180 to 180, or from 0 to below ``turn``."""
+    """Return the angle of a direction, deg: from -180 to 180, or from 0 to below ``turn``."""
     angle = math.degrees(math.atan2(y, x))
     return angle + turn if angle < 0.0 else angle
 

@@ -60,7 +60,7 @@ WITHIN_A_TURN = Template(
 
 
 def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...]]:
-    """The words up to the end of the program (M2, M30, M99 where it is one)."""
+    """Return the words up to the end of the program (M2, M30, M99 where it is one)."""
     ends = np.flatnonzero((words.letter == ord("M")) & np.isin(words.value, grammar.ends))
     if not len(ends):
         return words, ()
@@ -78,7 +78,7 @@ def up_to_end(words: Words, grammar: Grammar) -> tuple[Words, tuple[Finding, ...
 
 
 def shift_finding(name: str, reason: str, row: int) -> Finding:
-    """An error: the shift of the zero ``name`` in line ``row`` is not interpreted."""
+    """Return an error: the shift of the zero ``name`` in line ``row`` is not interpreted."""
     text = say(
         "{name}: this shift of the zero is not interpreted, and the coordinates after it are taken as they "
         "were before: {reason}. Post without it.",
@@ -89,7 +89,7 @@ def shift_finding(name: str, reason: str, row: int) -> Finding:
 
 
 def in_file(words: Words, findings: tuple[Finding, ...]) -> tuple[Finding, ...]:
-    """The findings with the lines of the file for those of the words."""
+    """Return the findings with the lines of the file for those of the words."""
     if words.source is None:
         return findings
     lines = words.in_file(np.array([found.line or 0 for found in findings], np.int64))
@@ -113,7 +113,7 @@ def language_finding(language: str, expected: str) -> tuple[Finding, ...]:
 
 
 def read_as_finding(language: str, controller: str) -> Finding:
-    """What a text was taken for that nobody has said the controller of."""
+    """Return what a text was taken for that nobody has said the controller of."""
     text = say(
         "The text is {language}; it is read as a program of {controller}. If it is for another, give its "
         "{option}.",
@@ -125,9 +125,9 @@ def read_as_finding(language: str, controller: str) -> Finding:
 
 
 def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Finding], list[Finding]]:
-    """The codes that are not interpreted, each with its first line and its count; ``at`` (m,): the lines of
-    the blocks. A retract to a machine position before the first of them, or after the last, is how a program
-    should begin and end. The second of both have the lines of the file already."""
+    """Return the codes that are not interpreted, each with its first line and its count; ``at`` (m,): the
+    lines of the blocks. A retract to a machine position before the first of them, or after the last, is how a
+    program should begin and end. The second of both have the lines of the file already."""
     found, known, ends = [], list[Finding](), (int(at[0]), int(at[-1]))
     for letter, table in (("G", grammar.codes), ("M", grammar.m_codes)):
         at = np.flatnonzero(words.letter == ord(letter))
@@ -160,19 +160,19 @@ def code_findings(words: Words, grammar: Grammar, at: Ints) -> tuple[list[Findin
 
 
 def _without_radius(words: Words) -> Ints:
-    """The lines with D0: a compensation by nothing."""
+    """Return the lines with D0: a compensation by nothing."""
     return np.asarray(words.line[(words.letter == ord("D")) & (words.value == 0.0)])
 
 
 def _numbers(value: Floats, letter: str) -> Ints:
-    """The codes as in the grammar's tables: G tenfold, M as they are."""
+    """Return the codes as in the grammar's tables: G tenfold, M as they are."""
     if letter == "G":
         return tenfold(value)
     return np.asarray(np.where(np.abs(value) < LARGEST_CODE, value, -1.0).astype(np.int64))
 
 
 def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> list[Finding]:
-    """The words that no axis of the machine and no function takes."""
+    """Return the words that no axis of the machine and no function takes."""
     found, arcs = [], np.isin(lines.code, (codes.CLOCKWISE, codes.COUNTER)).any()
     tilts = np.isin(lines.code, codes.TILT).any()
     vectors = guided and np.isin(lines.code, codes.VECTORS_ON).any()
@@ -197,7 +197,7 @@ def word_findings(words: Words, lines: Lines, letters: str, guided: bool) -> lis
 
 
 def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, grammar: Grammar) -> list[Finding]:
-    """What had to be assumed: the first position, motion, units, offsets."""
+    """Return what had to be assumed: the first position, motion, units, offsets."""
     found, first = [], int(motions.at[0])
     by_vector = not np.isnan(motions.vector[0]).all()
     unknown = [
@@ -230,7 +230,7 @@ def start_findings(letters: str, motions: Moves, mode: Ints, lines: Lines, gramm
 
 
 def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Finding]:
-    """That blocks stand under G500 after the program has had a zero offset (Siemens)."""
+    """Report that blocks stand under G500 after the program has had a zero offset (Siemens)."""
     if grammar.name != "siemens" or codes.WITHOUT_OFFSET not in lines.code:
         return []
     state = lines.mode({**dict.fromkeys(grammar.offsets, 1), codes.WITHOUT_OFFSET: 2}, 0)[motions.at]
@@ -250,7 +250,8 @@ def _without_offset(motions: Moves, lines: Lines, grammar: Grammar) -> list[Find
 
 
 def _units_finding(motions: Moves, lines: Lines, grammar: Grammar) -> Finding:
-    """That nobody has said the units; and whether sizes and feeds are rather those of a program in inches."""
+    """Report that nobody has said the units; and whether sizes and feeds are rather those of a program in
+    inches."""
     size = float(np.ptp(motions.programmed[:, :3], axis=0).max())
     feed = lines.column("F")[lines.mode(codes.FEED_MODE, 0) == codes.PER_MINUTE]
     fastest = float(np.nanmax(feed)) if not np.isnan(feed).all() else 0.0
@@ -322,7 +323,7 @@ def wrap_findings(
 
 
 def guide_findings(program: Program, motions: Moves) -> tuple[Finding, ...]:
-    """What there is to say of blocks in which the controller guides the tip."""
+    """Return what there is to say of blocks in which the controller guides the tip."""
     found = []
     if program.guided is not None:
         count, block = int(program.guided.on.sum()), int(program.guided.on.argmax())

@@ -46,8 +46,8 @@ class Flow:
     words: dict[int, tuple[str, str]] = field(default_factory=dict)
 
     def numbered(self, number: int, at: int) -> int:
-        """The line that a jump from line ``at`` to N``number`` leads to: on to the end of its program, then
-        from its start.
+        """Return the line that a jump from line ``at`` to N``number`` leads to: on to the end of its program,
+        then from its start.
 
         Raises Unread where there is none."""
         edges = sorted(self.heads.values())
@@ -63,14 +63,14 @@ class Flow:
 
 
 def without_number(line: str) -> str:
-    """A line without its block number."""
+    """Return a line without its block number."""
     found = BLOCK_NUMBER.match(line)
     return line[found.end() :] if found else line
 
 
 def flow_of(lines: list[str]) -> Flow:
-    """The structure of a program, its lines without blanks and in capitals. Raises Unread for ends without a
-    begin."""
+    """Return the structure of a program, its lines without blanks and in capitals. Raises Unread for ends
+    without a begin."""
     flow, opened = Flow(), list[tuple[str, str, int]]()
     for at, line in enumerate(lines):
         if line[:1] == "N" and (found := BLOCK_NUMBER.match(line)):

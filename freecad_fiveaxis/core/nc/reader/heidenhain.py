@@ -85,8 +85,8 @@ KINDS: tuple[tuple[bytes, codes.Kind], ...] = (
 
 
 def plain(text: bytes, notes: Notes) -> bytes:
-    """The text, in capitals and without comments, as ISO words with the private letters; every line stays
-    where it is."""
+    """Return the text, in capitals and without comments, as ISO words with the private letters; every line
+    stays where it is."""
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     text = NUMBERED.sub(lambda found: found[1] + b" " * len(found[2]), text)
@@ -131,7 +131,7 @@ def _words(text: bytes, notes: Notes) -> bytes:
 
 
 def _one_line(found: re.Match[bytes]) -> bytes:
-    """A function over several lines: its first line, the others blank."""
+    """Return a function over several lines: its first line, the others blank."""
     first, *others = found[0].split(b"\n")
     return b"\n".join([first.replace(b"~", b" "), *(b" " * len(line) for line in others)])
 
@@ -154,7 +154,7 @@ def _centre(found: re.Match[bytes], notes: Notes) -> bytes:
 
 
 def _function(found: re.Match[bytes], notes: Notes) -> bytes:
-    """What a line that begins with a word of letters means."""
+    """Return what a line that begins with a word of letters means."""
     line = CYCLE.sub(b"CYCL DEF ", b" ".join(found[1].split()))
     before = found[0][: found.start(1) - found.start()]
     if OWN.match(line):
@@ -189,7 +189,7 @@ def _name_datum_changes(notes: Notes) -> None:
 
 
 def _word_of(line: bytes) -> bytes | None:
-    """The private word of a function that is interpreted, nothing for one that is harmless, None for
+    """Return the private word of a function that is interpreted, nothing for one that is harmless, None for
     another."""
     if line.startswith(b"BEGIN PGM"):
         return b"G20" if line.endswith(b"INCH") else b"G21"

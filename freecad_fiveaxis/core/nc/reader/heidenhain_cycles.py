@@ -84,7 +84,7 @@ def drilled(cycle: Cycle, around: Around) -> list[str]:
 
 
 def _levels(words: dict[str, float]) -> tuple[float, float, float]:
-    """Set-up clearance, surface and bottom, as Z."""
+    """Return set-up clearance, surface and bottom, as Z."""
     surface, clear, depth = words["203"], words["200"], words["201"]
     if depth > 0.0 or clear < 0.0:
         raise Unread(say("its depth is not below 0, or its infeed is not above it"))
@@ -92,7 +92,7 @@ def _levels(words: dict[str, float]) -> tuple[float, float, float]:
 
 
 def _depths(depth: float, infeed: float, less: float, least: float) -> list[float]:
-    """The depths (below 0) that the infeeds reach, the last of them ``depth``."""
+    """Return the depths (below 0) that the infeeds reach, the last of them ``depth``."""
     if not infeed > 0.0 or (less > 0.0 and not least > 0.0):
         raise Unread(say("its depth is not below 0, or its infeed is not above it"))
     found, at = list[float](), 0.0

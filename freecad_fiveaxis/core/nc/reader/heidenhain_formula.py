@@ -42,11 +42,11 @@ class Formula:
         self.text, self.known, self.at, self.depth = text, known, 0, 0
 
     def rest(self) -> str:
-        """What is not yet read."""
+        """Return what is not yet read."""
         return self.text[self.at :]
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """What stands here, which is then read."""
+        """Return what stands here, which is then read."""
         found = pattern.match(self.text, self.at)
         self.at = found.end() if found else self.at
         return found
@@ -62,7 +62,7 @@ class Formula:
         return left
 
     def value(self) -> float:
-        """A value with its sign."""
+        """Return a value with its sign."""
         self.depth += 1
         if self.depth > DEEPEST_BRACKETS:
             raise Unread(say("more than {most} brackets in brackets", most=DEEPEST_BRACKETS))

@@ -74,8 +74,8 @@ class Place:
 
 
 def without_polar(text: bytes) -> bytes:
-    """The text, in capitals and without comments, with its polar lines written as L and C where that can be;
-    line by line."""
+    """Return the text, in capitals and without comments, with its polar lines written as L and C where that
+    can be; line by line."""
     if not POLAR.search(text):
         return text
     place = Place()
@@ -102,7 +102,7 @@ def _line(row: str, place: Place) -> str:
 
 
 def _words(rest: str) -> dict[str, float] | None:
-    """The words by name, incremental ones as IX; None where one has no number or stands twice."""
+    """Return the words by name, incremental ones as IX; None where one has no number or stands twice."""
     words = {one[1] + one[2]: float(one[3]) for one in WORD.finditer(rest)}
     named = len(re.findall(r"(?<![A-Z])I?(?:P[AR]|[XYZ])(?=[-+ .0-9Q])", rest))
     return words if named == len(words) else None
@@ -122,7 +122,7 @@ def _follow(rest: str, place: Place) -> None:
 
 
 def _pole(row: str, begin: str, rest: str, place: Place) -> str:
-    """The pole with absolute words; left as it is where it is so already, or cannot be told."""
+    """Return the pole with absolute words; left as it is where it is so already, or cannot be told."""
     words = _words(rest)
     place_now, place.pole = (place.x, place.y), None
     if words is None or any(name.endswith("Z") for name in words):
@@ -185,7 +185,8 @@ def _round(words: dict[str, float] | None, rest: str, place: Place) -> str | Non
 
 
 def _to(place: Place, radius: float, angle: float) -> str:
-    """The words of the place at that radius and angle (deg) about the pole; the tool stands there then."""
+    """Return the words of the place at that radius and angle (deg) about the pole; the tool stands there
+    then."""
     across, along = place.pole or (0.0, 0.0)
     place.x = across + radius * math.cos(math.radians(angle))
     place.y = along + radius * math.sin(math.radians(angle))
@@ -193,6 +194,6 @@ def _to(place: Place, radius: float, angle: float) -> str:
 
 
 def _others(rest: str) -> str:
-    """The words beside the polar ones, with a blank before them."""
+    """Return the words beside the polar ones, with a blank before them."""
     left = WORD.sub(lambda found: "" if found[2] in ("PA", "PR") else found[0], rest).strip()
     return " " + left if left else ""

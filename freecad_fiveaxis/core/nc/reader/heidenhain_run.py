@@ -71,8 +71,8 @@ def marked(text: bytes) -> bool:
 def written_out(
     text: bytes, progress: Progress = silent, of_machine: OfMachine = NO_MACHINE
 ) -> Written | Refused:
-    """The text, in capitals and without comments, as the control of that machine runs it. Raises ProgramError
-    for what does not end."""
+    """Return the text, in capitals and without comments, as the control of that machine runs it. Raises
+    ProgramError for what does not end."""
     if b"~" in text:
         text = CONTINUED.sub(_one_line, text)
     rows = text.decode("latin-1").split("\n")
@@ -204,7 +204,7 @@ class Run:
         self.ended = bool(re.search(r"(?<![A-Z0-9])M0*(?:2|30)(?![0-9])", row))
 
     def _word(self, found: re.Match[str]) -> str:
-        """A word by value; F by a parameter that was never set stays, and is named as such."""
+        """Return a word by value; F by a parameter that was never set stays, and is named as such."""
         letter, sign, name = found[1], found[2], found[3]
         if letter == "F" and name not in self.known:
             return found[0]
@@ -230,7 +230,8 @@ class Run:
         return value
 
     def _cycle(self, line: str) -> None:
-        """A cycle that is defined or called; those that are not known stay as they are, and are named."""
+        """Read a cycle that is defined or called; those that are not known stay as they are, and are
+        named."""
         words = {name: float(value) for name, value in CYCLE_WORD.findall(self._with_values())}
         if found := CYCLE.match(line):
             self.cycle = Cycle(found[1], words)
@@ -255,7 +256,7 @@ class Run:
             )
 
     def _old_cycle(self, part: str, rest: str) -> None:
-        """A line of CYCL DEF 1: 1.0 begins it, the number at the end of the others is a word."""
+        """Read a line of CYCL DEF 1: 1.0 begins it, the number at the end of the others is a word."""
         if part == "0" or self.cycle is None or self.cycle.number != "1":
             self.cycle = Cycle("1")
         if part != "0" and (found := LAST_NUMBER.search(rest)):
@@ -273,7 +274,7 @@ class Run:
                 self.diameter += 2.0 * float(radius[1])
 
     def _with_values(self) -> str:
-        """The line of a cycle with numbers for the values told by parameters."""
+        """Return the line of a cycle with numbers for the values told by parameters."""
 
         def value(found: re.Match[str]) -> str:
             return f"={(-1.0 if found[1] == '-' else 1.0) * self._known(found[2]):+.10f}"
@@ -281,8 +282,8 @@ class Run:
         return re.sub(r"=([-+]?)Q([LR]?[0-9]+)", value, self.lines[self.at])
 
     def _drill(self) -> None:
-        """The hole of the cycle that was defined; where it is not understood, that is found once, and its
-        moves are missing."""
+        """Drill the hole of the cycle that was defined; where it is not understood, that is found once, and
+        its moves are missing."""
         assert self.cycle is not None
         around = Around(self.feed, self.speed, self.diameter, lambda: place_before(self.output))
         try:

@@ -70,9 +70,9 @@ class Frame:
 def written_out(
     text: bytes, fanuc: bool, progress: Progress = silent, siemens: bytes = b"", search: tuple[str, ...] = ()
 ) -> Written | Refused:
-    """The text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas mean
-    it, else LinuxCNC. ``siemens``: with Siemens' variables and jumps; the same with its strings. ``search``:
-    folders with the programs called.
+    """Return the text, in capitals and without comments, as the control runs it. ``fanuc``: as Fanuc and Haas
+    mean it, else LinuxCNC. ``siemens``: with Siemens' variables and jumps; the same with its strings.
+    ``search``: folders with the programs called.
 
     Raises ProgramError for what does not end."""
     rows = text.split(b"\n")
@@ -132,7 +132,7 @@ def endless(at: int, most: int) -> NoReturn:
 
 
 def deeper(calls: int, at: int) -> None:
-    """Raises ProgramError where ``calls`` that have not ended are as many as may be, and one more stands in
+    """Raise ProgramError where ``calls`` that have not ended are as many as may be, and one more stands in
     line ``at``."""
     if calls >= DEEPEST:
         raise ProgramError(
@@ -215,7 +215,7 @@ class Run:
         return at + 1
 
     def _count(self, value: Value) -> int:
-        """A whole number from 0 on."""
+        """Return a whole number from 0 on."""
         whole = number(value)
         if not 0.0 <= whole < 1e9 or abs(whole - round(whole)) > 1e-6:
             raise Unread(say("{value} is no whole number from 0 on", value=f"{whole:g}"))
@@ -312,7 +312,7 @@ class Run:
         return at + 1
 
     def _else(self, what: OWord) -> int:
-        """The branch before ends here: behind the last."""
+        """Return the branch before ends here: behind the last."""
         at = self.at
         while at in self.flow.next:
             at = self.flow.next[at]

@@ -30,7 +30,8 @@ TIP, AXES = 0, 1
 
 
 def _selected(lines: Lines, grammar: Grammar) -> tuple[Ints, Ints, Ints]:
-    """The lines of the switch that go to the tip's kinematics, to the axes, and to one that is not known."""
+    """Return the lines of the switch that go to the tip's kinematics, to the axes, and to one that is not
+    known."""
     chosen = (
         np.flatnonzero(lines.any_of(codes.KINEMATICS[:1])) if grammar.name == "iso" else np.empty(0, np.int64)
     )
@@ -40,7 +41,7 @@ def _selected(lines: Lines, grammar: Grammar) -> tuple[Ints, Ints, Ints]:
 
 
 def switched(lines: Lines, grammar: Grammar) -> list[tuple[Ints, bool]]:
-    """The lines that switch to the tip and back, as events of the guide."""
+    """Return the lines that switch to the tip and back, as events of the guide."""
     if grammar.name != "iso" or not np.isin(lines.code, codes.KINEMATICS).any():
         return []
     tip, axes, other = _selected(lines, grammar)
@@ -49,7 +50,7 @@ def switched(lines: Lines, grammar: Grammar) -> list[tuple[Ints, bool]]:
 
 
 def switch_findings(lines: Lines, grammar: Grammar) -> list[Finding]:
-    """What a number was taken for, those that are not known, and G12.1 without any."""
+    """Return what a number was taken for, those that are not known, and G12.1 without any."""
     if grammar.name != "iso" or codes.KINEMATICS[0] not in lines.code:
         return []
     tip, axes, other = _selected(lines, grammar)

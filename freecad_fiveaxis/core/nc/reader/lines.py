@@ -51,8 +51,8 @@ class Lines:
         self.code_line = words.line[at]
 
     def column(self, letter: str) -> Floats:
-        """The word of that letter in each line, NaN where there is none. Raises ProgramError where it stands
-        twice."""
+        """Return the word of that letter in each line, NaN where there is none. Raises ProgramError where it
+        stands twice."""
         column = np.full(self.count, np.nan)
         if letter not in self.letters:
             return column
@@ -77,19 +77,20 @@ class Lines:
         return np.asarray(self.mode(grammar.units, int(self.assumed.units == "inch")) == 1)
 
     def any_of(self, chosen: Iterable[int]) -> Bools:
-        """The lines with one of these codes."""
+        """Return the lines with one of these codes."""
         found = np.zeros(self.count, np.bool_)
         found[self.code_line[np.isin(self.code, list(chosen))]] = True
         return found
 
     def m_line(self, chosen: Iterable[int]) -> Ints:
-        """The lines of these M codes."""
+        """Return the lines of these M codes."""
         words = self.words
         at: Bools = (words.letter == ord("M")) & np.isin(words.value, list(chosen))
         return words.line[at]
 
     def mode(self, group: Mapping[int, int], initial: int) -> Ints:
-        """The mode in force in each line, its own code included; of several in one line the last counts."""
+        """Return the mode in force in each line, its own code included; of several in one line the last
+        counts."""
         chosen = np.isin(self.code, list(group))
         line, code = self.code_line[chosen], self.code[chosen]
         state = np.full(self.count, initial, np.int64)
@@ -102,9 +103,9 @@ class Lines:
 
 
 def without_dwells(words: Words, grammar: Grammar) -> Words:
-    """The words without the times of dwells (G4): of each such line the first letter of ``grammar.dwell``
-    that stands in it. All else in the line is meant as in any other (NIST RS274NGC 3, 3.5.4: the axes may
-    move in the line of a dwell)."""
+    """Return the words without the times of dwells (G4): of each such line the first letter of
+    ``grammar.dwell`` that stands in it. All else in the line is meant as in any other (NIST RS274NGC 3,
+    3.5.4: the axes may move in the line of a dwell)."""
     dwell = words.line[(words.letter == ord("G")) & (tenfold(words.value) == codes.DWELL)]
     keep = np.ones(len(words.line), np.bool_)
     for letter in grammar.dwell if len(dwell) else ():
@@ -120,7 +121,7 @@ def without_dwells(words: Words, grammar: Grammar) -> Words:
 
 
 def by_least_increment(words: Words, lines: Lines, grammar: Grammar) -> Words:
-    """The words in which those of axes, centres and radii without a decimal point counted the least
+    """Return the words in which those of axes, centres and radii without a decimal point counted the least
     increment, IS-B (Fanuc B-63324EN, 3.4.3): 0.001 mm, 0.0001 inch, 0.001 deg."""
     bare = words.bare() & np.isin(words.letter, [ord(letter) for letter in codes.INCREMENTED + codes.PECK])
     linear = ~np.isin(words.letter, [ord(letter) for letter in "ABC"])

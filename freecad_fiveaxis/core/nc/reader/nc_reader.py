@@ -84,7 +84,7 @@ def read_nc(
     progress: Progress = silent,
     assumed: Assumed = UNTOLD,
 ) -> Program:
-    """The Program of an NC text. ``dialect``: whose language it is (where the text does not show that
+    """Return the Program of an NC text. ``dialect``: whose language it is (where the text does not show that
     itself), how F is meant under G94; None: ISO, over X Y Z. ``assumed``: what is taken where the text does
     not say it.
 
@@ -161,8 +161,8 @@ def read_nc(
 
 
 def _no_motion(before: tuple[Finding, ...], letters: str) -> ProgramError:
-    """The error of a text without a motion line: where all stands in what is not interpreted, that is the
-    cause."""
+    """Return the error of a text without a motion line: where all stands in what is not interpreted, that is
+    the cause."""
     lost = next((found for found in before if found.code == codes.MACRO[0]), None)
     if lost is None:
         return ProgramError(
@@ -187,8 +187,8 @@ def _words_and_lines(
     progress: Progress,
     of_machine: OfMachine,
 ) -> tuple[Words, Lines, tuple[Finding, ...], Finding | None]:
-    """The words up to the program's end, loops and cycles written out; the same by lines; the findings, and
-    the one of them that says why the program was not run."""
+    """Return the words up to the program's end, loops and cycles written out; the same by lines; the
+    findings, and the one of them that says why the program was not run."""
     controller = "" if dialect is None else dialect.name
     words = read_words(text, grammar.name, controller, progress, of_machine)
     progress("reading NC", 0.5)
@@ -242,8 +242,8 @@ def _guide_on(lines: Lines, grammar: Grammar) -> Bools:
 
 
 def _switched(events: list[tuple[Ints, bool]], count: int) -> Bools:
-    """The state in each line, off at first, from the lines where it is switched; on wins over off in the same
-    line."""
+    """Return the state in each line, off at first, from the lines where it is switched; on wins over off in
+    the same line."""
     on, marked = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
     for where, state in sorted(events, key=lambda event: event[1]):
         on[where], marked[where] = state, True
@@ -258,7 +258,7 @@ def _motion_lines(
     on: Bools,
     planes: Planes | None,
 ) -> Ints:
-    """The lines that are blocks."""
+    """Return the lines that are blocks."""
     moving = np.logical_or.reduce([kind != 0 for _, kind in axes])
     if on.any():
         moving |= ~np.isnan(_tool_vectors(lines, mode, on)).all(axis=1)
@@ -282,7 +282,7 @@ def _moves(
     wrap: tuple[str, str],
     meaning: Ints, planes: Planes | None,
 ) -> tuple[Ints, Moves]:  # fmt: skip
-    """The lines of the blocks, those of a safe start left out, and where they lead."""
+    """Return the lines of the blocks, those of a safe start left out, and where they lead."""
     vector = _vectors(lines, at, mode, on)
     vector = vector if planes is None else planes.vectors_in_work(vector, meaning)
     start = begun(words, meaning, mode[at] == codes.RAPID, vector)
@@ -292,7 +292,7 @@ def _moves(
 
 
 def _tool_vectors(lines: Lines, mode: Ints, on: Bools) -> Floats:
-    """The tool axis (lines, 3) that each guided line gives as a vector, NaN where none."""
+    """Return the tool axis (lines, 3) that each guided line gives as a vector, NaN where none."""
     private = [lines.column(letter) for letter in codes.VECTOR]
     vector = np.stack(private, axis=1)
     if not np.isin(lines.code, codes.VECTORS_ON).any():
@@ -310,7 +310,7 @@ def _vectors(lines: Lines, at: Ints, mode: Ints, on: Bools) -> Floats:
 def _meant(
     lines: Lines, axes: list[tuple[Floats, Bytes]], at: Ints, grammar: Grammar, letters: str
 ) -> list[tuple[Floats, Bytes]]:
-    """The words of the motion lines in mm and degrees, and how each is meant."""
+    """Return the words of the motion lines in mm and degrees, and how each is meant."""
     steps = lines.mode(codes.DISTANCE, 0)[at] == 1
     inch = lines.inch(grammar)[at]
     meant = []
@@ -328,7 +328,7 @@ def _meant(
 def _chords(
     lines: Lines, motions: Moves, mode: Ints, grammar: Grammar
 ) -> tuple[Chords | None, list[Finding]]:
-    """The arcs as chords; None where there are none."""
+    """Return the arcs as chords; None where there are none."""
     row = np.flatnonzero(mode == codes.ARC)
     if not len(row):
         return None, []
@@ -354,7 +354,7 @@ def _chords(
 def _corners(
     lines: Lines, motions: Moves, mode: Ints, grammar: Grammar, chords: Chords | None
 ) -> tuple[Chords | None, list[Finding]]:
-    """The chords with those of rounded and chamfered corners."""
+    """Return the chords with those of rounded and chamfered corners."""
     if corners.LETTER not in lines.letters:
         return chords, []
     at = motions.at
@@ -365,7 +365,7 @@ def _corners(
 
 
 def _last_programmed(column: Floats) -> Floats:
-    """The last value of a column at or before each line, NaN before the first."""
+    """Return the last value of a column at or before each line, NaN before the first."""
     return column[last_of(np.flatnonzero(~np.isnan(column)), len(column))]
 
 
@@ -395,7 +395,7 @@ def _program(
 
 
 def _guided(kinematics: Chain, words: Floats, programmed: Floats, on: Bools, vector: Floats) -> Guided:
-    """What the file says: a vector stays until the rotary words change."""
+    """Return what the file says: a vector stays until the rotary words change."""
     given: Bools = np.asarray(~np.isnan(vector).all(axis=1))
     if not given.any():
         return Guided(on, programmed[:, :3])
@@ -413,8 +413,8 @@ def _seconds(
     kinematics: Chain,
     dialect: Dialect | None,
 ) -> Floats:  # fmt: skip
-    """The time (m,) s that the controller takes by what the words say (``travel`` (m, 5): their change); 0
-    where nothing."""
+    """Return the time (m,) s that the controller takes by what the words say (``travel`` (m, 5): their
+    change); 0 where nothing."""
     distance = feed_distance(dialect, travel)
     if on.any():
         guide = next(iter(dialect.guides.values()), None) if dialect is not None else None

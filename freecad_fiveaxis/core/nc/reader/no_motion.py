@@ -53,7 +53,7 @@ def pass_over(text: bytes, language: str, own: Sequence[str] = ()) -> tuple[byte
 
 
 def _without_brackets(text: bytes, findings: list[Finding]) -> bytes:
-    """The text without the M functions in brackets that no table names, each of them found."""
+    """Return the text without the M functions in brackets that no table names, each of them found."""
     at = dict[bytes, list[int]]()
     for found in BRACKETED.finditer(text) if b"(" in text else ():
         at.setdefault(found[1], []).append(found.start())
@@ -71,7 +71,7 @@ def _without_brackets(text: bytes, findings: list[Finding]) -> bytes:
 
 
 def _needle(name: str) -> bytes:
-    """What a text without the function has seldom: searched first, for it costs little."""
+    """Return what a text without the function has seldom: searched first, for it costs little."""
     return name.lstrip("MG0").split(" ")[-1].encode()
 
 
@@ -91,6 +91,6 @@ def _letter_and_number(word: str) -> tuple[bytes, bytes]:
 
 
 def _blank(found: re.Match[bytes]) -> bytes:
-    """The words before a whole function stay, and ends of lines."""
+    """Return the words before a whole function stay, and ends of lines."""
     before = found.groupdict().get("before") or b""
     return before + re.sub(rb"[^\n]", b" ", found[0][len(before) :])

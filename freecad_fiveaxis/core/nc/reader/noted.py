@@ -27,12 +27,12 @@ class Notes:
     drills: list[Drill] = field(default_factory=list)
 
     def tilt(self, tilt: Tilt) -> bytes:
-        """The private word for such a line."""
+        """Return the private word for such a line."""
         self.tilts.append(tilt)
         return b"%c%d" % (ord(PLANE), len(self.tilts) - 1)
 
     def drill(self, drill: Drill) -> bytes:
-        """The private word for a line that calls a cycle."""
+        """Return the private word for a line that calls a cycle."""
         if self.drills[-1:] != [drill]:
             self.drills.append(drill)
         return b"%c%d" % (ord(DRILL), len(self.drills) - 1)
@@ -54,7 +54,7 @@ class Notes:
 
 
 def kind_findings(kind: Kind, named: Mapping[str, tuple[int, int]]) -> list[Finding]:
-    """What is said of one kind: ``named`` the first line and the count of each name."""
+    """Return what is said of one kind: ``named`` the first line and the count of each name."""
     code, explanation = kind
     apart = code == UNKNOWN[0] or len(named) == 1
     found = []

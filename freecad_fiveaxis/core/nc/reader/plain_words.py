@@ -45,7 +45,7 @@ class Plain:
 
 
 def plain_words(text: bytes, language: str, progress: Progress, of_machine: OfMachine = NO_MACHINE) -> Plain:
-    """A text in capitals, without comments. Raises ProgramError for what does not end."""
+    """Return a text in capitals, without comments. Raises ProgramError for what does not end."""
     return (
         _siemens(text, progress, of_machine)
         if language == "siemens"
@@ -123,5 +123,5 @@ def _refuse_digits(text: bytes, row: int, source: Ints | None) -> NoReturn:
 
 
 def moved(found: Finding, source: Ints | None) -> Finding:
-    """A finding with the line of the file."""
+    """Return a finding with the line of the file."""
     return found if source is None or found.line is None else replace(found, line=int(source[found.line]))

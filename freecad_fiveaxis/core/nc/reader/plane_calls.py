@@ -88,7 +88,7 @@ def beyond(values: Sequence[float]) -> str:
 
 
 def about(axis: int, degrees: float) -> Floats:
-    """The turn (3, 3) about X, Y or Z (0, 1, 2); exact for quarter turns."""
+    """Return the turn (3, 3) about X, Y or Z (0, 1, 2); exact for quarter turns."""
     quarter = degrees % 360.0 / 90.0
     cos, sin = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     if quarter == int(quarter):
@@ -101,7 +101,7 @@ def about(axis: int, degrees: float) -> Floats:
 
 
 def one_by_one(axes: Sequence[int], degrees: Sequence[float]) -> Floats:
-    """Turns (3, 3) one after the other, each about an axis already turned."""
+    """Return turns (3, 3) one after the other, each about an axis already turned."""
     first, second, third = (about(axis, angle) for axis, angle in zip(axes, degrees, strict=True))
     return first @ second @ third
 
@@ -122,7 +122,7 @@ def by_vectors(base: Floats, normal: Floats) -> Floats | None:
 
 
 def heidenhain(line: str) -> Tilt:
-    """A line that begins with PLANE, in capitals, single blanks."""
+    """Return a line that begins with PLANE, in capitals, single blanks."""
     rest = line.removeprefix("PLANE").strip()
     form, _, rest = rest.partition(" ")
     tilt = _heidenhain(form, rest)
@@ -177,7 +177,7 @@ def _turned(form: str, values: list[float]) -> Floats | None:
 
 
 def cycle800(inside: str) -> Tilt:
-    """What stands in the brackets of CYCLE800."""
+    """Return what stands in the brackets of CYCLE800."""
     parts = [part.strip() for part in inside.split(",")]
     name, parts[1:2] = (parts[1].strip('" ') if len(parts) > 1 else ""), ["0"] * (len(parts) > 1)
     if not any(parts[:1] + parts[2:]) or name == "0":

@@ -67,8 +67,8 @@ def solution(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats) -> tup
 
 
 def _free(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats, second: Floats) -> Floats:
-    """The free first axis (n,) rad beside the ``second`` (n,) rad: where it stands, or where TABLE ROT asks a
-    table to turn."""
+    """Return the free first axis (n,) rad beside the ``second`` (n,) rad: where it stands, or where TABLE ROT
+    asks a table to turn."""
     if not tilt.table or kinematics.axes[3].side != "table":
         return np.full(len(second), stand[0])
     first, other = kinematics.direction[3:]
@@ -78,7 +78,7 @@ def _free(kinematics: Chain, tilt: Tilt, frame: Floats, stand: Floats, second: F
 
 
 def _windings(ways: Floats, stand: Floats) -> Floats:
-    """The ways (n, 2) rad in the turns around where the axes stand."""
+    """Return the ways (n, 2) rad in the turns around where the axes stand."""
     near = ways + 2.0 * np.pi * np.rint((stand - ways) / (2.0 * np.pi))
     whole = 2.0 * np.pi * np.arange(-MOST_TURNS, MOST_TURNS + 1)
     grid = np.stack(np.meshgrid(whole, whole, indexing="ij"), axis=-1).reshape(-1, 2)
@@ -93,7 +93,7 @@ def _nearest_zero(kinematics: Chain, stand: Floats) -> Floats:
 
 
 def master(kinematics: Chain, rule: str) -> int:
-    """The axis (0 nearest to the work, 1 nearest to the tool) that the rule looks at first."""
+    """Return the axis (0 nearest to the work, 1 nearest to the tool) that the rule looks at first."""
     first, second = (axis.side for axis in kinematics.axes[3:])
     if rule == FANUC:
         return int(first == second == "table")

@@ -58,7 +58,7 @@ class Planes:
         return np.asarray((meaning >= IN_PLANE) & np.append(which, False)[np.maximum(meaning - IN_PLANE, -1)])
 
     def modes(self, mode: Ints, on: Bools) -> tuple[Ints, Bools]:
-        """The motion modes (lines,) and whether the control guides the tip, with those of the turning
+        """Return the motion modes (lines,) and whether the control guides the tip, with those of the turning
         lines."""
         mode, on, lines = mode.copy(), on.copy(), list(self.turning)
         mode[lines] = codes.RAPID
@@ -66,8 +66,8 @@ class Planes:
         return mode, on
 
     def of_blocks(self, at: Ints, on: Bools, words: list[tuple[Floats, Bytes]]) -> Ints:
-        """What X Y Z mean in the blocks of the lines ``at`` (m,) with these words: rotary words alone turn
-        the axes, and X Y Z stand, unless the control guides the tip (``on`` (m,))."""
+        """Return what X Y Z mean in the blocks of the lines ``at`` (m,) with these words: rotary words alone
+        turn the axes, and X Y Z stand, unless the control guides the tip (``on`` (m,))."""
         linear = np.logical_or.reduce([kind != 0 for _, kind in words[:3]])
         rotary = np.logical_or.reduce([kind != 0 for _, kind in words[3:]])
         now = self.meaning[at]
@@ -94,7 +94,7 @@ class Planes:
         return vector
 
     def in_plane(self, place: Floats, meaning: int) -> Floats:
-        """The other way round, for one place (3,)."""
+        """Return the other way round, for one place (3,)."""
         k = meaning - IN_PLANE
         return np.asarray(self.turn[k].T @ (place - self.origin[k]))
 
@@ -102,19 +102,19 @@ class Planes:
 def planes_of(
     lines: Lines, grammar: Grammar, dynamic: Mapping[int, Tilt] = MappingProxyType({})
 ) -> Planes | None:
-    """The tilted planes of a program; None where it has none. ``dynamic``: those that :mod:`.dynamic_offset`
-    knows better."""
+    """Return the tilted planes of a program; None where it has none. ``dynamic``: those that
+    :mod:`.dynamic_offset` knows better."""
     tilts = dict(sorted({**tilts_of(lines, grammar), **dynamic}.items()))
     return _planes(tilts, lines, grammar) if tilts else None
 
 
 def tilts_of(lines: Lines, grammar: Grammar) -> dict[int, Tilt]:
-    """The lines that begin, turn to or end a tilted plane, in their order."""
+    """Return the lines that begin, turn to or end a tilted plane, in their order."""
     return dict(sorted((_by_codes(lines) if grammar.name == "iso" else _by_words(lines)).items()))
 
 
 def _by_words(lines: Lines) -> dict[int, Tilt]:
-    """What :mod:`.siemens` and :mod:`.heidenhain` found."""
+    """Return what :mod:`.siemens` and :mod:`.heidenhain` found."""
     if codes.PLANE not in lines.letters:
         return {}
     number = lines.column(codes.PLANE)
@@ -225,7 +225,7 @@ def _without_centres(tilt: Tilt, lines: Lines) -> str:
 
 
 def refused(name: str, reason: str, row: int) -> Finding:
-    """What is not interpreted, in the line of index ``row``."""
+    """Return what is not interpreted, in the line of index ``row``."""
     text = say(
         "{name}: this tilted plane is not interpreted, and the coordinates after it are taken as they were "
         "before: {reason}. Post it another way, or post without planes.",

@@ -88,8 +88,8 @@ class Moves:
 
 
 def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
-    """The word of an axis in each line, whichever form it has, and how it is meant; absolute ones are so
-    under G90."""
+    """Return the word of an axis in each line, whichever form it has, and how it is meant; absolute ones are
+    so under G90."""
     value = lines.column(letter)
     kind = np.where(np.isnan(value), NOTHING, ABSOLUTE).astype(np.int8)
     for forms, meant in ((codes.STEP_OF, STEP), (codes.SHORTER_OF, SHORTER)):
@@ -102,7 +102,7 @@ def axis_words(lines: Lines, letter: str) -> tuple[Floats, Bytes]:
 
 
 def absolute_anyway(lines: Lines, letter: str) -> Bools:
-    """The lines (lines,) whose word of that letter is absolute whatever is in force
+    """Return the lines (lines,) whose word of that letter is absolute whatever is in force
     (:data:`.codes.ABSOLUTE`)."""
     found = np.zeros(lines.count, np.bool_)
     if codes.ABSOLUTE in lines.letters and letter in codes.AXIS_LETTERS:
@@ -113,7 +113,7 @@ def absolute_anyway(lines: Lines, letter: str) -> Bools:
 
 
 def check_near(lines: Lines, letter: str, value: Floats) -> None:
-    """Raises ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond
+    """Raise ProgramError, naming the place, where a word ``value`` (lines,) of that letter is beyond
     :data:`FARTHEST`."""
     far = np.flatnonzero(np.abs(np.nan_to_num(value)) > FARTHEST)
     if len(far):
@@ -142,8 +142,8 @@ def moves(
     meaning: Ints,
     planes: Planes | None = None,
 ) -> Moves:
-    """The motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether they are
-    guided ``on`` (m,), and the vectors ``vector`` (m, 3) that they give, NaN where none;
+    """Return the motion lines ``at`` (m,) with their words (as of :func:`axis_words`, each (m,)), whether
+    they are guided ``on`` (m,), and the vectors ``vector`` (m, 3) that they give, NaN where none;
     ``programmed_before`` (5,): as ``Start.programmed``; ``meaning`` (m,) of X Y Z, as of
     :meth:`.planes.Planes.of_blocks`."""
     count = len(at)
@@ -178,7 +178,7 @@ def moves(
 
 
 def _pose(kinematics: Chain, programmed: Floats, was: int, now: int, planes: Planes | None) -> Floats:
-    """The same pose as the next stretch says it; what X Y Z mean there, and meant before."""
+    """Return the same pose as the next stretch says it; what X Y Z mean there, and meant before."""
     words = programmed[None]
     if was == now:
         return programmed
@@ -200,7 +200,8 @@ def _of_tip(meaning: int, planes: Planes | None) -> bool:
 
 
 def in_work(programmed: Floats, meaning: Ints, planes: Planes | None) -> Floats:
-    """The programmed words (m, 5), with the tip's place in the work where X Y Z stand in a tilted plane."""
+    """Return the programmed words (m, 5), with the tip's place in the work where X Y Z stand in a tilted
+    plane."""
     if planes is None:
         return programmed
     place = programmed.copy(order="K")
@@ -302,5 +303,5 @@ def where_axes_stand(kinematics: Chain, programmed: Floats, by_tip: Bools) -> Fl
 
 
 def tool_axes(kinematics: Chain, words: Floats) -> Floats:
-    """The tool axis (m, 3) at words (m, 5) mm and degrees."""
+    """Return the tool axis (m, 3) at words (m, 5) mm and degrees."""
     return forward(kinematics, words_to_q(words))[1]

@@ -83,7 +83,7 @@ def _passed(text: bytes, pattern: re.Pattern[bytes], findings: list[Finding], wh
 
 
 def _without_colons(text: bytes, findings: list[Finding]) -> bytes:
-    """The text without colons that stand before words of other letters than numbers."""
+    """Return the text without colons that stand before words of other letters than numbers."""
     places = [found.start(1) for found in COLON.finditer(text)] if b":" in text else []
     if not places:
         return text
@@ -122,7 +122,7 @@ def finding_at(code: Code, sentence: str, text: bytes, at: int, severity: Severi
 
 
 def _mark(text: bytes, start: int) -> int:
-    """The next ``%`` that begins a line, -1 if there is none."""
+    """Return the next ``%`` that begins a line, -1 if there is none."""
     at = text.find(b"%", start)
     while at >= 0 and text[text.rfind(b"\n", 0, at) + 1 : at].strip():
         at = text.find(b"%", at + 1)

@@ -67,8 +67,8 @@ class _Table:
 
 
 def shifted(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
-    """The words with all shifts put into them, those of the shifts themselves left out. Without any, the same
-    object."""
+    """Return the words with all shifts put into them, those of the shifts themselves left out. Without any,
+    the same object."""
     kind = _kinds(lines, grammar)
     if np.isnan(kind).all():
         return words, []
@@ -93,7 +93,7 @@ def shifted(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[F
 
 
 def _left(zero: _Zero, moving: Ints, row: int, grammar: Grammar) -> list[Finding]:
-    """That lines before ``row`` move by a zero that only the control knows."""
+    """Report that lines before ``row`` move by a zero that only the control knows."""
     if not zero.left.any() or np.searchsorted(moving, zero.end) == np.searchsorted(moving, row):
         return []
     zero.left = np.zeros(3, np.bool_)
@@ -120,7 +120,7 @@ def _table(lines: Lines, grammar: Grammar, kind: Floats) -> _Table:
 
 
 def _tilted(zero: _Zero, tilt: Tilt, row: int) -> None:
-    """What a line of a tilted plane makes of the zero."""
+    """Shift the zero by what a line of a tilted plane makes of it."""
     if tilt.refused or (tilt.rule == FANUC and tilt.move == TURN):
         return
     if tilt.rule == SIEMENS:
@@ -131,7 +131,7 @@ def _tilted(zero: _Zero, tilt: Tilt, row: int) -> None:
 
 
 def _moved(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
-    """What a line with a shift makes of the zero; why that is not known."""
+    """Return what a line with a shift makes of the zero; why that is not known."""
     if zero.tilted and grammar.name == "iso":
         return say("it stands in a tilted plane")
     if table.rotary[row]:
@@ -152,7 +152,7 @@ def _moved(zero: _Zero, table: _Table, row: int, grammar: Grammar) -> str:
 def _put(
     words: Words, lines: Lines, grammar: Grammar, shift: Floats, own: Bools, origins: dict[int, Floats]
 ) -> Words:
-    """The words with ``shift`` (lines, 3) mm on those that it moves, and ``origins`` in the lines of
+    """Return the words with ``shift`` (lines, 3) mm on those that it moves, and ``origins`` in the lines of
     planes."""
     shift = shift / np.where(lines.inch(grammar), INCH, 1.0)[:, None]
     value, line, letter = words.value.copy(), words.line, words.letter

@@ -87,8 +87,8 @@ WAYS = {
 
 
 def plain(text: bytes, notes: Notes) -> bytes:
-    """The text, in capitals and without comments, as ISO words with the private letters; every line stays
-    where it is."""
+    """Return the text, in capitals and without comments, as ISO words with the private letters; every line
+    stays where it is."""
     text = corners.marked(shifts(without_strings(text)), siemens=True)
     text = ALONE.sub(lambda found: _alone(found, notes), text)
     if b"=" in text:
@@ -101,7 +101,7 @@ def plain(text: bytes, notes: Notes) -> bytes:
 
 
 def swivels(text: bytes, notes: Notes) -> bytes:
-    """The text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in
+    """Return the text with the private word of a tilted plane for each CYCLE800, whose tool carrier stands in
     quotation marks."""
     return CYCLE800.sub(
         lambda found: notes.tilt(cycle800(found[1].decode("latin-1"))).ljust(len(found[0])), text
@@ -109,8 +109,8 @@ def swivels(text: bytes, notes: Notes) -> bytes:
 
 
 def shifts(text: bytes) -> bytes:
-    """The text with the private word of a shift for TRANS, ATRANS, ROT and AROT, whose words stay as they
-    are."""
+    """Return the text with the private word of a shift for TRANS, ATRANS, ROT and AROT, whose words stay as
+    they are."""
     if b"ROT" in text:
         text = ROTATE.sub(lambda found: (b"s5" if found[1] else b"s4").ljust(len(found[0])), text)
         text = IN_THE_PLANE.sub(lambda found: codes.IN_THE_PLANE.encode().ljust(len(found[0])), text)
@@ -122,7 +122,7 @@ def shifts(text: bytes) -> bytes:
 
 
 def _drill(found: re.Match[bytes], notes: Notes) -> bytes:
-    """The private word of a call of a drilling cycle, or of MCALL alone, which ends one."""
+    """Return the private word of a call of a drilling cycle, or of MCALL alone, which ends one."""
     drill = Drill()
     if found[2]:
         drill = drill_of(found[2].decode(), found[3].decode("latin-1"), bool(found[1]))
@@ -130,7 +130,7 @@ def _drill(found: re.Match[bytes], notes: Notes) -> bytes:
 
 
 def without_strings(text: bytes) -> bytes:
-    """The text without what stands in quotation marks."""
+    """Return the text without what stands in quotation marks."""
     return TOOL.sub(_blank, STRING.sub(_blank, text)) if b'"' in text else text
 
 
@@ -199,7 +199,7 @@ def _keyword(found: re.Match[bytes], notes: Notes) -> bytes:
 
 
 def _alone(found: re.Match[bytes], notes: Notes) -> bytes:
-    """The line with blanks for a call, noted; as it is where its word is a known one."""
+    """Return the line with blanks for a call, noted; as it is where its word is a known one."""
     name = found[2] or found[3]
     if name in KNOWN or not (found[2] or _kind(name) is codes.UNKNOWN):
         return found[0]

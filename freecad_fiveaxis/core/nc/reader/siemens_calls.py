@@ -81,7 +81,7 @@ def put_unit(
 
 
 def _arguments(inside: str, unit: Unit, at: int) -> str:
-    """The values of a call, with those of the head for what it leaves out."""
+    """Return the values of a call, with those of the head for what it leaves out."""
     given = [part.strip() for part in split_arguments(inside)] if inside.strip() else []
     if len(given) > len(unit.parameters):
         raise Unread(say("it gives more values than the program takes"), at)
@@ -90,8 +90,8 @@ def _arguments(inside: str, unit: Unit, at: int) -> str:
 
 
 def found_units(rows: list[str], folders: Sequence[str], known: frozenset[bytes]) -> dict[str, Unit]:
-    """The programs that the rows call, and those that these call, by name. ``known``: words that are no
-    programs."""
+    """Return the programs that the rows call, and those that these call, by name. ``known``: words that are
+    no programs."""
     units, waiting = dict[str, Unit](), [(row, at) for at, row in enumerate(rows)]
     while waiting and folders:
         row, at = waiting.pop(0)
@@ -108,7 +108,7 @@ def found_units(rows: list[str], folders: Sequence[str], known: frozenset[bytes]
 
 
 def name_of(found: re.Match[str]) -> str:
-    """The name that a call gives, without folder and ending."""
+    """Return the name that a call gives, without folder and ending."""
     if found["name"]:
         return found["name"]
     name = re.split(r"[/\\:]", found["path"])[-1].partition(".")[0]
@@ -116,7 +116,7 @@ def name_of(found: re.Match[str]) -> str:
 
 
 def _text(name: str, folders: Sequence[str]) -> bytes | None:
-    """The program of a name in capitals, without comments; None where no folder has it."""
+    """Return the program of a name in capitals, without comments; None where no folder has it."""
     for folder in folders:
         try:
             here = {entry.lower(): entry for entry in sorted(os.listdir(folder))}

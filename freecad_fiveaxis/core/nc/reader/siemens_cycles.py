@@ -86,7 +86,7 @@ class Drill:
 
 
 def drill_of(name: str, inside: str, modal: bool) -> Drill:
-    """What stands in the brackets of a call."""
+    """Return what stands in the brackets of a call."""
     parts = [part.strip() for part in split_arguments(inside)]
     names = WITHOUT_DWELL if name == "CYCLE81" and len(parts) == len(WITHOUT_DWELL) else PARAMETERS[name]
     try:
@@ -100,7 +100,7 @@ def drill_of(name: str, inside: str, modal: bool) -> Drill:
 
 
 def _value(text: str) -> float:
-    """A number, or arithmetic without parameters. Raises Unread, ArithmeticError, ValueError."""
+    """Return a number, or arithmetic without parameters. Raises Unread, ArithmeticError, ValueError."""
     if NUMBER.fullmatch(text.lstrip("+-")) and text.count("-") + text.count("+") <= 1:
         value = float(text)
     else:
@@ -163,7 +163,7 @@ def _depth(values: dict[str, float], absolute: str, relative: str) -> float:
 
 
 def _depths(values: dict[str, float]) -> list[float]:
-    """The depths of the pecks of CYCLE83 above the last."""
+    """Return the depths of the pecks of CYCLE83 above the last."""
     bottom, at = _depth(values, "DP", "DPR"), values["RFP"]
     stroke, less = at - max(_depth(values, "FDEP", "FDPR"), bottom), values.get("_DAM", 0.0)
     floor = values.get("_MDEP", 0.0) or max(less, 0.0)
@@ -251,7 +251,7 @@ def _pitch(values: dict[str, float]) -> float:
 
 
 def split_arguments(inside: str) -> list[str]:
-    """What stands between commas that lie in no bracket of their own."""
+    """Return what stands between commas that lie in no bracket of their own."""
     depth, cuts = 0, [-1]
     for at, sign in enumerate(inside):
         depth += (sign in "([") - (sign in ")]")

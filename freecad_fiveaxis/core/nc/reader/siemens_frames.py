@@ -58,8 +58,8 @@ class _Place:
 
 
 def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[Words, list[Finding]]:
-    """The words with the frames as planes (:mod:`.planes`), those of the lines that program them left out;
-    ``kind`` (lines,) says what a line does, NaN where it programs no frame."""
+    """Return the words with the frames as planes (:mod:`.planes`), those of the lines that program them left
+    out; ``kind`` (lines,) says what a line does, NaN where it programs no frame."""
     scale = np.where(lines.inch(grammar), INCH, 1.0)
     programmed = np.stack([axis_words(lines, letter)[0] for letter in "XYZ"], axis=1)
     rotary = np.logical_or.reduce([np.nan_to_num(axis_words(lines, letter)[0]) != 0.0 for letter in "ABC"])
@@ -83,14 +83,14 @@ def framed(words: Words, lines: Lines, grammar: Grammar, kind: Floats) -> tuple[
 
 
 def _of_swivel(tilt: Tilt, scale: float) -> _Place | None:
-    """The coordinates of CYCLE800; None where it ends."""
+    """Return the coordinates of CYCLE800; None where it ends."""
     if tilt.turn is None:
         return None
     return _Place((np.array(tilt.origin) + tilt.turn @ np.array(tilt.shift)) * scale, tilt.turn)
 
 
 def _step(does: int, value: Floats, scale: float, normal: int, in_plane: float) -> _Place:
-    """What a line tells: a shift, or a turn."""
+    """Return what a line tells: a shift, or a turn."""
     if does < ROTATED:
         return _Place(value * scale)
     if not np.isnan(in_plane):
@@ -99,7 +99,7 @@ def _step(does: int, value: Floats, scale: float, normal: int, in_plane: float) 
 
 
 def _tilt(swivel: _Place | None, own: _Place, scale: float) -> Tilt:
-    """The frame as a plane, which turns no axes."""
+    """Return the frame as a plane, which turns no axes."""
     if swivel is None and own.nothing():
         return Tilt(SIEMENS)
     place = own if swivel is None else swivel.on(own)
@@ -108,7 +108,8 @@ def _tilt(swivel: _Place | None, own: _Place, scale: float) -> Tilt:
 
 
 def _with_tilts(words: Words, own: Bools, tilts: dict[int, Tilt]) -> Words:
-    """The words with the private word of a plane in each line of a frame, for all others of that line."""
+    """Return the words with the private word of a plane in each line of a frame, for all others of that
+    line."""
     keep = ~(own[words.line] & np.isin(words.letter, [ord(letter) for letter in OWN]))
     rows = np.array(list(tilts), np.int64)
     line = np.concatenate([words.line[keep], rows])

@@ -58,7 +58,7 @@ class _HoleMoves:
 
 
 def holes_written_out(words: Words, lines: Lines, grammar: Grammar) -> tuple[Words, list[Finding]]:
-    """The words with the moves of the cycles; each line that becomes several keeps its number in
+    """Return the words with the moves of the cycles; each line that becomes several keeps its number in
     ``Words.source``. Without any call, the same object. Raises ProgramError for more moves than
     :data:`.canned_cycles.MOST`."""
     if codes.DRILL not in lines.letters:
@@ -74,7 +74,8 @@ def holes_written_out(words: Words, lines: Lines, grammar: Grammar) -> tuple[Wor
 
 
 def _calls(lines: Lines) -> list[tuple[int, Drill]]:
-    """The lines after which a cycle runs, and which; of a modal one that is not understood its own line."""
+    """Return the lines after which a cycle runs, and which; of a modal one that is not understood its own
+    line."""
     number, drills = lines.column(codes.DRILL), lines.words.drills
     at = np.flatnonzero(~np.isnan(number))
     modal = np.array([drill.modal or not drill.name for drill in drills])
@@ -93,7 +94,7 @@ def _calls(lines: Lines) -> list[tuple[int, Drill]]:
 
 
 def _moving(lines: Lines) -> Bools:
-    """The lines whose words move an axis."""
+    """Return the lines whose words move an axis."""
     moving = np.logical_or.reduce([axis_words(lines, letter)[1] != 0 for letter in "XYZABC"])
     arc = lines.mode(codes.SIEMENS.motion, codes.NONE) == codes.ARC
     moving |= arc & np.logical_or.reduce([~np.isnan(lines.column(letter)) for letter in "IJK"])
@@ -126,7 +127,7 @@ def _wrong(state: _State, row: int) -> str:
 
 
 def _put(holes: _HoleMoves, drill: Drill, row: int, state: _State, lines: Lines) -> None:
-    """The rows of a call into ``holes``: made once for calls of the same cycle in the same state."""
+    """Put the rows of a call into ``holes``: made once for calls of the same cycle in the same state."""
     around = Around(
         int(state.plane[row]), float(state.feed[row]), float(state.speed[row]),
         bool(state.feed_mode[row] == codes.PER_TURN),
@@ -154,7 +155,7 @@ def _put(holes: _HoleMoves, drill: Drill, row: int, state: _State, lines: Lines)
 
 
 def _rows(drill: Drill, around: Around, stepwise: bool, motion: int) -> Rows:
-    """The words of a call: its moves, each a row, and a row that puts back what was in force."""
+    """Return the words of a call: its moves, each a row, and a row that puts back what was in force."""
     axis, feed, words = "XYZ"[AXES[around.plane, 2]], around.feed, list[tuple[int, str, float]]()
     if stepwise:
         words.append((1, "G", 90.0))

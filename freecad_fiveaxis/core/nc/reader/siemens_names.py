@@ -37,7 +37,7 @@ OPERATOR = re.compile(r" *(?:\*|/|[-+]|(?:DIV|MOD|AND|OR|XOR)\b|==|<>|<=|>=|<|>)
 
 
 def marked(rows: list[str]) -> list[str]:
-    """The rows with the names of their variables between marks; the same where they have none."""
+    """Return the rows with the names of their variables between marks; the same where they have none."""
     own, control = set[str](), set[str]()
     for row in rows:
         if "DEF" in row and (found := DEFINES.search(row)) and found[1] in WITH_VALUE:
@@ -53,18 +53,18 @@ def marked(rows: list[str]) -> list[str]:
 
 
 def unmarked(text: str) -> str:
-    """The text with the names as they are written."""
+    """Return the text with the names as they are written."""
     return MARKED.sub(lambda found: found[1].partition(".")[2].upper(), text)
 
 
 def by_names(text: str) -> str:
-    """The text with the names as those of the variables of :mod:`.expressions`."""
+    """Return the text with the names as those of the variables of :mod:`.expressions`."""
     return MARKED.sub(r"#<\1>", text)
 
 
 def definition(line: str) -> str:
-    """A line of DEF, without blanks, as settings; nothing for variables that have no value here. Raises
-    Unread for fields."""
+    """Return a line of DEF, without blanks, as settings; nothing for variables that have no value here.
+    Raises Unread for fields."""
     found = DEFINITION.match(line)
     if not found:
         if WITHOUT_VALUE.match(line):

@@ -63,8 +63,8 @@ UNKNOWN = re.compile(r"DIV|NOT|B_|TRUNC|ATAN2|POT|[AID]C\[|R\[|\$|,|[A-Z_]{2}[A-
 
 
 def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) -> Whole:
-    """The rows with the programs that they call behind them; ``called``: the rows with their strings. Raises
-    Unread."""
+    """Return the rows with the programs that they call behind them; ``called``: the rows with their strings.
+    Raises Unread."""
     main = [row.decode("latin-1") for row in rows]
     texts = [row.decode("latin-1") for row in called] if len(called) == len(rows) else main
     units = found_units(texts, search, HARMLESS | MACROS)
@@ -80,7 +80,7 @@ def with_calls(rows: list[bytes], called: list[bytes], search: tuple[str, ...]) 
 
 
 def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
-    """The rows, in capitals, as O-words, and which are no more than blocks as they stand.
+    """Return the rows, in capitals, as O-words, and which are no more than blocks as they stand.
 
     Raises Unread for what is not known."""
     rows = marked(whole.rows)
@@ -103,8 +103,8 @@ def to_o_words(whole: Whole) -> tuple[list[str], list[bool]]:
 
 
 def _called(row: str, unit: int) -> str | None:
-    """A call, the head or the end of a subprogram, or the way back from it, as O-words; None for any other
-    row."""
+    """Return a call, the head or the end of a subprogram, or the way back from it, as O-words; None for any
+    other row."""
     if found := BY_NUMBER.match(row):
         inside = found[3] or ""
         values = (
@@ -148,7 +148,7 @@ def _expression(text: str) -> str:
 
 
 def _with_values(row: str) -> str:
-    """A row whose values in variables stand in braces: numbers take their place when it is run."""
+    """Return a row whose values in variables stand in braces: numbers take their place when it is run."""
     row = NUMBERED.sub("", row)
     if found := CALLED.search(row):
         inside = ",".join("{" + _expression(part.replace(" ", "")) + "}" if USED.search(part) else part
@@ -161,7 +161,7 @@ def _with_values(row: str) -> str:
 
 
 def _addressed(row: str) -> str:
-    """The same for values after addresses."""
+    """Return the same for values after addresses."""
     parts, begin = list[str](), 0
     while found := VALUE.search(row, begin):
         end = value_end(row, found.end())

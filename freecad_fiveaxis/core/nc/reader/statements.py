@@ -42,8 +42,8 @@ class Block:
     ends: bool = False
 
     def row(self, known: Variables, without: str = "") -> tuple[str, dict[str, Value]]:
-        """The line with numbers for values, without the words of the letters ``without``, whose values come
-        beside it."""
+        """Return the line with numbers for values, without the words of the letters ``without``, whose values
+        come beside it."""
         text, values = [], dict[str, Value]()
         for letter, literal, value in self.words:
             what = float(literal) if value is None else value(known)
@@ -87,7 +87,7 @@ class Text:
     values: tuple[Expression, ...]
 
     def row(self, known: Variables) -> str:
-        """The line with numbers for its values."""
+        """Return the line with numbers for its values."""
         numbers = [*(written(number(value(known))) for value in self.values), ""]
         return "".join(part + value for part, value in zip(self.parts, numbers, strict=True))
 
@@ -96,7 +96,7 @@ Statement = Block | OWord | Macro | Text
 
 
 def written(value: float) -> str:
-    """A number as words have it: with a decimal point, for it means what it says whatever the least
+    """Return a number as words have it: with a decimal point, for it means what it says whatever the least
     increment."""
     if not abs(value) < LARGEST:
         raise Unread(say("a value beyond all words"))
@@ -104,8 +104,8 @@ def written(value: float) -> str:
 
 
 def statement(line: str, words: tuple[str, str] | None, fanuc: bool) -> Statement:
-    """What a line means, without blanks and in capitals; ``words``: name and keyword where it is an O-word
-    line.
+    """Return what a line means, without blanks and in capitals; ``words``: name and keyword where it is an
+    O-word line.
 
     Raises Unread for what is not known."""
     line = without_number(line)
@@ -184,7 +184,7 @@ def _word(parser: Parser, letter: str) -> tuple[str, str, Expression | None]:
 
 
 def _kind(words: list[tuple[str, str, Expression | None]], fanuc: bool) -> tuple[str, bool]:
-    """The call that a block of words is, if any, and whether it ends the program."""
+    """Return the call that a block of words is, if any, and whether it ends the program."""
     codes = {(letter, float(text)) for letter, text, value in words if value is None and letter in "GM"}
     if not fanuc and codes & STATES:
         raise Unread(say("M70 to M73 keep and restore modes"))

@@ -42,7 +42,7 @@ class Piece:
         return 0.0 if self.centre is None else float(np.hypot(*(self.start - self.centre)))
 
     def tangent(self, place: Floats) -> Floats:
-        """The direction (2,) at a place on it."""
+        """Return the direction (2,) at a place on it."""
         if self.centre is None:
             return (self.end - self.start) / self.length
         out = (place - self.centre) / np.hypot(*(place - self.centre))
@@ -58,7 +58,7 @@ class Piece:
         return self.radius * (angle - 2.0 * np.pi if angle > 2.0 * np.pi - STRAIGHT else angle)
 
     def foot(self, centre: Floats) -> Floats:
-        """The place on it, or on its line or circle, that is nearest to ``centre`` (2,)."""
+        """Return the place on it, or on its line or circle, that is nearest to ``centre`` (2,)."""
         if self.centre is None:
             way = self.tangent(self.start)
             return self.start + ((centre - self.start) @ way) * way
@@ -88,15 +88,15 @@ class Rounding:
 
 
 def corner(one: Piece, two: Piece) -> tuple[float, float]:
-    """The angle by which the contour turns where they meet, rad, and the side to which it does."""
+    """Return the angle by which the contour turns where they meet, rad, and the side to which it does."""
     before, after = one.tangent(one.end), two.tangent(two.start)
     cross = float(before[0] * after[1] - before[1] * after[0])
     return abs(float(np.arctan2(cross, before @ after))), 1.0 if cross > 0.0 else -1.0
 
 
 def rounding(one: Piece, two: Piece, radius: float, taken: float) -> Rounding | None:
-    """The arc of that radius between two pieces, the nearest to their corner; None where they are too short
-    for it. ``taken`` mm of the first by the corner before."""
+    """Return the arc of that radius between two pieces, the nearest to their corner; None where they are too
+    short for it. ``taken`` mm of the first by the corner before."""
     side, best, least = corner(one, two)[1], None, np.inf
     for centre in _centres(one, two, side * radius):
         first, last = one.foot(centre), two.foot(centre)
@@ -110,7 +110,7 @@ def rounding(one: Piece, two: Piece, radius: float, taken: float) -> Rounding | 
 
 
 def _centres(one: Piece, two: Piece, off: float) -> Iterator[Floats]:
-    """The places (2,) that lie ``off`` mm to the left of both, on whole lines and circles."""
+    """Yield the places (2,) that lie ``off`` mm to the left of both, on whole lines and circles."""
     if one.centre is None:
         one, two = two, one
     if one.centre is None:

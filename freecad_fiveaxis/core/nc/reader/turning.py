@@ -37,7 +37,7 @@ class Turned:
 
 
 def turned(kinematics: Chain, words: Words, at: Ints, planes: Planes, wrap: tuple[str, str]) -> Turned:
-    """The words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of
+    """Return the words (m,) of the lines ``at`` (m,), with where the axes turn in the lines of
     ``planes.turning``."""
     output: Words = [(value.copy(), kind.copy()) for value, kind in words]
     rotary, stand, since, findings = output[3:], np.zeros(2), 0, list[Finding]()
@@ -89,8 +89,8 @@ def vector_findings(planes: Planes, motions: Moves) -> tuple[Finding, ...]:
 
 
 def off_normal(planes: Planes, motions: Moves, chords: Chords | None, axis: Floats) -> tuple[Finding, ...]:
-    """The blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and nobody
-    guides the tip."""
+    """Return the blocks (m,) in planes in which the tool ``axis`` (m, 3) does not lie along the normal, and
+    nobody guides the tip."""
     row = np.arange(len(axis)) if chords is None else chords.row
     meaning, on, line = motions.meaning[row], motions.on[row], motions.at[row]
     rows = np.flatnonzero((meaning >= IN_PLANE) & ~on & ~planes.frames(meaning))

@@ -121,7 +121,7 @@ class Words:
         return f"line {line}, column {_column(self.text, line, int(self.start[word]) - begin)}"
 
     def in_file(self, line: Ints) -> Ints:
-        """The lines of the file for some of ``line``."""
+        """Return the lines of the file for some of ``line``."""
         return line if self.source is None else self.source[line]
 
     def bare(self) -> Bools:
@@ -170,7 +170,7 @@ def read_words(
 
 
 def _words_of(text: bytes, source: Ints | None) -> Words:
-    """The words of a text that holds nothing else."""
+    """Return the words of a text that holds nothing else."""
     _check_characters(text, source)
     compact = text.translate(None, b" ") + b"\n"
     code = np.frombuffer(compact, np.uint8)
@@ -189,8 +189,8 @@ def _words_of(text: bytes, source: Ints | None) -> Words:
 def _blanked(
     text: bytes, language: str, progress: Progress, of_machine: OfMachine
 ) -> tuple[bytes, list[Finding], Plain]:
-    """The text in capitals, lines ending in LF, with blanks for all that is no word; what was passed over;
-    what the text's own language brought."""
+    """Return the text in capitals, lines ending in LF, with blanks for all that is no word; what was passed
+    over; what the text's own language brought."""
     findings: list[Finding] = []
     text = text.removeprefix(b"\xef\xbb\xbf").replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     text = without_end_sign(text, findings)
@@ -237,7 +237,7 @@ def _blanked(
 
 
 def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[bytes, list[int]]:
-    """The text with each group 1 of the pattern replaced at equal length, and where that was."""
+    """Return the text with each group 1 of the pattern replaced at equal length, and where that was."""
     spans = [found.span(1) for found in pattern.finditer(text)]
     buffer = bytearray(text)
     for first, last in spans:
@@ -246,7 +246,7 @@ def _overwritten(text: bytes, pattern: re.Pattern[bytes], by: bytes) -> tuple[by
 
 
 def _marks(text: bytes, language: str) -> list[bytes]:
-    """What shows that a text has variables, expressions or jumps."""
+    """Return what shows that a text has variables, expressions or jumps."""
     known = KEYWORDS if language == "iso" and _has_adjacent_letters(text) else ()
     return [mark for mark in (*SYMBOLS[language], *known) if mark in text]
 
@@ -261,8 +261,8 @@ def _calls(words: Words, fanuc: bool) -> bool:
 def _run(
     text: bytes, marks: list[bytes], language: str, fanuc: bool, findings: list[Finding], progress: Progress
 ) -> tuple[bytes, Ints | None]:
-    """The text as the control comes to its lines, and the lines of the file that these are; where they are
-    not understood, blanks for the lines that hold one of the ``marks``, with a finding."""
+    """Return the text as the control comes to its lines, and the lines of the file that these are; where they
+    are not understood, blanks for the lines that hold one of the ``marks``, with a finding."""
     if language == "iso":
         expanded = interpreter.written_out(text, fanuc, progress)
         if isinstance(expanded, interpreter.Written):
@@ -282,7 +282,7 @@ def _run(
 
 
 def _lines_with(text: bytes, marks: list[bytes]) -> list[int]:
-    """The lines, counted from 0, with one of the marks."""
+    """Return the lines, counted from 0, with one of the marks."""
     lines = text.split(b"\n")
     return [k for k, line in enumerate(lines) if any(mark in line for mark in marks) or O_LINE.match(line)]
 
@@ -379,7 +379,8 @@ def _line_start(text: bytes, line: int) -> int:
 
 
 def _column(text: bytes, line: int, within: int) -> int:
-    """The column, counted from 1, of character ``within`` of a line without its blanks; 1 beyond its end."""
+    """Return the column, counted from 1, of character ``within`` of a line without its blanks; 1 beyond its
+    end."""
     begin = _line_start(text, line)
     places = [found.start() for found in SOLID.finditer(text, begin, line_end(text, begin))]
     return places[within] - begin + 1 if within < len(places) else 1

@@ -67,8 +67,8 @@ def minimax_axes(
     progress: Progress = silent,
     ring: float = 0.0,
 ) -> Floats:
-    """Unit axes (n, 3) for the rows of ``path`` with the smallest largest deviation that was found, run by
-    run; those of ``axis`` (n, 3), the start, where nothing better was found.
+    """Return unit axes (n, 3) for the rows of ``path`` with the smallest largest deviation that was found,
+    run by run; those of ``axis`` (n, 3), the start, where nothing better was found.
 
     ``reach`` mm: from the ball's centre down the axis to the point that the words drive (the radius, or 0 for
     the centre); ``max_tilt`` rad: how far an axis may leave the great arc between the facet normals on either
@@ -102,8 +102,8 @@ def minimax_axes(
 
 
 def _followed(path: OffsetPath, task: Task, at: Rows, start: Floats, progress: Progress) -> Floats:
-    """The axes (k, 3) of small levels on the branches that the joint path will take them up on, and within
-    the rates there."""
+    """Return the axes (k, 3) of small levels on the branches that the joint path will take them up on, and
+    within the rates there."""
     words, room, kinematics = _best(task, at, start, progress), np.ones(len(at.first)), task.kinematics
     for _ in range(AGAIN):
         taken, after = _driven(path, axes_of(kinematics, words), kinematics, task.reach, task.ring_radius)

@@ -44,7 +44,7 @@ class Ends:
     b: Floats
 
     def take(self, rows: slice) -> Ends:
-        """Some of the rows."""
+        """Return some of the rows."""
         arm, place = (tuple(c[:, rows] if c.ndim else c for c in columns) for columns in (self.arm, self.tip))
         return Ends(arm, place, self.a[:, rows], self.b[:, rows])
 
@@ -67,7 +67,7 @@ class Ring:
     feed: Floats
 
     def take(self, rows: Ints) -> Ring:
-        """Some of the rows."""
+        """Return some of the rows."""
         return Ring(self.radius, self.normal[rows], self.feed[rows])
 
     def out(self, axis: Floats) -> Floats:
@@ -80,9 +80,9 @@ class Ring:
 def states(
     kinematics: Chain, angles: Floats, centre: Floats, reach: float, ring: Ring | None = None
 ) -> States:
-    """The states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball; ``reach``
-    mm: from there, or from the hub of a cutter with a ``ring``, down the axis to the point that the words
-    drive."""
+    """Return the states with rotary words ``angles`` (2, m, k) rad at ``centre`` (k, 3) mm of the ball;
+    ``reach`` mm: from there, or from the hub of a cutter with a ``ring``, down the axis to the point that the
+    words drive."""
     flat, shape, frame = angles.reshape(2, -1).T, angles.shape[1:], frames(kinematics)
     axis = forward(kinematics, np.column_stack([np.zeros((len(flat), 3)), flat]))[1]
     place = np.broadcast_to(centre, (*shape, 3)).reshape(-1, 3) - reach * axis
@@ -95,9 +95,9 @@ def states(
 
 
 def bow(kinematics: Chain, start: Ends, end: Ends, shares: Sequence[float], nearest: bool = False) -> Floats:
-    """The largest distance (m, m', k) mm of the real tip from the chord at the ``shares``, from every state
-    of ``start`` to every one of ``end``; the ends' columns are (m, k) and (m', k). ``nearest``: the first
-    word turns the shorter way, whole turns left out (for the middle alone)."""
+    """Return the largest distance (m, m', k) mm of the real tip from the chord at the ``shares``, from every
+    state of ``start`` to every one of ``end``; the ends' columns are (m, k) and (m', k). ``nearest``: the
+    first word turns the shorter way, whole turns left out (for the middle alone)."""
     frame, (width, count), height = frames(kinematics), start.a.shape, len(end.a)
     found = np.empty((width, height, count))
     portion = max(FEWEST, EDGES // (width * height))
@@ -112,7 +112,7 @@ def bow(kinematics: Chain, start: Ends, end: Ends, shares: Sequence[float], near
 
 
 def _square(frame: Frames, start: Ends, end: Ends, share: float, nearest: bool) -> Floats:
-    """The squared distance at one share."""
+    """Return the squared distance at one share."""
     rest = 1.0 - share
     cos_a, sin_a = _mixed_turn(rest * start.a, share * end.a)
     if nearest:  # a whole turn more at the end is half a turn more in the middle

@@ -70,7 +70,7 @@ def _share(progress: Progress, count: int, part: float) -> None:
 
 
 def portions(at: Rows, runs: Ints, edges: int) -> list[Ints]:
-    """``runs`` in parts whose steps, ``edges`` for each row, fit into a slab."""
+    """Return ``runs`` in parts whose steps, ``edges`` for each row, fit into a slab."""
     number = np.cumsum(at.size[runs]) * edges // SLAB
     return [runs[number == value] for value in np.unique(number)]
 
@@ -112,13 +112,14 @@ def _grid(task: Task, at: Rows, angles: Floats, offsets: Floats, width: Floats) 
 
 
 def _scale(task: Task, angles: Floats) -> Floats:
-    """Steps (2, k) of the words that turn the axis by equal angles."""
+    """Return steps (2, k) of the words that turn the axis by equal angles."""
     sine = np.abs(np.sin(angles[:, 1] - task.pair.best))
     return np.stack([1.0 / np.maximum(sine, STEEP), np.ones(len(angles))])
 
 
 def _chosen(task: Task, at: Rows, grid: Floats, level: Floats) -> Floats:
-    """The best states (k, 2) of a grid (2, m, k), the middle one of which is allowed whatever it is."""
+    """Return the best states (k, 2) of a grid (2, m, k), the middle one of which is allowed whatever it
+    is."""
     there, middle = states(task.kinematics, grid, at.centre, task.reach, task.ring), grid.shape[1] // 2
     good = usable(task, at, grid, there)
     good[middle] = True

@@ -36,9 +36,9 @@ SECOND = 0.4
 
 
 def other_way(task: Task, at: Rows, angles: Floats, level: Floats) -> tuple[Ints, Floats]:
-    """The runs (p',) that have a passage, and rotary words (k, 2) rad of all rows: in passages the best on
-    the lattice, elsewhere the axes of ``angles`` (k, 2), on the other branch behind a passage that goes
-    through the pole."""
+    """Return the runs (p',) that have a passage, and rotary words (k, 2) rad of all rows: in passages the
+    best on the lattice, elsewhere the axes of ``angles`` (k, 2), on the other branch behind a passage that
+    goes through the pole."""
     axis, branch = axes_of(task.kinematics, angles), side(task, angles[:, 1])
     passage, rows, inner = _pole_passages(task, at, axis)
     if not len(rows):
@@ -62,7 +62,7 @@ def _count(task: Task) -> int:
 
 
 def _pole_passages(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bools]:
-    """The passages as runs of their own, their rows (s,), and which of these are near the pole."""
+    """Return the passages as runs of their own, their rows (s,), and which of these are near the pole."""
     near = np.linalg.norm(np.cross(axis, task.kinematics.direction[3]), axis=1) < math.sin(
         min(NEAR * task.max_tilt, 1.0)
     )
@@ -79,7 +79,7 @@ def _pole_passages(task: Task, at: Rows, axis: Floats) -> tuple[Rows, Ints, Bool
 
 
 def _searched(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools, level: Floats) -> Floats:
-    """The best states (s, 2) of passages on the lattice."""
+    """Return the best states (s, 2) of passages on the lattice."""
     grid, good = _lattice(task, at, angles, axis, inner)
     grid = np.ascontiguousarray(grid.transpose(2, 1, 0))
     there = states(task.kinematics, grid, at.centre, task.reach, task.ring)
@@ -110,7 +110,7 @@ def _lattice(task: Task, at: Rows, angles: Floats, axis: Floats, inner: Bools) -
 
 
 def _other(task: Task, axis: Floats, angles: Floats) -> Floats:
-    """The words (s, 2) of the other branch."""
+    """Return the words (s, 2) of the other branch."""
     both = inverse_axis(task.kinematics, axis)[0]
     same = side(task, both[0, :, 1]) == side(task, angles[:, 1])
     return np.asarray(np.where(same[:, None], both[1], both[0]))

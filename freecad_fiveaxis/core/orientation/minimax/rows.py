@@ -40,7 +40,7 @@ class Rows:
     after: Floats
 
     def take(self, runs: Ints) -> tuple[Rows, Ints]:
-        """Some of the runs, with the rows (k',) that are left."""
+        """Return some of the runs, with the rows (k',) that are left."""
         size = self.size[runs]
         first = np.cumsum(size) - size
         rows = np.arange(int(size.sum())) + np.repeat(self.first[runs] - first, size)
@@ -49,7 +49,7 @@ class Rows:
 
 
 def find_rows(path: OffsetPath) -> Rows:
-    """The rows of ``path``, which has at least one."""
+    """Return the rows of ``path``, which has at least one."""
     begins = run_begins(path)
     first = np.flatnonzero(begins)
     return Rows(
@@ -58,7 +58,7 @@ def find_rows(path: OffsetPath) -> Rows:
 
 
 def run_begins(path: OffsetPath) -> Bools:
-    """The rows (n,) with which a run begins."""
+    """Return the rows (n,) with which a run begins."""
     begins = np.diff(path.polyline, prepend=path.polyline[0] - 1) != 0
     begins[1:] &= np.abs(np.diff(path.centre, axis=0)).max(axis=1, initial=0.0) >= COINCIDENT_MM
     return np.asarray(begins)

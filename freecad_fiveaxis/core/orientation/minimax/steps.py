@@ -53,7 +53,7 @@ class Task:
     ring: Ring | None = None
 
     def take(self, rows: Ints) -> Task:
-        """The task for some of the rows."""
+        """Return the task for some of the rows."""
         ring = None if self.ring is None else self.ring.take(rows)
         return Task(self.kinematics, self.reach, self.max_tilt, self.minutes[rows], self.least[rows], ring)
 
@@ -69,17 +69,17 @@ class Task:
 
 
 def axes_of(kinematics: Chain, angles: Floats) -> Floats:
-    """The unit tool axis (k, 3) at rotary words (k, 2) rad."""
+    """Return the unit tool axis (k, 3) at rotary words (k, 2) rad."""
     return forward(kinematics, np.column_stack([np.zeros((len(angles), 3)), angles]))[1]
 
 
 def levels(task: Task, at: Rows, angles: Floats) -> Floats:
-    """The largest deviation (p,) mm of each run."""
+    """Return the largest deviation (p,) mm of each run."""
     return np.asarray(np.maximum.reduceat(deviations(task, at, angles), at.first))
 
 
 def deviations(task: Task, at: Rows, angles: Floats) -> Floats:
-    """The deviation (k,) mm of the block that leads to each row; 0 where a run begins."""
+    """Return the deviation (k,) mm of the block that leads to each row; 0 where a run begins."""
     start, end = _blocks(states(task.kinematics, angles.T[:, None], at.centre, task.reach, task.ring).ends)
     found = np.zeros(len(angles))
     found[1:] = bow(task.kinematics, start, end, QUARTERS)[0, 0]
@@ -158,12 +158,12 @@ def _blocks(ends: Ends) -> tuple[Ends, Ends]:
 
 
 def side(task: Task, second: Floats) -> Bools:
-    """The branch of second rotary words, as on which side of the pole they are."""
+    """Return the branch of second rotary words, as on which side of the pole they are."""
     return np.asarray(np.sin(second - task.pair.best) > 0.0)
 
 
 def _sides_differ(task: Task, there: States, start: Ends, end: Ends) -> Bools:
-    """The steps (m, m', k) that change sides of the pole and do not go through it."""
+    """Return the steps (m, m', k) that change sides of the pole and do not go through it."""
     one, two = side(task, start.b), side(task, end.b)
     bad = np.zeros((len(one), len(two), one.shape[1]), bool)
     rows = np.flatnonzero(~((one.all(0) & two.all(0)) | ~(one.any(0) | two.any(0))))

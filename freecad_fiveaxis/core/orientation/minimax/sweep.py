@@ -13,7 +13,7 @@ from freecad_fiveaxis.core.base.records import Floats, Ints
 
 
 def cheapest(cost: Floats, entry: Floats, first: Ints, size: Ints) -> Ints:
-    """The state (k,) of each row on the cheapest way through its run.
+    """Return the state (k,) of each row on the cheapest way through its run.
 
     ``cost`` (m, m, k - 1) of the step from row i to i + 1, inf where there is none; those from one run to the
     next are not used. ``entry`` (m, k) cost of being in a state. ``first``, ``size`` (p,): the rows of each

@@ -39,7 +39,7 @@ STEADY = math.radians(0.1)
 def deform_axes(
     offset: OffsetPath, axis: Floats, kinematics: Chain, max_change: float, progress: Progress = silent
 ) -> tuple[Floats, tuple[Finding, ...]]:
-    """Unit tool axes (n, 3) led past the pole, and what there is to say about them.
+    """Return unit tool axes (n, 3) led past the pole, and what there is to say about them.
 
     ``axis`` (n, 3) unit, one for each row of ``offset``, all within the machine's reach
     (:func:`~.feasible.feasible_rows` first); ``max_change`` rad: the largest angle between the given and the
@@ -55,7 +55,7 @@ def deform_axes(
 
 
 def check_change(change: float) -> None:
-    """Raises SettingsError for an allowed change (rad) that is none."""
+    """Raise SettingsError for an allowed change (rad) that is none."""
     if not LEAST_CHANGE <= change <= LARGEST_CHANGE:
         raise SettingsError(
             say(
@@ -71,7 +71,7 @@ def check_change(change: float) -> None:
 def _findings(
     offset: OffsetPath, axis: Floats, kinematics: Chain, found: ReroutedAxes, change: float
 ) -> tuple[Finding, ...]:
-    """What was led, and what still turns fast near the pole."""
+    """Return what was led, and what still turns fast near the pole."""
     globe, letter, limit = Globe.of(kinematics), kinematics.letters[3], math.degrees(change)
     findings = []
     if found.rerouted.any():
@@ -119,7 +119,7 @@ def _findings(
 def _nearest_place(
     offset: OffsetPath, axis: Floats, globe: Globe, polyline: int
 ) -> tuple[float, float, float]:
-    """The contact point at which the axis of a polyline is nearest to the pole."""
+    """Return the contact point at which the axis of a polyline is nearest to the pole."""
     begin = starts(offset.polyline)
     rows = slice(int(begin[polyline]), int(np.append(begin, len(axis))[polyline + 1]))
     x, y, z = offset.point[

@@ -81,7 +81,7 @@ def near_polylines(offset: OffsetPath, axis: Floats, globe: Globe, angle: float)
 def rerouted_axes(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, progress: Progress = silent
 ) -> ReroutedAxes | None:
-    """The axes (n, 3) led within ``change`` rad as in :func:`~.past_pole.apply.deform_axes`, with the
+    """Return the axes (n, 3) led within ``change`` rad as in :func:`~.past_pole.apply.deform_axes`, with the
     figures; None where no polyline comes near the pole."""
     globe = Globe.of(kinematics)
     if not len(axis) or not (near := near_polylines(offset, axis, globe, NEAR * change)).any():
@@ -130,7 +130,7 @@ def _attempts(
 def _with_ways(
     attempt: Attempt, offset: OffsetPath, kinematics: Chain, globe: Globe, change: float, whole: bool = False
 ) -> Attempt:
-    """The attempt with more ways: up to one that is low enough, where parity says nothing; or all."""
+    """Return the attempt with more ways: up to one that is low enough, where parity says nothing; or all."""
     line, routes = attempt.line, [*attempt.routes]
     known = len(routes)
     for parity, polyline in [(0, line)] if globe.straight else [(0, line), (1, mirrored(line))]:
@@ -163,8 +163,8 @@ def _usable(offset: OffsetPath, kinematics: Chain, rows: slice, route: Floats) -
 
 
 def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
-    """The number of the best way left of each attempt that has one, by the attempt's number; a way for the
-    parity that the ways before leave, if there is one."""
+    """Return the number of the best way left of each attempt that has one, by the attempt's number; a way for
+    the parity that the ways before leave, if there is one."""
     parity, chosen = 0, {}
     for number, (attempt, bad) in enumerate(zip(attempts, dropped, strict=True)):
         left = [route for route in range(len(attempt.routes)) if route not in bad]
@@ -178,7 +178,7 @@ def _chosen(attempts: list[Attempt], dropped: list[set[int]]) -> dict[int, int]:
 def _assembled(
     axis: Floats, attempts: list[Attempt], chosen: dict[int, int], count: int
 ) -> tuple[Floats, Bools]:
-    """The axes with the chosen ways, and which of ``count`` polylines are led."""
+    """Return the axes with the chosen ways, and which of ``count`` polylines are led."""
     tried, rerouted = np.array(axis), np.zeros(count, bool)
     for number, route in chosen.items():
         attempt = attempts[number]
@@ -189,9 +189,9 @@ def _assembled(
 def _failed(
     attempts: list[Attempt], chosen: dict[int, int], rerouted: Bools, before: Figures, after: Figures
 ) -> dict[int, set[int]]:
-    """The ways that have to go, by attempt: those that are no better, or that the machine drives on another
-    branch, far faster than meant; or, where there are none, what makes another polyline worse: the last swap
-    before it, or else the nearest way."""
+    """Return the ways that have to go, by attempt: those that are no better, or that the machine drives on
+    another branch, far faster than meant; or, where there are none, what makes another polyline worse: the
+    last swap before it, or else the nearest way."""
     better, failed = after.better(before), {}
     for number, route in chosen.items():
         line, meant = attempts[number].polyline, attempts[number].routes[route][1].peak

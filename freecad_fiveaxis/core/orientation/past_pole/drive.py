@@ -70,7 +70,7 @@ ROUNDING = 1e-6
 
 
 def drive(offset: OffsetPath, axis: Floats, kinematics: Chain, progress: Progress = silent) -> Floats:
-    """The rotary words (n, 2) rad, turns not folded, of an offset path with tool axes (n, 3). Raises
+    """Return the rotary words (n, 2) rad, turns not folded, of an offset path with tool axes (n, 3). Raises
     ReachError where the machine cannot take up an axis."""
     low, high = offset.centre.min(axis=0), offset.centre.max(axis=0)
     path = link_passes(offset, axis, BALL, low, high, STANDING)
@@ -87,7 +87,7 @@ def starts(polyline: Ints) -> Ints:
 
 
 def figures(offset: OffsetPath, words: Floats) -> Figures:
-    """The figures of every polyline, driven with rotary ``words`` (n, 2) rad."""
+    """Return the figures of every polyline, driven with rotary ``words`` (n, 2) rad."""
     begin = starts(offset.polyline)
     turn = np.abs(np.diff(words, axis=0, prepend=words[:1]))
     length = np.linalg.norm(np.diff(offset.centre, axis=0, prepend=offset.centre[:1]), axis=1)

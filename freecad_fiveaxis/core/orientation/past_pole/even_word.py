@@ -33,22 +33,22 @@ sooner."""
 
 
 def cut_length(centre: Floats, fill: Bools) -> Floats:
-    """The length (n,) mm cut up to each row of one polyline: ``centre`` (n, 3) mm, ``fill`` (n,) as in
+    """Return the length (n,) mm cut up to each row of one polyline: ``centre`` (n, 3) mm, ``fill`` (n,) as in
     OffsetPath."""
     step = np.linalg.norm(np.diff(centre, axis=0), axis=1)
     return np.concatenate([[0.0], np.cumsum(np.where(fill[1:], 0.0, step))])
 
 
 def upper_reach(leash: Floats, high: Floats) -> Floats:
-    """The most (n,) that a word on the ``leash`` (n,) rad can be while it keeps below the bounds ``high``
-    (n,)."""
+    """Return the most (n,) that a word on the ``leash`` (n,) rad can be while it keeps below the bounds
+    ``high`` (n,)."""
     ahead = np.minimum.accumulate(high - leash) + leash
     behind = np.minimum.accumulate((high + leash)[::-1])[::-1] - leash
     return np.asarray(np.minimum(ahead, behind))
 
 
 def lower_reach(leash: Floats, low: Floats) -> Floats:
-    """The least (n,), as :func:`upper_reach`."""
+    """Return the least (n,), as :func:`upper_reach`."""
     return -upper_reach(leash, -low)
 
 
@@ -72,8 +72,8 @@ def least_rates(along: Floats, low: Floats, high: Floats, floor: float) -> Float
 
 
 def laziest(low: Floats, high: Floats, start: float) -> Floats:
-    """The word (n,) of least travel between the bounds (n,) that begins nearest to ``start``: it turns only
-    when pushed by one.
+    """Return the word (n,) of least travel between the bounds (n,) that begins nearest to ``start``: it turns
+    only when pushed by one.
 
     Being pushed is ``clip``, and two clips in a row are one: so the bounds of 2, 4, 8 ... rows are joined in
     turn.
@@ -89,13 +89,13 @@ def laziest(low: Floats, high: Floats, start: float) -> Floats:
 
 
 def leash_of(along: Floats, rate: Floats) -> Floats:
-    """The leash (n,) rad at rates (n - 1,) rad/mm between the places ``along`` (n,) mm."""
+    """Return the leash (n,) rad at rates (n - 1,) rad/mm between the places ``along`` (n,) mm."""
     return np.concatenate([[0.0], np.cumsum(rate * np.diff(along))])
 
 
 def evened(leash: Floats, word: Floats, low: Floats, high: Floats) -> Floats:
-    """A word (n,) between the bounds and on the leash, one that exists: the given one where that turns no
-    faster.
+    """Return a word (n,) between the bounds and on the leash, one that exists: the given one where that turns
+    no faster.
 
     Where it does, the mean of its upper and its lower reach is taken, which of all words on the leash is the
     one that leaves it least (in the largest difference).

@@ -53,7 +53,7 @@ class Globe:
 
     @staticmethod
     def of(kinematics: Chain) -> Globe:
-        """The globe of a machine."""
+        """Return the globe of a machine."""
         pole, second = kinematics.direction[3], kinematics.direction[4]
         across = np.linalg.svd(pole[None])[2][1]
         frame = np.array([across, np.cross(pole, across)])
@@ -70,8 +70,8 @@ class Globe:
         return max(abs(math.cos(self.lean)), abs(math.cos(self.circle))) < STRAIGHT
 
     def across(self, axis: Floats) -> Floats:
-        """The parts (n, 2) of the axes (n, 3) across the first rotary axis: the azimuthal view, pole at
-        zero."""
+        """Return the parts (n, 2) of the axes (n, 3) across the first rotary axis: the azimuthal view, pole
+        at zero."""
         return np.asarray((self.frame @ axis.T).T)
 
     def centre(self, word: Floats) -> Floats:
@@ -94,8 +94,8 @@ class Globe:
         return np.where(along[1:] * along[:-1] > 0.0, near, np.inf)
 
     def side(self, axis: Floats, word: Floats) -> Floats:
-        """The side (n,) rad in (-pi, pi] of the axes as the words (n,) take them up; next to the pole that of
-        the row before."""
+        """Return the side (n,) rad in (-pi, pi] of the axes as the words (n,) take them up; next to the pole
+        that of the row before."""
         x, y = self.across(axis).T
         side = math.pi - np.mod(math.pi - (self.rest + word - np.arctan2(y, x)), TURN)
         known = np.hypot(x, y) > BLURRED
@@ -121,8 +121,8 @@ class Globe:
         return np.where(free, np.inf, below), np.where(free, np.inf, above)
 
     def nearest(self, axis: Floats, word: Floats) -> Floats:
-        """The axis (n, 3) on the meridian of each word (n,) that is nearest to ``axis``, OFF_POLE off the
-        pole at least."""
+        """Return the axis (n, 3) on the meridian of each word (n,) that is nearest to ``axis``, OFF_POLE off
+        the pole at least."""
         centre = self.centre(word)
         rest = axis - (axis * centre).sum(1)[:, None] * centre
         rerouted = (

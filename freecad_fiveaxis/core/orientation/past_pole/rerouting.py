@@ -50,14 +50,15 @@ class Given:
 
 
 def given(globe: Globe, axis: Floats, centre: Floats, fill: Bools, word: Floats) -> Given:
-    """The polyline with that axis (n, 3), ball centre (n, 3) mm, fill (n,) and first rotary word (n,) rad."""
+    """Return the polyline with that axis (n, 3), ball centre (n, 3) mm, fill (n,) and first rotary word (n,)
+    rad."""
     closed = bool(np.abs(centre[0] - centre[-1]).max() < CLOSED)
     return Given(axis, cut_length(centre, fill), word, globe.side(axis, word), closed)
 
 
 def mirrored(line: Given) -> Given:
-    """The polyline taken up on the other branch. On a machine of orthogonal axes it is led the same way; a
-    nutating axis turns the first one along with it, on either branch in another sense."""
+    """Return the polyline taken up on the other branch. On a machine of orthogonal axes it is led the same
+    way; a nutating axis turns the first one along with it, on either branch in another sense."""
     return replace(line, word=line.word - 2.0 * line.side, side=-line.side)
 
 
@@ -75,9 +76,9 @@ class Route:
 
 
 def lead(globe: Globe, line: Given, change: float) -> Iterator[Route]:
-    """The ways to lead a polyline past the pole within ``change`` rad, those that are possible and change
-    anything: through the pole before around it, and of either the way that keeps to the given axes away from
-    the pole before the one that turns least all along. Each is made when it is asked for."""
+    """Yield the ways to lead a polyline past the pole within ``change`` rad, those that are possible and
+    change anything: through the pole before around it, and of either the way that keeps to the given axes
+    away from the pole before the one that turns least all along. Each is made when it is asked for."""
     allowed = change - OFF_POLE
     for through in (True, False):
         word, side = _met(globe, line, allowed, through)
@@ -109,8 +110,8 @@ class Met:
 
 
 def _rerouted(globe: Globe, line: Given, met: Met, change: float, zone: float) -> Route | None:
-    """The way that keeps to the given axes beyond ``zone`` changes from the pole; None where that changes
-    nothing."""
+    """Return the way that keeps to the given axes beyond ``zone`` changes from the pole; None where that
+    changes nothing."""
     low, high = _kept(globe, line, zone * change, met)
     rerouted = evened(
         met.leash, laziest(low, high, float(met.word[0])), met.word - met.below, met.word + met.above
@@ -125,13 +126,13 @@ def _rerouted(globe: Globe, line: Given, met: Met, change: float, zone: float) -
 
 
 def peak_rate(along: Floats, word: Floats) -> float:
-    """The largest rate, rad/mm, of a word (n,) rad along a course (n,) mm."""
+    """Return the largest rate, rad/mm, of a word (n,) rad along a course (n,) mm."""
     return float((np.abs(np.diff(word)) / np.maximum(np.diff(along), SHORT)).max())
 
 
 def _kept(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Floats]:
-    """The least and the most (n,) that the word may be to turn less: all its room next to the pole, none
-    ``reach`` rad off it."""
+    """Return the least and the most (n,) that the word may be to turn less: all its room next to the pole,
+    none ``reach`` rad off it."""
     if reach == math.inf:
         return met.word - met.below, met.word + met.above
     angle = np.arcsin(np.minimum(np.linalg.norm(globe.across(line.axis), axis=1), 1.0))
@@ -142,8 +143,8 @@ def _kept(globe: Globe, line: Given, reach: float, met: Met) -> tuple[Floats, Fl
 
 
 def _gentle_rate(globe: Globe, line: Given, change: float) -> float:
-    """The rate, rad/mm, that is always allowed: that of ZONE at the mean rate of the axis itself, as far as
-    the zone goes."""
+    """Return the rate, rad/mm, that is always allowed: that of ZONE at the mean rate of the axis itself, as
+    far as the zone goes."""
     travel, length = angle_between(line.axis[1:], line.axis[:-1]), np.diff(line.along)
     inside = globe.approach(line.axis) <= math.sin(min(ZONE * change, 0.5 * math.pi))
     mean = float(travel[inside].sum() / max(length[inside].sum(), CLOSED))
@@ -151,7 +152,7 @@ def _gentle_rate(globe: Globe, line: Given, change: float) -> float:
 
 
 def _met(globe: Globe, line: Given, change: float, through: bool) -> tuple[Floats, Floats]:
-    """The words and sides (n,) by which the given axes are taken up when every encounter is passed the
+    """Return the words and sides (n,) by which the given axes are taken up when every encounter is passed the
     shorter way."""
     near = globe.approach(line.axis)
     side, step = line.side.copy(), _nearest(np.diff(line.word))
@@ -166,8 +167,8 @@ def _met(globe: Globe, line: Given, change: float, through: bool) -> tuple[Float
 
 
 def _encounters(near: Floats, change: float) -> list[tuple[tuple[int, int], tuple[int, int]]]:
-    """The first and last row of each encounter, and of the way in and out again: as far as the zone goes, but
-    not into another encounter. ``near`` (n - 1,): how near each step comes to the pole."""
+    """Return the first and last row of each encounter, and of the way in and out again: as far as the zone
+    goes, but not into another encounter. ``near`` (n - 1,): how near each step comes to the pole."""
     met = runs(near <= math.sin(change))
     zones = runs(near <= math.sin(min(ZONE * change, 0.5 * math.pi)))
     routes = []
@@ -180,8 +181,8 @@ def _encounters(near: Floats, change: float) -> list[tuple[tuple[int, int], tupl
 
 
 def _shorter(line: Given, side: Floats, first: int, last: int, through: bool) -> tuple[float, bool]:
-    """The least turn of the first word from row ``first`` to row ``last``, and whether it is one that changes
-    the branch."""
+    """Return the least turn of the first word from row ``first`` to row ``last``, and whether it is one that
+    changes the branch."""
     word = _taken(line, side)
     stay = float(_nearest(np.array([word[last] - word[first]]))[0])
     swap = float(_nearest(np.array([word[last] - 2.0 * side[last] - word[first]]))[0])
@@ -189,7 +190,7 @@ def _shorter(line: Given, side: Floats, first: int, last: int, through: bool) ->
 
 
 def _taken(line: Given, side: Floats) -> Floats:
-    """The words that take up the given axes on these sides, on any winding."""
+    """Return the words that take up the given axes on these sides, on any winding."""
     return line.word - line.side + side
 
 

@@ -126,8 +126,8 @@ def trade_findings(
     offset: OffsetPath, axis: Floats, kinematics: Chain, change: float, tolerance: float, radius: float = 0.0,
     progress: Progress = silent, ring: float = 0.0, barrel: Flank | None = None,
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """What smaller and larger changes than ``change`` (rad) would give the passes that come within ``change``
-    of the pole, as a note; none where no pass does. Other arguments as in :func:`trade_off`."""
+    """Return what smaller and larger changes than ``change`` (rad) would give the passes that come within
+    ``change`` of the pole, as a note; none where no pass does. Other arguments as in :func:`trade_off`."""
     changes = sorted({min(step * change, LARGEST_CHANGE) for step in STEPS if step * change >= LEAST_CHANGE})
     offset, axis = _near(offset, axis, kinematics, change)
     if not len(axis):
@@ -174,7 +174,7 @@ def _rows(trade: Trade) -> Iterator[Sentence]:
 
 
 def _near(offset: OffsetPath, axis: Floats, kinematics: Chain, angle: float) -> tuple[OffsetPath, Floats]:
-    """The polylines that come within ``angle`` (rad) of the pole, and their axes."""
+    """Return the polylines that come within ``angle`` (rad) of the pole, and their axes."""
     near = near_polylines(offset, axis, Globe.of(kinematics), angle) if len(axis) else np.zeros(0, bool)
     rows = (
         np.flatnonzero(np.repeat(near, np.diff(starts(offset.polyline), append=len(axis))))

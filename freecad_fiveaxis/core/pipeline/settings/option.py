@@ -59,8 +59,8 @@ def option(
     bare: str = "",
     by_task: Mapping[str, Any] | None = None,
 ) -> Any:
-    """A field of a settings dataclass. ``kind``: how it is read (core/pipeline/option_values.py); the range
-    is in the core's units.
+    """Return a field of a settings dataclass. ``kind``: how it is read (core/pipeline/option_values.py); the
+    range is in the core's units.
     ``bare``: what the option means on the command line without a value, and as ``true`` in a job file;
     ``by_task``: the default in a task that has one of its own."""
     metadata = {

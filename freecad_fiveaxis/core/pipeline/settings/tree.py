@@ -60,12 +60,12 @@ loads numpy."""
 
 
 def flat_name(name: str) -> str:
-    """The option of a field: ``from_``, which Python keeps for itself, is ``from``."""
+    """Return the option of a field: ``from_``, which Python keeps for itself, is ``from``."""
     return name.rstrip("_")
 
 
 def group(cls: type) -> Any:
-    """A field that is a settings dataclass of its own."""
+    """Return a field that is a settings dataclass of its own."""
     return field(default_factory=cls, metadata={"group": cls})
 
 
@@ -109,7 +109,7 @@ def option_fields(task: str | None = None) -> Iterator[tuple[type, dataclasses.F
 
 
 def _in_task(leaf: dataclasses.Field[Any], task: str | None) -> dataclasses.Field[Any]:
-    """The field with the default that it has in the task."""
+    """Return the field with the default that it has in the task."""
     own = leaf.metadata["by_task"]
     if task not in own:
         return leaf
@@ -119,7 +119,7 @@ def _in_task(leaf: dataclasses.Field[Any], task: str | None) -> dataclasses.Fiel
 
 
 def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settings:
-    """Settings from flat options as people write them (job files, command line).
+    """Return settings from flat options as people write them (job files, command line).
 
     Raises SettingsError for an unknown option, a value out of range, or a contradiction.
     """
@@ -147,8 +147,8 @@ def build_settings(task: str, source: str, options: Mapping[str, Any]) -> Settin
 
 
 def with_current_names(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options under their names of today, where a former name (``left``) is given. Raises SettingsError
-    for one that is given under both."""
+    """Return the options under their names of today, where a former name (``left``) is given. Raises
+    SettingsError for one that is given under both."""
     for old, name in RENAMED.items():
         if options.get(old) is not None and options.get(name) is not None:
             raise SettingsError(
@@ -162,7 +162,7 @@ def with_current_names(options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
-    """The pass strategy and the tool axis chosen by the other options, where they are not ``given``.
+    """Return the pass strategy and the tool axis chosen by the other options, where they are not ``given``.
 
     Whoever asks for what only planes have gets planes; and planes, level ones too, stand as in Lin & Ye, on
     the normals. So do cutters without a ball end: their passes are as far apart as the cutter's bottom is
@@ -185,8 +185,8 @@ def _with_strategies(settings: Settings, given: Mapping[str, Any]) -> Settings:
 
 
 def _with_defaults(settings: Settings, given: Mapping[str, Any]) -> Settings:
-    """What was not asked for, where its default depends on what was: a guided tip is not divided, no part is
-    not looked at."""
+    """Return what was not asked for, where its default depends on what was: a guided tip is not divided, no
+    part is not looked at."""
     settings = _with_strategies(settings, given)
     if settings.head.rtcp != "off" and "linearize" not in given:
         settings = replace(settings, cure=replace(settings.cure, linearize="off"))
@@ -386,8 +386,8 @@ def _check_barrel(settings: Settings) -> None:
 
 
 def _check_gouge(settings: Settings) -> None:
-    """An audit changes nothing, and knows no part but the one that it is given. Shank and holder are looked
-    at beside fixtures and the machine's bodies too."""
+    """Check that an audit changes nothing, and knows no part but the one that it is given. Shank and holder
+    are looked at beside fixtures and the machine's bodies too."""
     gouge, against = settings.gouge, settings.audit.against
     if settings.task != AUDIT or (
         gouge.gouge == "off" and (gouge.fixture or (not gouge.shank and not gouge.holder))
@@ -421,7 +421,8 @@ def without_part(against: str | None) -> SettingsError:
 
 
 def flat_options(settings: Settings) -> dict[str, Any]:
-    """The options that the task uses, as a job file would hold them (degrees, mm), defaults included."""
+    """Return the options that the task uses, as a job file would hold them (degrees, mm), defaults
+    included."""
     values = {}
     for cls, leaf in option_fields(settings.task):
         holder = next(

@@ -80,12 +80,13 @@ class Row:
 
 
 def station(machine: Machine, setup: Setup, posting: Posting, name: str = "", refused: str = "") -> Station:
-    """A machine with the part clamped in ``setup``. Raises MachineError for a chain without a solution."""
+    """Return a machine with the part clamped in ``setup``. Raises MachineError for a chain without a
+    solution."""
     return Station(name or machine.name, machine, chain(machine, setup), posting, refused)
 
 
 def solved(path: CLPath, where: Station, progress: Progress = silent) -> JointPath:
-    """The cure that is none: the joints as ``joint_path.solve`` finds them."""
+    """Return the cure that is none: the joints as ``joint_path.solve`` finds them."""
     low, high = part_box(path, where.posting.part)
     return solve(path, where.kinematics, low, high, where.posting.clearance, where.posting.radius, progress)
 
@@ -98,7 +99,7 @@ def compare(
     guided: Sequence[bool] = (False, True),
     progress: Progress = silent, executor: Executor | None = None,
 ) -> tuple[Row, ...]:  # fmt: skip
-    """A row for each station, each cure, and each of ``guided`` (tool-centre control), in this order.
+    """Return a row for each station, each cure, and each of ``guided`` (tool-centre control), in this order.
 
     What cannot be done (a machine that does not take up an axis, a cure that refuses) is a row with its
     problem. ``executor``: whose workers do a pair of station and cure each (for processes the cures must
@@ -184,7 +185,7 @@ def _rows(
 
 
 def _measured(where: Station, program: Program) -> Deviation:
-    """The deviation of what makes the surface: a ball's centre, else the tip."""
+    """Return the deviation of what makes the surface: a ball's centre, else the tip."""
     above, decimals = where.posting.above, where.posting.dialect.linear_decimals
     if above == 0.0:
         return measure(where.kinematics, program.words)

@@ -42,7 +42,7 @@ class Guided:
         freeze(self, None, peak="f5", seconds="f")
 
     def rates(self, rows: Ints) -> Floats:
-        """The largest rate (5,) of each axis in the blocks ``rows``: mm/min and rad/min."""
+        """Return the largest rate (5,) of each axis in the blocks ``rows``: mm/min and rad/min."""
         minutes = self.seconds[rows, None] / 60.0
         rate = np.divide(self.peak[rows], minutes, out=np.zeros((len(rows), 5)), where=minutes > 0.0)
         return np.asarray(rate.max(axis=0, initial=0.0))
@@ -66,8 +66,8 @@ def guide(kinematics: Chain, tip: Floats, angles: Floats, motion: Bytes, feed: F
 
 
 def _peaks(kinematics: Chain, tip: Floats, angles: Floats, rows: Ints, pieces: int) -> Floats:
-    """The largest slopes (k, 5) of the words in each block, from parabolas through three points of each
-    piece."""
+    """Return the largest slopes (k, 5) of the words in each block, from parabolas through three points of
+    each piece."""
     u = np.linspace(0.0, 1.0, 2 * pieces + 1)[None, :, None]
     place, turned = ((1.0 - u) * table[rows - 1, None] + u * table[rows, None] for table in (tip, angles))
     q = joint_words(kinematics, place.reshape(-1, 3), turned.reshape(-1, 2)).reshape(len(rows), -1, 5)

@@ -32,7 +32,7 @@ axes."""
 
 
 def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
-    """The table for the terminal, and why cells are empty."""
+    """Return the table for the terminal, and why cells are empty."""
     lines = [
         verdict(rows, tolerance),
         "",
@@ -43,14 +43,14 @@ def compare_text(rows: Sequence[Row], tolerance: float | None = None) -> str:
 
 
 def compare_json(rows: Sequence[Row], inputs: Mapping[str, object] | None = None) -> str:
-    """The rows for scripts: mm, degrees, seconds, rates a minute by letter; no number is null. ``inputs``: a
-    job file."""
+    """Return the rows for scripts: mm, degrees, seconds, rates a minute by letter; no number is null.
+    ``inputs``: a job file."""
     return json_text({"version": VERSION, "rows": [_record(row) for row in rows], "inputs": inputs or {}})
 
 
 def compare_html(rows: Sequence[Row], title: str = "", tolerance: float | None = None) -> str:
-    """The table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the first
-    sentence."""
+    """Return the table as a page that needs nothing else. ``tolerance`` mm: what is within it is named in the
+    first sentence."""
     body = [
         section("The table", table(_table(rows)) + f'<p class="note">{escape(NOTE)}</p>'),
         section(

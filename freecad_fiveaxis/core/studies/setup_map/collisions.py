@@ -79,7 +79,7 @@ def _deepest(found: tuple[Finding, ...]) -> Finding | None:
 
 
 def _passed_over(origin: Floats, passed: dict[int, tuple[Finding, ...]]) -> Iterator[Finding]:
-    """A note on the setups that would be better, but for what is hit there."""
+    """Yield a note on the setups that would be better, but for what is hit there."""
     if passed:
         row = next(iter(passed))
         text = plural(
@@ -114,7 +114,7 @@ def _none_free(origin: Floats, hits: Floats, seen: dict[int, tuple[Finding, ...]
 
 
 def _hit(found: tuple[Finding, ...]) -> dict[str, object]:
-    """The name of the body that is hit deepest, and how deep."""
+    """Return the name of the body that is hit deepest, and how deep."""
     deepest = _deepest(found)
     assert deepest is not None
     return {"name": deepest.hit.entered if deepest.hit else "", "depth": Length(deepest.value or 0.0, ".3g")}

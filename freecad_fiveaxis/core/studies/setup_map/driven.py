@@ -88,12 +88,12 @@ class Driven:
     rewinds: int
 
     def setup(self, origin: Floats) -> Setup:
-        """The setup with the work zero at ``origin`` (3,) mm."""
+        """Return the setup with the work zero at ``origin`` (3,) mm."""
         x, y, z = origin.tolist()
         return Setup((x, y, z), self.tool_length)
 
     def kinematics(self, origin: Floats) -> Chain:
-        """The machine in that setup."""
+        """Return the machine in that setup."""
         return chain(self.machine, self.setup(origin))
 
     def words(self, kinematics: Chain, rows: Ints | slice = slice(None)) -> Floats:
@@ -116,7 +116,7 @@ class Driven:
         return joints, build_program(joints, kinematics, self.posting.dialect, self.posting.inverse_time)
 
     def cost(self, origin: Floats) -> Cost:
-        """What the setup costs, of the program's rounded words."""
+        """Return what the setup costs, of the program's rounded words."""
         kinematics = self.kinematics(origin)
         joints, program = self.posted(kinematics)
         worst = worst_blocks(kinematics, program.words, feed_blocks(program))
@@ -130,7 +130,8 @@ class Driven:
 
 
 def turned_path(path: CLPath, turn: float) -> CLPath:
-    """The path of a part that is turned counter-clockwise by ``turn`` rad about Z through the work zero."""
+    """Return the path of a part that is turned counter-clockwise by ``turn`` rad about Z through the work
+    zero."""
     if turn == 0.0:
         return path
     columns: dict[str, Any] = {
@@ -158,7 +159,7 @@ def part_box(path: CLPath, part: Floats | None, turn: float = 0.0) -> tuple[Floa
 def drive_turned(
     path: CLPath, machine: Machine, base: Setup, posting: Posting, turn: float, progress: Progress = silent
 ) -> Driven:
-    """The path at one turn. Raises ReachError where the rotary limits allow no way, whatever the work
+    """Return the path at one turn. Raises ReachError where the rotary limits allow no way, whatever the work
     zero."""
     low, high = part_box(path, posting.part, turn)
     kinematics = chain(machine, base)
@@ -169,8 +170,8 @@ def drive_turned(
 
 
 def _whole_rapids(joints: JointPath) -> Drive:
-    """The joint path with the pieces of each rapid joined: rows go where a rapid goes on evenly to the same
-    row."""
+    """Return the joint path with the pieces of each rapid joined: rows go where a rapid goes on evenly to the
+    same row."""
     path, angles = joints.path, joints.q[:, 3:]
     step = np.diff(np.column_stack([path.tip, angles]), axis=0)
     even = np.abs(np.diff(step, axis=0)).max(axis=1, initial=0.0) <= EVEN
@@ -181,7 +182,7 @@ def _whole_rapids(joints: JointPath) -> Drive:
 
 
 def picked_path(path: CLPath, keep: Bools) -> CLPath:
-    """Some rows of a CL path."""
+    """Return some rows of a CL path."""
     return replace(
         path, **{one.name: getattr(path, one.name)[keep] for one in fields(path) if one.name != "findings"}
     )

@@ -29,13 +29,13 @@ FLOOR = 1e-6
 
 
 def heat_maps(chart: SetupMap) -> tuple[Plot, ...]:
-    """A heat map for each pair of axes along which the grid has places, or a curve; and what the turns
+    """Return a heat map for each pair of axes along which the grid has places, or a curve; and what the turns
     cost."""
     return tuple(Plot(*words, _svg(figure)) for words, figure in pictures(chart))
 
 
 def pictures(chart: SetupMap) -> Iterator[tuple[PlotText, Any]]:
-    """The pictures as matplotlib's figures, each to be saved before the next is drawn; none without
+    """Yield the pictures as matplotlib's figures, each to be saved before the next is drawn; none without
     matplotlib."""
     try:
         import matplotlib
@@ -70,7 +70,7 @@ def _drawings(chart: SetupMap) -> list[Callable[[Any], PlotText]]:
 
 
 def _shown(chart: SetupMap) -> int:
-    """The setup that the slices pass: the recommended one, or the present one."""
+    """Return the setup that the slices pass: the recommended one, or the present one."""
     return 0 if chart.best is None else chart.best
 
 
@@ -79,8 +79,8 @@ def _turn_at(chart: SetupMap) -> int:
 
 
 def _sliced(chart: SetupMap, column: Floats | Bools, axes: tuple[int, ...]) -> Floats:
-    """The grid's values along ``axes`` (ascending), the last axis first, through the place nearest to the
-    shown setup."""
+    """Return the grid's values along ``axes`` (ascending), the last axis first, through the place nearest to
+    the shown setup."""
     origin, lines = chart.origin[_shown(chart)], chart.region.lines()
     at: list[Any] = [_turn_at(chart)]
     at += [
@@ -152,7 +152,7 @@ def _panel(
 
 
 def _mark(axes: Any, place: Floats, mark: str, colour: str) -> None:
-    """A mark with a white rim, which is seen on dark and light cells."""
+    """Draw a mark with a white rim, which is seen on dark and light cells."""
     rim = {"mec": "white", "mew": 1.0} if mark == "*" else {"mew": 2.6}
     if mark == "x":
         axes.plot(*place, mark, color="white", ms=11, mew=5.0, zorder=5)
@@ -160,7 +160,7 @@ def _mark(axes: Any, place: Floats, mark: str, colour: str) -> None:
 
 
 def _hatched(x: Floats, y: Floats, chosen: Bools) -> Any:
-    """The cells that are ``chosen`` (len(y) - 1, len(x) - 1), hatched."""
+    """Return the cells that are ``chosen`` (len(y) - 1, len(x) - 1), hatched."""
     from matplotlib.collections import PolyCollection
 
     row, column = np.nonzero(chosen)
@@ -170,7 +170,7 @@ def _hatched(x: Floats, y: Floats, chosen: Bools) -> Any:
 
 
 def _edges(line: Floats) -> Floats:
-    """The borders (n + 1,) of cells about the places (n,) of a grid line."""
+    """Return the borders (n + 1,) of cells about the places (n,) of a grid line."""
     half = 0.5 * (line[1] - line[0])
     return np.append(line - half, line[-1] + half)
 

@@ -49,7 +49,7 @@ def setup_map(
     progress: Progress = silent, table: float | None = None, executor: Executor | None = None,
     collide: Collide | None = None,
 ) -> SetupMap:  # fmt: skip
-    """What the program of ``path`` costs wherever the part may stand, and where it should.
+    """Return what the program of ``path`` costs wherever the part may stand, and where it should.
 
     ``path`` in the work frame of the present setup ``base``, turn 0; the tool length is that of ``base``.
     Each setup of the grid is posted, rounded and measured as a full run would; then the least deviation of
@@ -88,7 +88,7 @@ def setup_map(
 
 
 def _look(ground: Ground, collide: Collide, progress: Progress) -> Look:
-    """What the program of a turn and a work zero hits."""
+    """Return what the program of a turn and a work zero hits."""
 
     def look(turn: float, origin: Floats) -> tuple[Finding, ...]:
         driven = drive(ground, turn, progress)
@@ -112,7 +112,7 @@ class _Stand:
         return -math.inf if self.table is None else self.table - self.bottom
 
     def above(self, region: Region) -> Region | None:
-        """What of the region is not below the table; None where nothing is."""
+        """Return what of the region is not below the table; None where nothing is."""
         low, high = region.low, region.high
         if high[2] < self.least - BELOW:
             return None
@@ -120,7 +120,7 @@ class _Stand:
 
 
 def _rows(trial: Trial, tried: Tried) -> Iterator[_Row]:
-    """The rows that came of one trial."""
+    """Yield the rows that came of one trial."""
     if trial.zeros is None:
         if tried.origin is not None:
             yield _Row(tried.origin, trial.turn, tried.costs[0], tried.rewinds, Kind.FOUND)

@@ -96,7 +96,7 @@ def _place(chart: SetupMap, row: int) -> Sentence:
 
 
 def advice(chart: SetupMap) -> tuple[str, ...]:
-    """What to do to get the recommended setup, step by step; nothing where there is none."""
+    """Return what to do to get the recommended setup, step by step; nothing where there is none."""
     if chart.best is None:
         return ()
     turn = math.degrees(chart.turn[chart.best])
@@ -112,8 +112,8 @@ def advice(chart: SetupMap) -> tuple[str, ...]:
 
 
 def origin_option(chart: SetupMap) -> str:
-    """The recommended work zero as an option of the command line, ``--origin=X,Y,Z`` mm; empty where there is
-    none."""
+    """Return the recommended work zero as an option of the command line, ``--origin=X,Y,Z`` mm; empty where
+    there is none."""
     if chart.best is None:
         return ""
     return "--origin=" + ",".join(
@@ -122,7 +122,7 @@ def origin_option(chart: SetupMap) -> str:
 
 
 def setup_text(chart: SetupMap) -> str:
-    """The map for the terminal: the sentence, the setups worth naming, the findings."""
+    """Return the map for the terminal: the sentence, the setups worth naming, the findings."""
     lines = [
         *textwrap.wrap(verdict(chart), WIDTH),
         *(f"  {step}" for step in advice(chart)),
@@ -136,7 +136,7 @@ def setup_text(chart: SetupMap) -> str:
 
 
 def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> str:
-    """The map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into
+    """Return the map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into
     setups), least, setups, findings, inputs (a job file)."""
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
@@ -159,8 +159,8 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
 
 
 def heat_map_html(chart: SetupMap, title: str = "") -> str:
-    """The map as one page that needs nothing else. The heat maps need matplotlib; without it the page says
-    how to get them."""
+    """Return the map as one page that needs nothing else. The heat maps need matplotlib; without it the page
+    says how to get them."""
     pictures = figures(heat_maps(chart), bool(np.isfinite(chart.max_deviation).any()))
     body = [
         section("What to do", "".join(f"<p><code>{escape(step)}</code></p>" for step in advice(chart))),
@@ -196,7 +196,7 @@ def setup_markers(chart: SetupMap) -> tuple[Marker, ...]:
 
 
 def marked_rows(chart: SetupMap) -> tuple[tuple[int, str], ...]:
-    """The row and the kind of each of :func:`setup_markers`."""
+    """Return the row and the kind of each of :func:`setup_markers`."""
     best = () if chart.best is None else ((chart.best, "setup-best"),)
     at = chart.turn[chart.best] if chart.best is not None else chart.region.turns[0]
     rows = np.flatnonzero((chart.kind == Kind.GRID) & (chart.turn == at) & np.isfinite(chart.max_deviation))
@@ -210,7 +210,7 @@ def _mm(chart: SetupMap, row: int) -> str:
 
 
 def _named(chart: SetupMap) -> Table:
-    """The setups worth naming: recommended, present, best and worst of the grid."""
+    """Return the setups worth naming: recommended, present, best and worst of the grid."""
     rows = [("present", 0)] if chart.best is None else [("recommended", chart.best), ("present", 0)]
     grid = np.flatnonzero((chart.kind == Kind.GRID) & np.isfinite(chart.max_deviation))
     if len(grid):
@@ -220,7 +220,7 @@ def _named(chart: SetupMap) -> Table:
 
 
 def _turn_table(chart: SetupMap) -> Table:
-    """The setup that was found at each turn."""
+    """Return the setup that was found at each turn."""
     rows = np.flatnonzero(chart.kind == Kind.FOUND)
     return Table(HEAD, [_cells(chart, "best at this turn", int(row)) for row in rows])
 

@@ -77,8 +77,8 @@ class _Planes:
         rests.append(value - slope @ at)
 
     def lowest(self, region: Region) -> tuple[Floats, float] | None:
-        """The work zero of the least deviation that the planes allow, and that deviation; None where the
-        limits allow none."""
+        """Return the work zero of the least deviation that the planes allow, and that deviation; None where
+        the limits allow none."""
         low = np.concatenate(self.low)
         rows = np.concatenate(
             [np.column_stack([low, -np.ones(len(low))]), *(_wide(slope, 0.0) for slope in self.bar)]
@@ -92,8 +92,8 @@ class _Planes:
         return (np.array(solved.x[:3]), float(solved.x[3])) if solved.status == 0 else None
 
     def nearest(self, region: Region, to: Floats, level: float) -> Floats | None:
-        """The work zero nearest to ``to`` (sum of the shifts) at which the planes allow a deviation of no
-        more than ``level``."""
+        """Return the work zero nearest to ``to`` (sum of the shifts) at which the planes allow a deviation of
+        no more than ``level``."""
         slopes = [np.column_stack([slope, np.zeros((len(slope), 3))]) for slope in (*self.low, *self.bar)]
         eye = np.eye(3)
         rows = np.concatenate([*slopes, np.hstack([eye, -eye]), np.hstack([-eye, -eye])])
@@ -110,8 +110,8 @@ class _Planes:
         return np.array(solved.x[:3]) if solved.status == 0 else None
 
     def least_over(self, region: Region) -> float:
-        """The least excess over the limits (mm) that any work zero of the region has, as far as the planes
-        tell."""
+        """Return the least excess over the limits (mm) that any work zero of the region has, as far as the
+        planes tell."""
         rows = np.concatenate([_wide(slope, -1.0) for slope in self.bar])
         right = -np.concatenate(self.bar_rest)
         solved = scipy.optimize.linprog(
@@ -131,8 +131,8 @@ def _box(region: Region) -> list[tuple[float, float]]:
 def best_origin(
     driven: Driven, region: Region, present: Floats, enough: float, progress: Progress = silent
 ) -> Found:
-    """The work zero of least deviation within limits, and of those as good the nearest to ``present`` (3,)
-    mm.
+    """Return the work zero of least deviation within limits, and of those as good the nearest to ``present``
+    (3,) mm.
 
     ``enough`` mm: a deviation that needs no improvement.
     """
@@ -158,7 +158,7 @@ def _nearer(
     driven: Driven, region: Region, present: Floats, planes: _Planes, best: Floats, level: float,
     progress: Progress
 ) -> Floats:  # fmt: skip
-    """The nearest to ``present`` that keeps ``level``, or a place on the way there from ``best``.
+    """Return the nearest to ``present`` that keeps ``level``, or a place on the way there from ``best``.
 
     What keeps the level is a convex set: halving the way from a place inside to one outside ends at its
     border.
@@ -212,13 +212,13 @@ def _slopes(values: list[Floats]) -> Floats:
 
 
 def _tips(driven: Driven, kinematics: Chain, rows: Ints, u: Floats) -> Floats:
-    """The real tips (k, 3) at ``u`` (k,) of the blocks that end in ``rows``."""
+    """Return the real tips (k, 3) at ``u`` (k,) of the blocks that end in ``rows``."""
     return tip_at(kinematics, driven.words(kinematics, rows - 1), driven.words(kinematics, rows), u)
 
 
 def off_chord(tip: Floats, rows: Ints, place: Floats) -> Floats:
-    """The vectors (k, 3) to ``place`` from the nearest points of the chords of ``tip`` (n, 3) that end in
-    ``rows`` (k,)."""
+    """Return the vectors (k, 3) to ``place`` from the nearest points of the chords of ``tip`` (n, 3) that end
+    in ``rows`` (k,)."""
     start = tip[rows - 1]
     chord = tip[rows] - start
     square = np.maximum((chord * chord).sum(axis=1), np.finfo(float).tiny)
@@ -227,7 +227,7 @@ def off_chord(tip: Floats, rows: Ints, place: Floats) -> Floats:
 
 
 def _extremes(words: Floats) -> Ints:
-    """The rows (6,) of the largest X, Y, Z and of the least ones."""
+    """Return the rows (6,) of the largest X, Y, Z and of the least ones."""
     return np.concatenate([words[:, :3].argmax(axis=0), words[:, :3].argmin(axis=0)])
 
 

@@ -101,7 +101,7 @@ class Region:
         return math.prod(self.count) * len(self.turns)
 
     def lines(self) -> tuple[Floats, Floats, Floats]:
-        """The coordinates of the grid along X, Y and Z, mm."""
+        """Return the coordinates of the grid along X, Y and Z, mm."""
         x, y, z = (
             np.linspace(low, high, count) if count > 1 else np.array([0.5 * (low + high)])
             for low, high, count in zip(self.low, self.high, self.count, strict=True)
@@ -109,7 +109,7 @@ class Region:
         return x, y, z
 
     def grid(self) -> Floats:
-        """The grid's work zeros (k, 3) mm, X fastest, then Y."""
+        """Return the grid's work zeros (k, 3) mm, X fastest, then Y."""
         z, y, x = np.meshgrid(*reversed(self.lines()), indexing="ij")
         return np.column_stack([x.ravel(), y.ravel(), z.ravel()])
 
@@ -163,7 +163,7 @@ class SetupMap:
         return self.within_limits & self.stands & ~(self.hits > 0.0)
 
     def grid(self, column: Floats | Bools) -> Floats:
-        """The grid's part of a column, (turns, z, y, x)."""
+        """Return the grid's part of a column, (turns, z, y, x)."""
         nx, ny, nz = self.region.count
         rows = np.asarray(column[self.kind == Kind.GRID], float)
         return rows.reshape(len(self.region.turns), nz, ny, nx)
@@ -172,7 +172,7 @@ class SetupMap:
 def recommended(
     origin: Floats, base: Vector, deviation: Floats, time: Floats, rewinds: Ints, within: Bools, enough: float
 ) -> int | None:
-    """The row to take, None where none is within limits.
+    """Return the row to take, None where none is within limits.
 
     Of those with hardly more than the least deviation, or with less than is ``enough`` (mm): the fewest
     rewinds, then the shortest time (to 1 %), then the least way from ``base``. Columns (k,), ``origin`` (k,
@@ -188,5 +188,5 @@ def recommended(
 
 
 def as_good_as(deviation: float, enough: float) -> float:
-    """The deviation up to which a setup is as good as one of ``deviation``, mm."""
+    """Return the deviation up to which a setup is as good as one of ``deviation``, mm."""
     return max(enough, AS_GOOD * deviation + WORD_STEP)

@@ -32,8 +32,8 @@ class Table:
 
 
 def page(title: str, subtitle: str, verdict: str, mood: str, body: Sequence[str]) -> str:
-    """A whole page. ``mood`` good, bad or open colours the verdict; ``body`` is HTML, the other texts are
-    not."""
+    """Return a whole page. ``mood`` good, bad or open colours the verdict; ``body`` is HTML, the other texts
+    are not."""
     head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
     head += f"<title>{escape(title)}</title><style>{STYLE}</style>"
     top = f"<header><h1>{escape(title)}</h1><p>{escape(subtitle)}</p></header>"
@@ -45,18 +45,18 @@ def page(title: str, subtitle: str, verdict: str, mood: str, body: Sequence[str]
 
 
 def json_text(record: object) -> str:
-    """A record as JSON; bytes of a file name that are no Unicode become escapes, as in the report."""
+    """Return a record as JSON; bytes of a file name that are no Unicode become escapes, as in the report."""
     text = json.dumps(plain(record), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     return text.encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def section(title: str, content: str) -> str:
-    """A section of HTML ``content``; nothing where that is empty."""
+    """Return a section of HTML ``content``; nothing where that is empty."""
     return f"<section><h2>{escape(title)}</h2>\n{content}</section>" if content else ""
 
 
 def table(given: Table) -> str:
-    """A table as HTML."""
+    """Return a table as HTML."""
     top = "".join(f'<th scope="col">{escape(cell)}</th>' for cell in given.head)
     rows = "".join(
         "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in given.rows
@@ -68,7 +68,7 @@ def table(given: Table) -> str:
 
 
 def text_table(given: Table) -> list[str]:
-    """A table as lines of text, right-aligned but for the first column."""
+    """Return a table as lines of text, right-aligned but for the first column."""
     cells = [given.head, *given.rows]
     wide = [max(map(len, column)) for column in zip(*cells, strict=True)]
     return [
@@ -83,7 +83,7 @@ def text_table(given: Table) -> list[str]:
 
 
 def figures(pictures: Sequence[Plot], wanted: bool) -> list[str]:
-    """The pictures, inside the page; where there are none though ``wanted``, how to get them."""
+    """Return the pictures, inside the page; where there are none though ``wanted``, how to get them."""
     if not pictures and wanted:
         return [section("Pictures", f'<p class="note">{NO_PLOTS}</p>')]
     return [
@@ -95,7 +95,7 @@ def figures(pictures: Sequence[Plot], wanted: bool) -> list[str]:
 
 
 def findings_list(findings: Sequence[Finding]) -> str:
-    """The findings, one after the other; nothing where there are none."""
+    """Return the findings, one after the other; nothing where there are none."""
     return "".join(
         f'<div class="finding"><p><code>{escape(one.code)}</code> {one.severity.name.lower()}: '
         f"{escape(one.text)}</p></div>\n"
@@ -104,7 +104,7 @@ def findings_list(findings: Sequence[Finding]) -> str:
 
 
 def findings_text(findings: Sequence[Finding]) -> list[str]:
-    """The findings as lines of text, indented."""
+    """Return the findings as lines of text, indented."""
     texts = (f"{one.severity.name} {one.code}: {one.text}" for one in findings)
     return [
         line

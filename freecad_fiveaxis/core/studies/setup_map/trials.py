@@ -114,7 +114,7 @@ def _costs(driven: Driven, zeros: Floats, progress: Progress) -> Iterator[Cost]:
 
 
 def _to_set(driven: Driven, region: Region, found: Floats) -> tuple[Floats, Cost]:
-    """The work zero in steps that somebody can set; the one that was found where these would leave the
+    """Return the work zero in steps that somebody can set; the one that was found where these would leave the
     limits."""
     origin = np.clip(np.round(found, SET_DECIMALS), region.low, region.high)
     cost = driven.cost(origin)
@@ -140,5 +140,5 @@ def drive(ground: Ground, turn: float, progress: Progress) -> Driven:
 
 
 def _without_share(progress: Progress) -> Progress:
-    """The progress of a stage that counts for nothing, but may be cancelled."""
+    """Return the progress of a stage that counts for nothing, but may be cancelled."""
     return lambda stage, fraction: progress(stage, 0.0)

@@ -25,8 +25,8 @@ MOST_ROWS = 20_000_000
 def chords(
     source: Source, statements: Statements, rows: Rows, scale: Floats, sagitta: float, holes: Ints
 ) -> tuple[Put, tuple[Finding, ...]]:  # fmt: skip
-    """The rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of the
-    unit at each row; ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
+    """Return the rows that the chords of all arcs put in, and what is wrong about arcs. ``scale`` (n,) mm of
+    the unit at each row; ``sagitta`` mm; ``holes`` (h,) rows that no arc ends at. Raises ProgramError."""
     arcs, lost = read_arcs(statements, rows.tip, scale, holes)
     spans = arc_spans(arcs, rows.tip)
     straight = rows.motion != Motion.RAPID
@@ -41,9 +41,9 @@ def chords(
 
 
 def read_arcs(statements: Statements, tip: Floats, scale: Floats, holes: Ints) -> tuple[Arcs, Ints]:
-    """The arcs, and the statements (k,) that say one without a move before and after it, or one that another
-    goes before, or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of the unit
-    at each row."""
+    """Return the arcs, and the statements (k,) that say one without a move before and after it, or one that
+    another goes before, or that would end in one of the ``holes``. ``tip`` (n, 3) mm; ``scale`` (n,) mm of
+    the unit at each row."""
     at = np.concatenate([statements.of(Kind.CIRCLE), statements.of(Kind.TANGENT)])
     at = at[np.argsort(at, kind="stable")]
     row = statements.row[at]
@@ -70,7 +70,7 @@ def fitting(arcs: Arcs, spans: ArcSpans) -> Bools:
 
 
 def refuse_too_many(source: Source, arcs: Arcs, count: Ints) -> None:
-    """Raises ProgramError where the arcs need more chords than any path has."""
+    """Raise ProgramError where the arcs need more chords than any path has."""
     if count.sum() > MOST_ROWS:
         worst = int(count.argmax())
         source.fail(
@@ -83,7 +83,7 @@ def refuse_too_many(source: Source, arcs: Arcs, count: Ints) -> None:
 def arc_findings(
     source: Source, arcs: Arcs, spans: ArcSpans, tip: Floats, straight: Bools, lost: Ints
 ) -> Iterator[Finding]:  # fmt: skip
-    """What is wrong about arcs; ``lost`` (k,) statements that say one without its two ends."""
+    """Yield what is wrong about arcs; ``lost`` (k,) statements that say one without its two ends."""
     off = misfit(arcs, spans)
     bad = ~(off <= FIT)  # not a number where a row lies beyond all bounds
     if bad.any():
@@ -145,8 +145,8 @@ def _runs_back(source: Source, arcs: Arcs, back: Bools) -> Finding:
 
 
 def _cusps(source: Source, arcs: Arcs, back: Bools, on: int) -> Finding:
-    """A pocket's corner beside an island ends in a cusp; which way round circles are meant shows by the
-    others of the file."""
+    """Return a pocket's corner beside an island ends in a cusp; which way round circles are meant shows by
+    the others of the file."""
     line = int(source.line[arcs.statement[back.argmax()]])
     text = plural(
         int(back.sum()),

@@ -59,8 +59,8 @@ CATIA_ARC = re.compile(
 
 
 def catia_arcs_apart(text: bytes) -> bytes:
-    """The text of all statements with each INDIRV and TLON of CATIA as a TANGENT statement of seven numbers
-    and the GOTO of the arc's end, in the same lines."""
+    """Return the text of all statements with each INDIRV and TLON of CATIA as a TANGENT statement of seven
+    numbers and the GOTO of the arc's end, in the same lines."""
     return CATIA_ARC.sub(_apart, text) if b"TLON" in text else text
 
 

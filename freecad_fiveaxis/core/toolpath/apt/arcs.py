@@ -48,7 +48,7 @@ class Arcs:
         freeze(self, None, row="i", centre="f3", normal="f3", radius="f", statement="i", turns="f")
 
     def take(self, which: Ints | Bools) -> Arcs:
-        """Some of them."""
+        """Return some of them."""
         names = ("row", "centre", "normal", "radius", "statement", "turns")
         return Arcs(*(getattr(self, name)[which] for name in names))
 
@@ -66,7 +66,7 @@ class ArcSpans:
 
 
 def arc_spans(arcs: Arcs, tip: Floats) -> ArcSpans:
-    """The arcs between the rows of ``tip`` (n, 3)."""
+    """Return the arcs between the rows of ``tip`` (n, 3)."""
     both = tip[arcs.row[:, None] - (1, 0)] - arcs.centre[:, None]
     height = (both * arcs.normal[:, None]).sum(axis=2)
     start, end = np.moveaxis(both - height[..., None] * arcs.normal[:, None], 1, 0)
@@ -122,8 +122,9 @@ def chord_counts(arcs: Arcs, spans: ArcSpans, sagitta: float) -> Ints:
 
 
 def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[Ints, Floats, Floats]:
-    """The chords' ends but the last of each arc: the row (m,) before which each stands, its place (m, 3) mm
-    and its tool axis (m, 3), turned evenly from that of the row before, of ``axis`` (n, 3), to that of its
+    """Return the chords' ends but the last of each arc: the row (m,) before which each stands, its place (m,
+    3) mm and its tool axis (m, 3), turned evenly from that of the row before, of ``axis`` (n, 3), to that of
+       its
     own."""
     inner = count - 1
     arc = np.flatnonzero(inner > 0)
@@ -146,7 +147,7 @@ def inner_ends(arcs: Arcs, spans: ArcSpans, count: Ints, axis: Floats) -> tuple[
 
 
 def _turned_evenly(first: Floats, last: Floats, share: Floats) -> Floats:
-    """The axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3); opposite
-    ones stay first."""
+    """Return the axes (m, 3) at ``share`` (m, 1) of the great arc between ``first`` and ``last`` (m, 3);
+    opposite ones stay first."""
     opposite = np.linalg.norm(first + last, axis=1, keepdims=True) <= NO_DIRECTION
     return np.where(opposite, first, slerp(first, last, share[:, 0]))

@@ -29,7 +29,8 @@ OPEN = (b",", b"/", b"(")
 
 
 def without_sequence_numbers(text: bytes) -> bytes:
-    """The text, in capitals and with plain ends of lines, with all its lines but no sequence numbers."""
+    """Return the text, in capitals and with plain ends of lines, with all its lines but no sequence
+    numbers."""
     ends = np.flatnonzero(np.frombuffer(text + b"\n", np.uint8) == ord("\n"))
     if not (np.diff(ends, prepend=-1) - 1 > COLUMNS).any():
         return text

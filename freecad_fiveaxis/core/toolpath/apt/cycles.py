@@ -74,7 +74,7 @@ class Cycle:
 
 
 def cycle_of(rest: str) -> Cycle | None:
-    """What stands behind ``CYCLE/``, blanks removed, in capitals; None where it is not interpreted."""
+    """Return what stands behind ``CYCLE/``, blanks removed, in capitals; None where it is not interpreted."""
     parts = rest.split(",")
     kinds = [part for part in parts[:2] if part in KINDS]
     if (
@@ -115,7 +115,7 @@ def cycle_of(rest: str) -> Cycle | None:
 
 
 def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
-    """The numbers behind each word; None where a word is not known, has none, or stands twice."""
+    """Return the numbers behind each word; None where a word is not known, has none, or stands twice."""
     stated: dict[str, tuple[float, ...]] = {}
     k = 0
     while k < len(parts):
@@ -134,15 +134,15 @@ def _stated(parts: list[str]) -> dict[str, tuple[float, ...]] | None:
 
 
 def _name(word: str, k: int, numbers: list[float]) -> str:
-    """What the word, part k behind the kind, says; FEDTO counts upwards, but where it stands first and is
-    above 0 downwards."""
+    """Return what the word, part k behind the kind, says; FEDTO counts upwards, but where it stands first and
+    is above 0 downwards."""
     if word == "FEDTO" and k == 0 and numbers and numbers[0] > 0.0:
         return "depth"
     return "feed" if word in FEEDS else WORDS.get(word, "")
 
 
 def _numbers(parts: list[str]) -> list[float]:
-    """The numbers at the begin of ``parts``, of sizes that holes can have."""
+    """Return the numbers at the begin of ``parts``, of sizes that holes can have."""
     numbers: list[float] = []
     for part in parts:
         if not words.NUMBER.fullmatch(part) or not abs(float(part)) <= words.LARGEST:
@@ -172,8 +172,8 @@ def bottoms(cycle: Cycle, scale: float) -> list[float]:
 
 
 def way(cycle: Cycle, scale: float) -> list[tuple[float, bool]]:
-    """The way along the axis before the tool leaves for ``out``: heights, mm above the point, and whether
-    each is reached at feed."""
+    """Return the way along the axis before the tool leaves for ``out``: heights, mm above the point, and
+    whether each is reached at feed."""
     clear = cycle.clear * scale
     depths: list[tuple[float, bool]] = [(clear, False)]
     last = None
@@ -187,7 +187,7 @@ def way(cycle: Cycle, scale: float) -> list[tuple[float, bool]]:
 
 
 def left_at(cycle: Cycle, how: float) -> Cycle:
-    """The cycle with what ``how`` (of ``LEAVING``, 0: nothing) says of where its holes are left."""
+    """Return the cycle with what ``how`` (of ``LEAVING``, 0: nothing) says of where its holes are left."""
     if how == words.LEAVING["CLEAR"]:
         return replace(cycle, out=None)
     return replace(cycle, out=math.nan) if how == words.LEAVING["INIT"] and cycle.out is None else cycle

@@ -13,13 +13,14 @@ from .statements import Kind, Statements
 
 
 def held(at: Ints, value: Floats, first: float, rows: Ints) -> Floats:
-    """The value of the last event at or before each row; ``at`` (e,) rises; ``first`` before all of them."""
+    """Return the value of the last event at or before each row; ``at`` (e,) rises; ``first`` before all of
+    them."""
     return np.concatenate([[first], value])[np.searchsorted(at, rows, side="right")]
 
 
 def stated_feeds(statements: Statements, scale: Floats, source: Source) -> tuple[Ints, Floats]:
-    """The rows of ``statements`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at each
-    statement. Raises ProgramError for a feed per turn of no spindle."""
+    """Return the rows of ``statements`` with a FEDRAT, and the feeds in mm/min; ``scale`` mm of the unit at
+    each statement. Raises ProgramError for a feed per turn of no spindle."""
     at = statements.of(Kind.FEED)
     return at, per_minute(
         statements, at, statements.value(at), statements.unit(at), statements.turn(at), scale, source

@@ -30,8 +30,8 @@ LINES_LISTED, NAMES_LISTED = 5, 20
 def find_poor_spots(
     source: Source, statements: Statements, moves: Moves, length: Floats, speed: Floats, fed: Bools
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """The findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its moves,
-    ``fed`` (n,) which of them need one."""
+    """Return the findings of a CL file; ``length`` (n,) of the axes as printed, ``speed`` (n,) mm/min of its
+    moves, ``fed`` (n,) which of them need one."""
     found = [
         *_passed_over(source, statements),
         *_frames(source, statements),
@@ -137,8 +137,8 @@ def _compensation(source: Source, statements: Statements) -> Iterator[Finding]:
 
 
 def units_findings(source: Source, statements: Statements, units: str) -> tuple[Finding, ...]:
-    """That nobody has said the unit, where feeds or speeds are said in those of inches. ``units``: what the
-    reading says."""
+    """Report that nobody has said the unit, where feeds or speeds are said in those of inches. ``units``:
+    what the reading says."""
     if units != "file" or len(statements.of(Kind.UNITS)):
         return ()
     spoken = (Kind.FEED, Kind.SPINDLE, Kind.CYCLE)

@@ -38,13 +38,13 @@ class ClHead:
 
 
 def cutter_taken(taken: Cutter) -> tuple[Finding, ...]:
-    """That the CL file's cutter has been taken, because none is given."""
+    """Report that the CL file's cutter has been taken, because none is given."""
     text = say("No cutter is given; the CL file's is taken: {cutter}.", cutter=cutter_name(taken))
     return (report_finding(Code.CUTTER_FROM_CL_FILE, text, taken.diameter),)
 
 
 def of_cl_file(finding: Finding) -> Finding:
-    """A finding of a CL file among those of a program, whose lines are others."""
+    """Return a finding of a CL file among those of a program, whose lines are others."""
     if finding.line is None:
         return replace(finding, text=say("CL file: {finding}", finding=finding.text))
     return replace(
@@ -55,8 +55,8 @@ def of_cl_file(finding: Finding) -> Finding:
 
 
 def cutter_note(head: ClHead, given: Cutter) -> tuple[Finding, ...]:
-    """A note where the CL file is for another cutter than the one given: of another diameter, or, where it
-    says one, shape."""
+    """Return a note where the CL file is for another cutter than the one given: of another diameter, or,
+    where it says one, shape."""
     other = head.cutter
     diameter = head.diameter if other is None else other.diameter
     if head.diameter > 0.0 and abs(diameter - given.diameter) > SAME_CUTTER:

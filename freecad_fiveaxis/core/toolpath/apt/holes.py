@@ -45,7 +45,7 @@ class Holes:
 def read_holes(
     source: Source, statements: Statements, rate: Floats, scale: Floats
 ) -> tuple[Holes, tuple[Finding, ...]]:
-    """The holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row;
+    """Return the holes, and what is to be said of them. ``rate`` (n,) mm/min: what FEDRAT says at each row;
     ``scale`` (s,) mm of the unit at each statement. Raises ProgramError for a feed per turn of no spindle."""
     cycle = [
         cycle_of(text[len("CYCLE/") :]) if text.startswith("CYCLE/") else None for text in statements.texts
@@ -94,8 +94,8 @@ def _feeds(
 
 
 def drilled(rows: Rows, holes: Holes) -> tuple[Rows, Put]:
-    """The rows of the moves, those of holes where the tool leaves them; and the rows to be put in before:
-    over, and down."""
+    """Return the rows of the moves, those of holes where the tool leaves them; and the rows to be put in
+    before: over, and down."""
     if not len(holes.row):
         return rows, Put.none()
     point, axis = rows.tip[holes.row], rows.axis[holes.row]
@@ -192,7 +192,7 @@ def _findings(
 
 
 def with_feeds(rows: Rows, holes: Holes) -> tuple[Floats, Bools]:
-    """The feed mm/min (n,) that each move needs, and which moves need one, holes among them."""
+    """Return the feed mm/min (n,) that each move needs, and which moves need one, holes among them."""
     speed, needs = rows.speed.copy(), rows.motion != Motion.RAPID
     speed[holes.row] = holes.feed
     needs[holes.row] = True

@@ -39,13 +39,13 @@ class Moves:
     full: Bools
 
     def take(self, rows: Bools) -> Moves:
-        """Some of the moves, with the axes that they have."""
+        """Return some of the moves, with the axes that they have."""
         return Moves(self.point[rows], self.step[rows], self.along[rows], self.axis[rows], self.full[rows])
 
 
 def read_moves(source: Source, turned_at: Ints, turned: Floats) -> Moves:
-    """The moves, with the axes that TLAXIS says: statement ``turned_at`` (t,), ``turned`` (t, 3). Raises
-    ProgramError."""
+    """Return the moves, with the axes that TLAXIS says: statement ``turned_at`` (t,), ``turned`` (t, 3).
+    Raises ProgramError."""
     at = source.move_at
     if not len(at):
         raise ProgramError(say("line 1, column 1: the CL file holds no GOTO statement"), None)
@@ -78,7 +78,7 @@ def _sorted_out(value: Floats, count: Ints, source: Source, turned_at: Ints, tur
 
 
 def places(moves: Moves, unit: Floats, scale: Floats, source: Source) -> Floats:
-    """The driven points (n, 3) mm, steps added up; ``unit`` (n, 3) the axes, ``scale`` (n,) mm. Raises
+    """Return the driven points (n, 3) mm, steps added up; ``unit`` (n, 3) the axes, ``scale`` (n,) mm. Raises
     ProgramError."""
     with np.errstate(over="ignore"):
         point: Floats = moves.point * scale[:, None]

@@ -48,8 +48,8 @@ class ClFile:
 
 
 def read_apt(text: bytes | str, reading: ClReading = USUAL, progress: Progress = silent) -> CLPath:
-    """The CLPath of an APT text: a row for each move, and for each chord of an arc; ``reading``: what the
-    file does not say.
+    """Return the CLPath of an APT text: a row for each move, and for each chord of an arc; ``reading``: what
+    the file does not say.
 
     The contact is the tip and the normal the axis; face and co-edge are -1; ``pass_`` counts the runs of
     cutting moves. A move of three numbers keeps the axis (0, 0, 1 at first). Raises ProgramError, naming line
@@ -59,7 +59,7 @@ def read_apt(text: bytes | str, reading: ClReading = USUAL, progress: Progress =
 
 
 def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progress = silent) -> ClFile:
-    """The path of an APT text as ``read_apt`` gives it, and its head."""
+    """Return the path of an APT text as ``read_apt`` gives it, and its head."""
     progress("reading CL", 0.0)
     source = Source(text.encode("utf-8") if isinstance(text, str) else text)
     progress("reading CL", 0.3)
@@ -84,7 +84,7 @@ def read_cl_file(text: bytes | str, reading: ClReading = USUAL, progress: Progre
 
 
 def _path(source: Source, statements: Statements, moves: Moves, scale: Floats, reading: ClReading) -> CLPath:
-    """The path of the moves; ``scale`` (s,) mm of the unit at each statement."""
+    """Return the path of the moves; ``scale`` (s,) mm of the unit at each statement."""
     length = _lengths(moves.axis, source, statements)
     axis, mm = moves.axis / length[:, None], scale[source.move_at]
     tip, motion = places(moves, axis, mm, source), _motion(source, statements, len(length))
@@ -140,7 +140,7 @@ def _lengths(axis: Floats, source: Source, statements: Statements) -> Floats:
 
 
 def _runs(motion: Bytes) -> Ints:
-    """Counts the runs of cutting moves; -1 in the others."""
+    """Count the runs of cutting moves; -1 in the others."""
     cut = motion == Motion.CUT
     begins = cut & ~np.concatenate([[False], cut[:-1]])
     return np.where(cut, np.cumsum(begins) - 1, -1)

@@ -24,7 +24,7 @@ class Rows:
     speed: Floats
 
     def with_put(self, put: Put) -> Rows:
-        """These rows with others put in."""
+        """Return these rows with others put in."""
         if not len(put.at):
             return self
         order = np.argsort(put.at, kind="stable")

@@ -71,11 +71,12 @@ class Source:
         return rows
 
     def statement(self, k: int) -> str:
-        """The text of statement k."""
+        """Return the text of statement k."""
         return self.text[self.begin[k] : self.end[k]].replace(SOFT, b"").decode("latin-1")
 
     def chosen(self, begin: Ints, end: Ints) -> NDArray[Any]:
-        """The bytes from each ``begin`` up to and with its end of line, one after the other, as codes."""
+        """Return the bytes from each ``begin`` up to and with its end of line, one after the other, as
+        codes."""
         edge = np.zeros(len(self.code) + 1, np.int8)
         edge[begin] += 1
         edge[end + 1] -= 1  # the end of line goes along: it separates the last number from the next
@@ -105,7 +106,7 @@ class Source:
         )
 
     def kept(self, statements: Bools) -> Source:
-        """The same text with some of its statements (s,) alone."""
+        """Return the same text with some of its statements (s,) alone."""
         selected = copy(self)
         selected.begin, selected.end, selected.line = (
             self.begin[statements],
@@ -130,8 +131,8 @@ class Source:
 
 
 def plain_text(raw: bytes) -> bytes:
-    """The text in capitals, lines ended by LF, whatever system it comes from. Raises ProgramError for what is
-    no text."""
+    """Return the text in capitals, lines ended by LF, whatever system it comes from. Raises ProgramError for
+    what is no text."""
     codec = WIDE.get(raw[:2])
     if codec:
         raw = raw[2:].decode(codec, "replace").encode("latin-1", "replace")

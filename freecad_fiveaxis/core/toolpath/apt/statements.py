@@ -74,13 +74,13 @@ class Statements:
     meanings: list[Meaning]
 
     def of(self, kind: Kind) -> Ints:
-        """The rows of that kind."""
+        """Return the rows of that kind."""
         return np.flatnonzero(
             np.isin(self.which, [k for k, meaning in enumerate(self.meanings) if meaning.kind is kind])
         )
 
     def value(self, rows: Ints) -> Floats:
-        """The numbers that these rows say."""
+        """Return the numbers that these rows say."""
         return np.array([meaning.value for meaning in self.meanings] or [0.0])[self.which[rows]]
 
     def unit(self, rows: Ints) -> Floats:
@@ -92,7 +92,7 @@ class Statements:
         return np.array([meaning.turn for meaning in self.meanings] or [False])[self.which[rows]]
 
     def first(self, rows: Ints) -> Meaning | None:
-        """The meaning of the first of these rows."""
+        """Return the meaning of the first of these rows."""
         return self.meanings[self.which[rows[0]]] if len(rows) else None
 
 
@@ -114,7 +114,7 @@ def read_statements(source: Source) -> Statements:
 
 
 def meaning_of(statement: str) -> Meaning | tuple[str, str]:
-    """What a statement says; or, where it cannot be read, the part that is wrong and why."""
+    """Return what a statement says; or, where it cannot be read, the part that is wrong and why."""
     if statement.startswith("PPRINT/MOTION,"):
         return Meaning(Kind.LINK, float(statement == "PPRINT/MOTION,LINK"))
     for mark, kind in (("PPRINT/NECK,", Kind.NECK), ("PPRINT/FLANK,", Kind.FLANK)):
@@ -136,7 +136,7 @@ def meaning_of(statement: str) -> Meaning | tuple[str, str]:
 
 
 def name_of(statement: str) -> str:
-    """The word that a statement is called by in a finding."""
+    """Return the word that a statement is called by in a finding."""
     if statement.startswith("CYCLE/"):
         return re.sub(r"(?<=/)([A-Z0-9]*).*", r"\1", statement)
     return re.sub(r"[^A-Z].*", "", statement) or statement[:20]
@@ -150,7 +150,7 @@ def _unit(rest: str) -> Meaning | tuple[str, str]:
 
 
 def _feed(rest: str) -> Meaning | tuple[str, str]:
-    """A unit of the statement's own goes before the file's."""
+    """Return a unit of the statement's own goes before the file's."""
     parts = rest.split(",")
     numbers = words.numbers_of(rest)
     if len(numbers) != 1 or not 0.0 < numbers[0] < np.inf:
@@ -165,7 +165,7 @@ def _feed(rest: str) -> Meaning | tuple[str, str]:
 
 
 def _spindle(rest: str) -> Meaning:
-    """Turns a minute, 0 off; NaN where it goes on as before, or is said as a cutting speed."""
+    """Return turns a minute, 0 off; NaN where it goes on as before, or is said as a cutting speed."""
     numbers, parts = words.numbers_of(rest), rest.split(",")
     if "OFF" in parts:
         return Meaning(Kind.SPINDLE, 0.0)
@@ -193,7 +193,7 @@ def _cutter(rest: str) -> Meaning:
 
 
 def _sizes(kind: Kind, rest: str) -> Meaning:
-    """This program's marks: diameter and upper end of a lollipop's neck; radius and length of a barrel's
+    """Read this program's marks: diameter and upper end of a lollipop's neck; radius and length of a barrel's
     flank. Anything else behind them is text."""
     numbers = words.numbers_of(rest)
     return Meaning(kind, more=tuple(numbers)) if len(numbers) == 2 else Meaning(Kind.NOTHING)
@@ -249,7 +249,7 @@ def _circle(rest: str) -> Meaning:
 
 
 def _tangent(rest: str) -> Meaning:
-    """What ``catia_arcs_apart`` has made."""
+    """Return what ``catia_arcs_apart`` has made."""
     numbers = words.numbers_of(rest)
     good = len(numbers) == 7 and float(np.abs(numbers).max()) <= words.LARGEST and numbers[6] > 0.0
     return Meaning(Kind.TANGENT, more=(*numbers, 0.0)) if good else Meaning(Kind.UNKNOWN)
@@ -294,8 +294,8 @@ READERS: dict[str, Callable[[str], Meaning | tuple[str, str]]] = {
 
 
 def head_of(statements: Statements, source_scale: Floats) -> ClHead:
-    """The first tool, speed and cutter, and whether coolant is ever on; ``source_scale`` mm of the unit at
-    each statement."""
+    """Return the first tool, speed and cutter, and whether coolant is ever on; ``source_scale`` mm of the
+    unit at each statement."""
     tool, cutter = statements.first(statements.of(Kind.TOOL)), statements.of(Kind.CUTTER)
     speeds = statements.value(statements.of(Kind.SPINDLE))
     on = speeds[np.nan_to_num(speeds) > 0.0]

@@ -46,7 +46,7 @@ class Tools:
 
 
 def tools_of(source: Source, statements: Statements) -> Tools:
-    """The tools that the moves are made with; none where the file says none."""
+    """Return the tools that the moves are made with; none where the file says none."""
     numbers = statements.of(Kind.TOOL)
     best = _by_number(source, statements, numbers if len(numbers) else statements.of(Kind.TOOLNO))
     for name in (_name_of_path, _name_of_data):
@@ -130,7 +130,7 @@ def _no_such_tool(tools: Tools, tool: int) -> str:
 
 
 def tool_findings(tools: Tools, chosen: int | None) -> tuple[Finding, ...]:
-    """That the file changes tools, or which of them has been chosen."""
+    """Report that the file changes tools, or which of them has been chosen."""
     if len(tools.names) < 2:
         return ()
     count = float(len(tools.names))

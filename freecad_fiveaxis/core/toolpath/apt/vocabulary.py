@@ -71,5 +71,5 @@ NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?")
 
 
 def numbers_of(rest: str) -> list[float]:
-    """The numbers among the parts between commas."""
+    """Return the numbers among the parts between commas."""
     return [float(part) for part in rest.split(",") if NUMBER.fullmatch(part)]

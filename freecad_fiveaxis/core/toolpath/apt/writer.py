@@ -26,8 +26,8 @@ POSITION_DECIMALS, AXIS_DECIMALS, FEED_DECIMALS = 6, 9, 4
 def write_apt(
     path: CLPath, cutter: Cutter, title: str, progress: Progress = silent, head: ClHead | None = None
 ) -> bytes:
-    """The CL file of a path: positions with 6 decimals, mm, axes with 9, feeds mm/min. ASCII, lines end in
-    LF.
+    """Return the CL file of a path: positions with 6 decimals, mm, axes with 9, feeds mm/min. ASCII, lines
+    end in LF.
 
     ``head``: what it says of tool, spindle and coolant (None: tool 1); the cutter's size is ``cutter``'s.
     """
@@ -55,7 +55,7 @@ def write_apt(
 
 
 def _frame(cutter: Cutter, title: str, head: ClHead) -> tuple[bytes, bytes]:
-    """What stands before and after the path."""
+    """Return what stands before and after the path."""
     plain = re.sub(r"[^A-Za-z0-9 ._+-]", "-", title)[:60]
     begin = [
         f"PARTNO {plain}",

@@ -90,7 +90,7 @@ def tool_keepout(
 
 
 def _beyond_ball(reach: Floats, radius: float) -> Floats:
-    """The reach, mm, where it is more than the ball's, else the ball's."""
+    """Return the reach, mm, where it is more than the ball's, else the ball's."""
     return np.where(reach > radius + ROUNDING_MM, reach, radius)
 
 
@@ -124,8 +124,8 @@ def _reach_out(centre: Floats, axis: Floats, keep: Keepout) -> Floats:
 
 
 def _beside(place: Floats, keep: Keepout) -> Floats:
-    """The place itself; where the part is overhead, the nearest place at the same height that has nothing
-    above it."""
+    """Return the place itself; where the part is overhead, the nearest place at the same height that has
+    nothing above it."""
     overhead = ((place > keep.low) & (place < keep.high))[:, :2].all(axis=1) & (
         place[:, 2] <= keep.low[..., 2] + SIDE_MARGIN
     )

@@ -125,7 +125,8 @@ def link_passes(
     progress: Progress = silent,
     body: Body | None = None, retreat: Floats | None = None,
 ) -> CLPath:  # fmt: skip
-    """The whole path of the tool: the passes as they stand, with a safe way from each polyline to the next.
+    """Return the whole path of the tool: the passes as they stand, with a safe way from each polyline to the
+    next.
 
     ``axis`` (n, 3) unit, one for each row of ``path``; ``low``, ``high`` (3,) mm the part's box; ``body``:
     cutter, shank and holder, None: the cutter alone; ``retreat`` (n, 3) unit: in which direction it leaves a
@@ -181,7 +182,7 @@ class _Links:
 
 
 def _highest(axis: Floats) -> Floats:
-    """The axis (3,) that looks up most: one that the machine has to take up anyway."""
+    """Return the axis (3,) that looks up most: one that the machine has to take up anyway."""
     return np.asarray(axis[axis[:, 2].argmax()])
 
 
@@ -209,7 +210,7 @@ def _links(
 def _merged(
     path: OffsetPath, axis: Floats, start: Ints, links: _Links, cutter: Cutter, options: LinkOptions
 ) -> CLPath:
-    """The rows of the path and the rows between its polylines, which begin at ``start``, each at its
+    """Return the rows of the path and the rows between its polylines, which begin at ``start``, each at its
     place."""
     put = Insertion(len(path.point), np.append(start, len(path.point))[links.before])
     drive = cutter.tip_at if options.control_point == "tip" else lambda hub, _: hub
@@ -248,7 +249,7 @@ def _starts(label: Ints) -> Ints:
 
 
 def _below(leave: WayOut, enter: WayOut) -> tuple[Finding, ...]:
-    """A finding where the tool leaves or comes from below the part."""
+    """Return a finding where the tool leaves or comes from below the part."""
     under = np.concatenate([leave.needed[:, 1], enter.needed[:, 1]])
     if not under.any():
         return ()

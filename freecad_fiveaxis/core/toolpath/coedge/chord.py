@@ -119,7 +119,8 @@ def _mix(weights: tuple[Floats, Floats, Floats], one: Floats, far: Floats, trave
 
 
 def _neighbours(segments: Segments, at: Ints, head: Ints, count: Ints) -> tuple[Ints, Ints]:
-    """The chords before and after each chord, round the seam of a closed polyline, -1 beyond an open end."""
+    """Return the chords before and after each chord, round the seam of a closed polyline, -1 beyond an open
+    end."""
     n = int(count.sum())
     before, after = np.arange(-1, n - 1), np.arange(1, n + 1)
     place = np.full(len(segments.live), -1)

@@ -85,8 +85,8 @@ def lasting_rows(path: OffsetPath, rows: Ints) -> Ints:
 
 
 def take_path_rows(path: OffsetPath, rows: Ints) -> OffsetPath:
-    """Some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it begins
-    a new one."""
+    """Return some rows of a path, ascending: a polyline ends where rows are left out, and what is left of it
+    begins a new one."""
     begins = row_begins(rows, path.polyline[rows])
     columns = {
         name: getattr(path, name)[rows]

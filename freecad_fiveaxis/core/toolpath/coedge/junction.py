@@ -132,14 +132,14 @@ class Rows(NamedTuple):
 
 
 def chosen(rows: Rows, which: slice | Ints) -> Rows:
-    """Some of the rows, without what is said of lifted ones."""
+    """Return some of the rows, without what is said of lifted ones."""
     columns = [column[which] if isinstance(which, slice) else column.take(which) for column in rows[:-2]]
     return Rows._make([*columns, np.empty(0, np.int64), np.empty((3, 0))])
 
 
 def find_segments(contact: ContactPath) -> Segments:
-    """The segments of a contact path in their order, without those that have no length (a plane through a
-    vertex)."""
+    """Return the segments of a contact path in their order, without those that have no length (a plane
+    through a vertex)."""
     point, normal = np.ascontiguousarray(contact.point.T), np.ascontiguousarray(contact.normal.T)
     length = np.empty(point.shape[1] // 2)
 
@@ -161,8 +161,8 @@ def find_segments(contact: ContactPath) -> Segments:
 
 
 def groups(segments: Segments) -> list[Segments]:
-    """The same in parts of whole polylines: an even number of them, alike, so that both threads have as much
-    to do."""
+    """Return the same in parts of whole polylines: an even number of them, alike, so that both threads have
+    as much to do."""
     ends = np.append(segments.first[1:], len(segments.live))[: len(segments.first)]
     count = len(segments.live)
     size = max((part.stop - part.start for part in chunks(count, GROUP)), default=1)
@@ -209,8 +209,8 @@ def find_junctions(
 
 
 def _sides(segments: Segments, part: slice) -> tuple[Floats, Floats, Floats, Floats]:
-    """Normals before and after the junctions, then directions before and after, (3, k) each; after an end
-    those before it."""
+    """Return normals before and after the junctions, then directions before and after, (3, k) each; after an
+    end those before it."""
     own = segments.live[part.start : part.stop + 1]
     count, row = part.stop - part.start, np.arange(part.start, part.stop)
     following = segments.following[part]
@@ -250,15 +250,15 @@ def _ascending(table: Floats, segment: Ints, end: int) -> Floats:
 
 
 def _kinds(following: Ints, gap: Floats, ahead: Floats, behind: Floats, sine: Floats) -> Bytes:
-    """The profile turns towards the normals (concave) where the path before runs into the facet after, and
-    the other way."""
+    """Return the profile turns towards the normals (concave) where the path before runs into the facet after,
+    and the other way."""
     concave = (ahead < -GRAZING * sine) & (behind > GRAZING * sine)
     kind = np.where(gap < FLAT_GAP, FLAT, np.where(concave, CONCAVE, CONVEX))
     return np.where(following < 0, END, kind).astype(np.int8)
 
 
 def arcs_needed(theta: Floats, radius: float, tolerance: float) -> Ints:
-    """The fewest sub-steps with ``radius / cos(theta / 2k) - radius <= tolerance`` (eq. 4 for each
+    """Return the fewest sub-steps with ``radius / cos(theta / 2k) - radius <= tolerance`` (eq. 4 for each
     sub-step)."""
     widest = 2.0 * np.arctan2(np.sqrt(tolerance * (2.0 * radius + tolerance)), radius)
     fewest = np.ceil(theta / widest - STEP_ROUNDING).astype(
@@ -280,7 +280,7 @@ def _arcs(gap: Floats, wide: Floats, radius: float, tolerance: float) -> Ints:
 
 
 def direction(segments: Segments, segment: Ints) -> Floats:
-    """Unit direction of travel (3, k) of segments of the contact path."""
+    """Return unit direction of travel (3, k) of segments of the contact path."""
     step = segments.point.take(2 * segment + 1, axis=1) - segments.point.take(2 * segment, axis=1)
     step /= segments.length.take(segment)
     return np.asarray(step)

@@ -41,8 +41,8 @@ class _Numbered(NamedTuple):
 
 
 def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools | None) -> Closed:
-    """The rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of the
-    others no row stays, nor a row that has no neighbour left."""
+    """Return the rows of whole polylines. ``cut``: which segments of the contact path are cut, None: all; of
+    the others no row stays, nor a row that has no neighbour left."""
     junctions = find_junctions(segments, radius, tolerance, cut)
     tight = find_used_up(segments, junctions)
     if not len(tight):
@@ -67,7 +67,7 @@ def closed_rows(segments: Segments, radius: float, tolerance: float, cut: Bools 
 
 
 def _places(segments: Segments, count: Ints, tight: Bools | None = None, line: Ints | None = None) -> Ints:
-    """The number (m + 1,) of the first row of each position, ``count`` (m,) rows each and one where a
+    """Return the number (m + 1,) of the first row of each position, ``count`` (m,) rows each and one where a
     polyline begins; all rows of a ``tight`` (p,) polyline stand at its first position, ``line`` of each."""
     place = np.zeros(len(count) + 1, np.int64)
     place[1:] = count
@@ -78,7 +78,8 @@ def _places(segments: Segments, count: Ints, tight: Bools | None = None, line: I
 
 
 def _near(segments: Segments, tight: Bools | None, cut: Bools | None) -> Ints:
-    """The positions whose junction lies beside a segment that is cut, but for those of tight polylines."""
+    """Return the positions whose junction lies beside a segment that is cut, but for those of tight
+    polylines."""
     m = len(segments.live)
     here = np.ones(m, bool) if cut is None else cut.take(segments.live)
     near = here | here.take(np.where(segments.following < 0, np.arange(m), segments.following))
@@ -88,8 +89,8 @@ def _near(segments: Segments, tight: Bools | None, cut: Bools | None) -> Ints:
 def _easy(
     segments: Segments, junctions: Junctions, at: Ints, place: Ints, radius: float, more: int
 ) -> _Numbered:
-    """The rows of junctions at positions ``at`` (k,), and room for ``more`` after them; step -1 is the row
-    where a polyline begins: its first contact, or the last row of its seam."""
+    """Return the rows of junctions at positions ``at`` (k,), and room for ``more`` after them; step -1 is the
+    row where a polyline begins: its first contact, or the last row of its seam."""
     last = np.full(len(segments.live), -1, dtype=np.int64)
     last[segments.first] = segments.last
     low = place[at]
@@ -138,7 +139,7 @@ def _put(rows: Rows, where: slice, new: Rows) -> None:
 
 
 def _with_tight(easy: _Numbered, segments: Segments, place: Ints, trimmed: Trimmed) -> _Numbered:
-    """The rows of the tight polylines put into the room behind the others."""
+    """Return the rows of the tight polylines put into the room behind the others."""
     line = trimmed.line
     rest = slice(len(easy.number) - len(line), len(easy.number))
     start = np.flatnonzero(np.diff(line, prepend=-1))
@@ -152,7 +153,7 @@ def _with_tight(easy: _Numbered, segments: Segments, place: Ints, trimmed: Trimm
 
 
 def _picked(rows: Rows, index: Ints) -> Rows:
-    """The rows ``index`` (k,), in that order."""
+    """Return the rows ``index`` (k,), in that order."""
     picked = chosen(rows, index)
     if not len(rows.lifted):
         return picked
@@ -163,9 +164,9 @@ def _picked(rows: Rows, index: Ints) -> Rows:
 
 
 def _lasting(found: _Numbered, order: Ints, cut: Bools) -> tuple[Rows, Bools, Ints, Ints]:
-    """The rows, in that ``order``, that stand over what is cut and have a neighbour, and which of them begin
-    a polyline. The segments on their sides become ones that are cut. Then ``beside`` and ``wall`` of Closed:
-    rows that were trimmed against a segment that is not cut."""
+    """Return the rows, in that ``order``, that stand over what is cut and have a neighbour, and which of them
+    begin a polyline. The segments on their sides become ones that are cut. Then ``beside`` and ``wall`` of
+    Closed: rows that were trimmed against a segment that is not cut."""
     rows = found.rows
     left, right = cut.take(rows.left), cut.take(rows.right)
     border, stays = np.flatnonzero(left != right), cut.take(rows.base >> 1)

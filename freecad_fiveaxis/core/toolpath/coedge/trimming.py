@@ -69,9 +69,9 @@ def trim_polylines(
     tolerance: float,
     cut: Bools | None = None,
 ) -> Trimmed:
-    """The offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is used up.
-    ``cut``: which segments of the contact path are cut, None: all; where chords of one that is and one that
-    is not meet, each has a row."""
+    """Return the offset of whole polylines, ``at`` (m,) their positions in order: trimmed until no chord is
+    used up. ``cut``: which segments of the contact path are cut, None: all; where chords of one that is and
+    one that is not meet, each has a row."""
     quarter = int(arcs_needed(np.array([0.5 * np.pi]), radius, tolerance)[0])
     chords = make_chords(segments, junctions, at, radius, quarter)
     _drop_used_up(chords)
@@ -180,7 +180,7 @@ class _Spot(NamedTuple):
 
 
 def _rows(chords: Chords, segments: Segments, junctions: Junctions, cut: Bools | None) -> tuple[Rows, Ints]:
-    """The rows of what is left, and the polyline of each."""
+    """Return the rows of what is left, and the polyline of each."""
     spot, radius = _spots(chords, segments, junctions, cut), chords.radius
     at, t, real = chords.at[spot.chord], spot.t, chords.real[spot.chord]
     segment, nxt = segments.live[at], segments.following[at]
@@ -251,8 +251,8 @@ def _lifted(chords: Chords, one: Ints, two: Ints) -> Floats:
 
 
 def _real_sides(chords: Chords, segments: Segments, one: Ints, opened: Bools) -> tuple[Ints, Ints]:
-    """The nearest segments that are left before and after the end of each chord, round a seam, else the
-    chord's own."""
+    """Return the nearest segments that are left before and after the end of each chord, round a seam, else
+    the chord's own."""
     n, row, real = len(one), np.arange(len(one)), chords.real[one]
     first = np.flatnonzero(np.diff(segments.line[chords.at[one]], prepend=-1))
     size = np.diff(first, append=n)

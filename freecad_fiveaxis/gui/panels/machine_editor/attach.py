@@ -84,7 +84,7 @@ class AttachFields(QtCore.QObject):
             self.refused.emit(wording.localize(error))
 
     def _selected(self) -> list[tuple[Any, Sequence[str]]]:
-        """What is selected in the user's documents, from the outermost object on."""
+        """Return what is selected in the user's documents, from the outermost object on."""
         rows = FreeCADGui.Selection.getSelectionEx("*", 0)
         return [(row.Object, row.SubElementNames) for row in rows if row.Object.Document.Name != self.own]
 
@@ -105,7 +105,7 @@ class AttachFields(QtCore.QObject):
         return str(text.format(doc.Label))
 
     def stop(self) -> None:
-        """The panel closes: no point is picked any more."""
+        """Pick no point any more: the panel closes."""
         self.fields["machine_zero"].pick.stop()
 
 

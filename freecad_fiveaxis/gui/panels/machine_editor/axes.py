@@ -95,7 +95,7 @@ class AxesEditor(QtCore.QObject):
         self._fill()
 
     def _fill(self) -> None:
-        """The chosen axis into the fields."""
+        """Put the chosen axis into the fields."""
         axis, draft = self.axis, self.draft
         if draft is None:
             return
@@ -169,20 +169,20 @@ class AxesEditor(QtCore.QObject):
             self._put(new, new.letters().index(letter))
 
     def _put(self, draft: MachineDraft, at: int) -> None:
-        """A changed draft, and the axis that is chosen then."""
+        """Put a changed draft, and the axis that is chosen then."""
         self.show_draft(draft, min(at, len(draft.axes) - 1))
         self.edited.emit()
 
 
 def measure_text(value: float, rotary: bool) -> str:
-    """A place of an axis, mm or degrees, in the user's units; "none" for a limit that there is not."""
+    """Return a place of an axis, mm or degrees, in the user's units; "none" for a limit that there is not."""
     if math.isinf(value):
         return str(translate("FiveAxis", "none"))
     return angle_text(value) if rotary else length_text(value)
 
 
 def side_label(side: str) -> str:
-    """What an axis of that side carries, in a word."""
+    """Return what an axis of that side carries, in a word."""
     return str(translate("FiveAxis", "table") if side == "table" else translate("FiveAxis", "head"))
 
 

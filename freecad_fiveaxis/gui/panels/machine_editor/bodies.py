@@ -104,7 +104,7 @@ class BodiesEditor(QtCore.QObject):
         self.draft = draft
 
     def _fill(self) -> None:
-        """The chosen body into the fields."""
+        """Put the chosen body into the fields."""
         body, draft = self.body, self.draft
         if draft is None:
             return
@@ -126,7 +126,7 @@ class BodiesEditor(QtCore.QObject):
         self.group.show_state(str(len(draft.bodies)) if draft.bodies else translate("FiveAxis", "none"))
 
     def _sizes(self, body: MachineBody) -> set[str]:
-        """The fields of a body's shape; none of a mesh that has no file of the user's yet."""
+        """Return the fields of a body's shape; none of a mesh that has no file of the user's yet."""
         return set() if self.attached.holds(body.file) else _sizes(body.shape)
 
     def _change(self, name: str) -> None:
@@ -166,7 +166,7 @@ class BodiesEditor(QtCore.QObject):
 
 
 def new_body(draft: MachineDraft, shape: str) -> MachineBody:
-    """A body of that shape on the base, under the table's face, with a name of its own."""
+    """Return a body of that shape on the base, under the table's face, with a name of its own."""
     names = {body.name for body in draft.bodies}
     label = shape_label(shape)
     name = next(one for at in range(1, len(names) + 2) if (one := f"{label} {at}") not in names)
@@ -183,7 +183,7 @@ def new_body(draft: MachineDraft, shape: str) -> MachineBody:
 
 
 def shape_label(shape: str) -> str:
-    """What a shape is called."""
+    """Return what a shape is called."""
     labels = {
         BOX: translate("FiveAxis", "box"), CYLINDER: translate("FiveAxis", "cylinder"),
         CONE: translate("FiveAxis", "cone"),
@@ -193,7 +193,7 @@ def shape_label(shape: str) -> str:
 
 
 def carrier_label(carrier: str) -> str:
-    """What carries a body, in a word."""
+    """Return what carries a body, in a word."""
     labels = {
         BASE: translate("FiveAxis", "nothing, it stands still"),
         SPINDLE: translate("FiveAxis", "the spindle"),
@@ -202,14 +202,14 @@ def carrier_label(carrier: str) -> str:
 
 
 def _sizes(shape: str) -> set[str]:
-    """The fields of a shape."""
+    """Return the fields of a shape."""
     if shape == FILE:
         return {"body_file"}
     return {f"body_{name}" for name in (*POINTS[shape], *RADII[shape])}
 
 
 def _value(body: MachineBody, name: str) -> Any:
-    """What a field shows of a body."""
+    """Return what a field shows of a body."""
     key = name.removeprefix("body_")
     points = dict(zip(POINTS.get(body.shape, ()), body.points, strict=False))
     sizes = points | dict(zip(RADII.get(body.shape, ()), body.radii, strict=False))
@@ -217,7 +217,7 @@ def _value(body: MachineBody, name: str) -> Any:
 
 
 def _changed(body: MachineBody, name: str, value: Any) -> MachineBody:
-    """The body with another value."""
+    """Return the body with another value."""
     key = name.removeprefix("body_")
     points, radii = POINTS.get(body.shape, ()), RADII.get(body.shape, ())
     if key in points:

@@ -76,7 +76,7 @@ class OpenField(Field):
         self._shown = self.editor.measured()
 
     def show_measure(self, value: float | None, kind: str) -> None:
-        """A value of that kind, "length" or "angle"."""
+        """Show a value of that kind, "length" or "angle"."""
         self.editor.measure(kind)
         self.show_value(value)
 
@@ -97,7 +97,7 @@ class RateField(FeedField):
         return super().value() or None
 
     def show_rate(self, rate: float | None, rotary: bool) -> None:
-        """A rate of that kind of axis."""
+        """Show a rate of that kind of axis."""
         suffix, per_second = (TURNS_A_MINUTE, 60.0) if rotary else feed_unit()
         self.factor = 60.0 / per_second
         self.editor.setSuffix(suffix)

@@ -51,7 +51,7 @@ class GeneralFields(QtCore.QObject):
         self.group.show_state(draft.name)
 
     def apply(self, draft: MachineDraft) -> MachineDraft:
-        """The draft with what the fields say."""
+        """Return the draft with what the fields say."""
         values = {CHANGES[name]: field.value() for name, field in self.fields.items()}
         values = {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
         self.group.show_state(values["name"])

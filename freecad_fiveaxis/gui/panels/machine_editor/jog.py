@@ -100,7 +100,7 @@ class _Row:
 
 
 def _ends(axis: AxisDraft) -> tuple[float, float]:
-    """What a slider covers, mm or degrees; in order, whatever the limits say."""
+    """Return what a slider covers, mm or degrees; in order, whatever the limits say."""
     most = TURN if axis.rotary else TRAVEL
     low, high = (math.copysign(most, one) if math.isinf(one) else one for one in (axis.low, axis.high))
     return min(low, high), max(low, high)

@@ -254,7 +254,7 @@ class EditorPanel:
         return True
 
     def _keep_written(self) -> None:
-        """The file is there now; the next one gets another name."""
+        """Keep in mind that the file is there now; the next one gets another name."""
         self.filling = True
         self.draft = self.kept = editing.open_draft(self.written)
         self.opened = self.written

@@ -31,7 +31,7 @@ class Table(QtWidgets.QTableWidget):
         self.horizontalHeader().setStretchLastSection(True)
 
     def at(self) -> int:
-        """The chosen row; -1: none."""
+        """Return the chosen row; -1: none."""
         return int(self.currentRow())
 
     def show_rows(self, rows: Sequence[Sequence[str]], at: int | None = None) -> None:
@@ -70,7 +70,7 @@ class Table(QtWidgets.QTableWidget):
 
 
 def tool_button(name: str, text: str, hint: str) -> Any:
-    """A button of a few letters."""
+    """Return a button of a few letters."""
     button = QtWidgets.QToolButton()
     button.setObjectName(name)
     button.setText(text)
