@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
 from .body_pairs import REMEDY, PairCheck, check_pairs
-from .carried_pieces import carry_bodies, carry_tool, carry_work
+from .carried_pieces import Carried, carry_bodies, carry_tool, carry_work
 from .check import GougeCheck, check_program
 from .fixtures import Fixture
 from .machine_bodies import make_mesh, spindle_body
@@ -132,7 +132,7 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
 def _against_bodies(
     given: InMachine, program: Program, tolerance: float, progress: Progress
 ) -> Iterator[Finding]:
-    stack = _stack(given)
+    stack = stack_of(given)
     for body in given.machine.bodies:
         if not is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
@@ -173,6 +173,15 @@ def _of_bodies(
 ) -> tuple[Finding, ...]:
     """What bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
     head."""
+    check, carried = carried_pairs(given, program, part, tolerance, progress)
+    return check_pairs(check, carried, progress)
+
+
+def carried_pairs(
+    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress = silent
+) -> tuple[PairCheck, list[Carried]]:
+    """Give all that the axes carry, and what a check of its pairs takes. Raises FiveAxisError for the file of
+    a body that cannot be used."""
     machine, setup, kinematics = given.machine, given.setup, given.kinematics
     rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
     known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
@@ -181,7 +190,7 @@ def _of_bodies(
         carried += carry_tool(machine, given.body, given.length + given.back)
     zero = zero_words(machine, setup, kinematics)
     check = PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
-    return check_pairs(check, carried, progress)
+    return check, carried
 
 
 def _spindle(given: InMachine) -> Body:
@@ -189,7 +198,8 @@ def _spindle(given: InMachine) -> Body:
     return Body(()) if given.length is None else spindle_body(given.machine, given.length + given.back)
 
 
-def _stack(given: InMachine) -> Body:
+def stack_of(given: InMachine) -> Body:
+    """Stack the tool and what the spindle carries, heights from the tip."""
     return Body((*given.body.pieces, *_spindle(given).pieces))
 
 
