@@ -66,8 +66,8 @@ class MachineBlocks:
         )
 
     def which_hit(self, program: Program, blocks: Ints) -> Bools:
-        """Tell which of these ``blocks`` (k,) of a program are not proven to hit nothing; block i leads to row
-        i + 1."""
+        """Tell which of these ``blocks`` (k,) of a program are not proven to hit nothing; block i leads to
+        row i + 1."""
         given, stack = self.given, stack_of(self.given)
         hit = self._enter(stack, facet_tree(self.obstacles), program, blocks)
         for letters, tree in self.held:

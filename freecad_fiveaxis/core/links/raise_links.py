@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from freecad_fiveaxis.core.base.records import Bools, Floats, Ints
+from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints
 from freecad_fiveaxis.core.machine.kinematics import Chain, forward
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -27,8 +27,8 @@ from freecad_fiveaxis.core.toolpath.cl_path import Motion
 HEIGHTS = (5.0, 10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0)
 """mm, the lowest first."""
 
-HALVINGS = 3
-"""Times that the step below the lowest free height is halved."""
+FINE = 1.0
+"""mm; the step below the lowest free height is halved down to it."""
 
 Hits = Callable[[JointPath, Ints], Bools]
 """Which of the rows (k,) of a joint path are not proven to be reached without hitting anything."""
@@ -48,7 +48,8 @@ class Gaps(NamedTuple):
 
     def take(self, rows: Ints) -> Gaps:
         """Pick some of them."""
-        return Gaps(*(column[rows] for column in self))
+        begin, end, out, back = (column[rows] for column in self[:4])
+        return Gaps(begin, end, out, back, self.opens[rows], self.closes[rows])
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +65,7 @@ class Raised:
     row: Ints
 
 
-def find_gaps(motion: Ints) -> Gaps:
+def find_gaps(motion: Bytes) -> Gaps:
     """Find the gaps of a path with these motions (n,) of its rows."""
     n, off = len(motion), motion >= Motion.LINK
     first = np.flatnonzero(off & ~np.append(False, off[:-1]))
@@ -81,6 +82,11 @@ def find_gaps(motion: Ints) -> Gaps:
     back = np.where(some, padded[np.maximum(high - 1, 0)], last)
     out = np.where(opens, 0, out)
     return Gaps(begin, last, out, back, opens, closes)
+
+
+def raising_axis(kinematics: Chain) -> int:
+    """Pick the linear axis that raises the tool over the table."""
+    return int(np.abs(kinematics.direction[:3, 2]).argmax())
 
 
 def raise_links(joints: JointPath, kinematics: Chain, hits: Hits, clearance: float) -> Raised:
@@ -110,7 +116,7 @@ class _Trial:
     @property
     def up(self) -> int:
         """The axis that raises the tool."""
-        return int(np.abs(self.kinematics.direction[:3, 2]).argmax())
+        return raising_axis(self.kinematics)
 
     @property
     def room(self) -> Floats:
@@ -137,8 +143,7 @@ class _Trial:
             tried = np.where((hit < room) & (height > room), room, height)[rows]
             free = self.free(rows, tried) if len(rows) else np.zeros(0, np.bool_)
             found[rows[free]], hit[rows[~free]] = tried[free], tried[~free]
-        rows = np.flatnonzero(np.isfinite(found))
-        for _ in range(HALVINGS if len(rows) else 0):
+        while len(rows := np.flatnonzero(found - hit > FINE)):
             middle = 0.5 * (found[rows] + hit[rows])
             free = self.free(rows, middle)
             found[rows[free]], hit[rows[~free]] = middle[free], middle[~free]
@@ -151,8 +156,9 @@ class _Trial:
 
 
 class _Path(NamedTuple):
-    """A joint path with raised gaps: ``gap`` (n,) to which of them each row belongs, from the first raised one
-    to the row where it is down again, -1 elsewhere; ``moved`` (m,) where the rows of the given path are."""
+    """A joint path with raised gaps: ``gap`` (n,) to which of them each row belongs, from the first raised
+    one to the row where it is down again, -1 elsewhere; ``moved`` (m,) where the rows of the given path
+    are."""
 
     joints: JointPath
     gap: Ints
@@ -161,7 +167,7 @@ class _Path(NamedTuple):
 
 def _raised(joints: JointPath, kinematics: Chain, gaps: Gaps, height: Floats) -> _Path:
     """The joint path with these gaps raised by ``height`` (g,) mm."""
-    n, up = len(joints.q), int(np.abs(kinematics.direction[:3, 2]).argmax())
+    n, up = len(joints.q), raising_axis(kinematics)
     gap, lifted = _between(gaps.out, gaps.back)
     kept = np.ones(n, np.bool_)
     kept[lifted] = False
@@ -217,7 +223,8 @@ def _only(joints: JointPath, gaps: Gaps) -> tuple[JointPath, Gaps]:
     part = replace(path, **{name: getattr(path, name)[rows] for name in names})
     shift = np.cumsum(length) - length - gaps.begin
     found = JointPath(part, joints.row[rows], joints.q[rows], joints.branch[rows], joints.sine[rows])
-    return found, Gaps(*(column + shift for column in gaps[:4]), gaps.opens, gaps.closes)
+    begin, end, out, back = (column + shift for column in gaps[:4])
+    return found, Gaps(begin, end, out, back, gaps.opens, gaps.closes)
 
 
 def _between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
