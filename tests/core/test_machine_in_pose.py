@@ -233,6 +233,7 @@ def test_what_no_axis_frees_of_the_machine_is_told_by_its_area_and_what_a_longer
     assert not [one for one in found if one.code == "machine-collision"]
     (one,) = [one for one in found if one.code == "facets-without-free-axis"]
     assert one.value == pytest.approx(40.0 * 40.0, rel=0.5) and "the machine is in the way" in one.text
+    assert "Most of that is blocked by wall." in one.text
     assert "farther an axis is free" in one.text
 
 
