@@ -167,7 +167,9 @@ def test_without_bodies_or_where_nothing_is_hit_the_program_is_the_same(monkeypa
 def test_a_check_that_sees_no_bodies_would_be_noticed(monkeypatch):
     machine = with_post(monkeypatch, "trunnion_ac", 30.0)
     monkeypatch.setattr(
-        round_bodies.MachineBlocks, "which_hit", lambda self, program, blocks: np.zeros(len(blocks), np.bool_)
+        round_bodies.MachineBlocks,
+        "which_hit",
+        lambda self, program, blocks, tool: np.zeros(len(blocks), np.bool_),
     )
     blind = milled("trunnion_ac", **UPRIGHT)
     assert "machine-collision" in codes(blind)

@@ -32,6 +32,7 @@ from .machine_check import (
     lock_words,
     locked_letters,
     needs_length,
+    spindle_of,
     stack_of,
 )
 from .rapid_check import independent_rapids
@@ -65,11 +66,13 @@ class MachineBlocks:
             and (given.length is not None or not needs_length(given.machine, body))
         )
 
-    def which_hit(self, program: Program, blocks: Ints) -> Bools:
+    def which_hit(self, program: Program, blocks: Ints, tool: bool = True) -> Bools:
         """Tell which of these ``blocks`` (k,) of a program are not proven to hit nothing; block i leads to
-        row i + 1."""
+        row i + 1. ``tool``: whether it is asked, too, what cutter, shank and holder do to part and
+        fixtures."""
         given, stack = self.given, stack_of(self.given)
-        hit = self._enter(stack, facet_tree(self.obstacles), program, blocks)
+        looked_at = stack if tool else spindle_of(given)
+        hit = self._enter(looked_at, facet_tree(self.obstacles), program, blocks)
         for letters, tree in self.held:
             words = lock_words(given.machine, given.setup, given.kinematics, program.words, letters)
             hit |= self._enter(stack, tree, replace(program, words=words), blocks)
@@ -79,6 +82,8 @@ class MachineBlocks:
     def _enter(self, stack: Body, tree: FacetTree, program: Program, blocks: Ints) -> Bools:
         """Which blocks (k,) the stack is not proven to keep out of these facets in."""
         given = self.given
+        if not stack.pieces:
+            return np.zeros(len(blocks), np.bool_)
         swept = program_motion(given.kinematics, program, given.back)
         hit = which_enter(stack, tree, swept, self.tolerance, blocks, self.progress)[blocks]
         if given.rapids == INTERPOLATED:

@@ -159,7 +159,7 @@ def _against_bodies(
 def _against_part(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
 ) -> Iterator[Finding]:
-    spindle = _spindle(given)
+    spindle = spindle_of(given)
     if part is not None and spindle.pieces:
         check = check_program(
             part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids
@@ -193,14 +193,14 @@ def carried_pairs(
     return check, carried
 
 
-def _spindle(given: InMachine) -> Body:
-    """What the spindle carries, heights from the tip; nothing where the tool's length is not known."""
+def spindle_of(given: InMachine) -> Body:
+    """Give what the spindle carries, heights from the tip; nothing where the tool's length is not known."""
     return Body(()) if given.length is None else spindle_body(given.machine, given.length + given.back)
 
 
 def stack_of(given: InMachine) -> Body:
     """Stack the tool and what the spindle carries, heights from the tip."""
-    return Body((*given.body.pieces, *_spindle(given).pieces))
+    return Body((*given.body.pieces, *spindle_of(given).pieces))
 
 
 def _entering(

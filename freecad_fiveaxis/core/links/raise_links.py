@@ -30,8 +30,9 @@ HEIGHTS = (5.0, 10.0, 20.0, 40.0, 80.0, 160.0, 320.0, 640.0, 1280.0)
 FINE = 1.0
 """mm; the step below the lowest free height is halved down to it."""
 
-Hits = Callable[[JointPath, Ints], Bools]
-"""Which of the rows (k,) of a joint path are not proven to be reached without hitting anything."""
+Hits = Callable[[JointPath, Ints, bool], Bools]
+"""Which of the rows (k,) of a joint path are not proven to be reached without hitting anything; whether it is
+asked, too, what the tool does to the part."""
 
 
 class Gaps(NamedTuple):
@@ -93,7 +94,7 @@ def raise_links(joints: JointPath, kinematics: Chain, hits: Hits, clearance: flo
     """Raise the gaps of a joint path in which something is hit until nothing is; ``clearance`` mm by which
     they go higher than they must."""
     gaps = find_gaps(joints.path.motion)
-    gaps = gaps.take(np.flatnonzero(_hit(joints, gaps, hits, gaps.out, gaps.back)))
+    gaps = gaps.take(np.flatnonzero(_hit(joints, gaps, hits)))
     trial = _Trial(joints, kinematics, hits, gaps)
     wanted = trial.lowest_free(clearance)
     height = np.where(wanted <= trial.room, wanted, 0.0)
@@ -234,18 +235,19 @@ def _between(first: Ints, last: Ints) -> tuple[Ints, Ints]:
     return run, np.arange(len(run)) - np.repeat(np.cumsum(length) - length - first, length)
 
 
-def _hit(joints: JointPath, gaps: Gaps, hits: Hits, first: Ints, last: Ints) -> Bools:
-    """In which gaps (g,) something is hit on the way from their row ``first`` to ``last`` (g,)."""
+def _hit(joints: JointPath, gaps: Gaps, hits: Hits) -> Bools:
+    """In which gaps (g,) the machine is hit on the way that can be raised; what the tool does to the part has
+    been seen to, where a link can help it."""
     gap = np.full(len(joints.q), -1)
-    of, row = _between(first + 1, last)
+    of, row = _between(gaps.out + 1, gaps.back)
     gap[row] = of
-    return _hit_by(joints, gap, len(first), hits)
+    return _hit_by(joints, gap, len(gaps.out), hits, tool=False)
 
 
-def _hit_by(joints: JointPath, gap: Ints, count: int, hits: Hits) -> Bools:
+def _hit_by(joints: JointPath, gap: Ints, count: int, hits: Hits, tool: bool = True) -> Bools:
     """In which of ``count`` gaps something is hit on the way to a row that is of it, ``gap`` (n,)."""
     rows = np.flatnonzero(gap >= 0)
     rows = rows[rows > 0]
     hit = np.zeros(count, np.bool_)
-    hit[gap[rows[hits(joints, rows)]]] = True
+    hit[gap[rows[hits(joints, rows, tool)]]] = True
     return hit

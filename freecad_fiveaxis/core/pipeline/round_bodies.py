@@ -12,7 +12,6 @@ from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Bools, Ints
 from freecad_fiveaxis.core.base.sentences import Length, joined, say
 from freecad_fiveaxis.core.gouge.body_pairs import REMEDY
-from freecad_fiveaxis.core.gouge.lift import AIM
 from freecad_fiveaxis.core.gouge.machine_blocks import MachineBlocks
 from freecad_fiveaxis.core.gouge.machine_check import InMachine
 from freecad_fiveaxis.core.links.raise_links import Hits, Raised, raise_links, raising_axis
@@ -58,16 +57,16 @@ def _in_machine(context: MillContext) -> InMachine:
 
 def _hits(context: MillContext, given: InMachine) -> Hits:
     """What tells of rows whether the way to them is proven, of the words as they are printed."""
-    limit = AIM * context.settings.proof.tolerance
+    limit = context.settings.proof.tolerance
     blocks = MachineBlocks(given, context.mesh, context.obstacles, limit, context.progress)
 
-    def hits(joints: JointPath, rows: Ints) -> Bools:
+    def hits(joints: JointPath, rows: Ints, tool: bool) -> Bools:
         """Rows that stand still are no blocks of the program: what leads to them hits nothing."""
         program = build_program(joints, given.kinematics, context.dialect, False)
         at = np.minimum(np.searchsorted(program.row, rows), len(program.row) - 1)
         moves = np.flatnonzero((program.row[at] == rows) & (at > 0))
         hit = np.zeros(len(rows), np.bool_)
-        hit[moves] = blocks.which_hit(program, at[moves] - 1)
+        hit[moves] = blocks.which_hit(program, at[moves] - 1, tool)
         return hit
 
     return hits
