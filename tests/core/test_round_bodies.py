@@ -6,15 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from mesh_shapes import box
+from mesh_shapes import box, sphere
 from plain import build_settings
 from test_machine_bodies import frames
 
 from freecad_fiveaxis.core.geometry.mesh import from_triangles
-from freecad_fiveaxis.core.links.raise_links import FINE, find_gaps
+from freecad_fiveaxis.core.links.raise_links import FINE, find_gaps, raise_links
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import MachineBody
-from freecad_fiveaxis.core.machine.kinematics import Setup, chain
+from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
 from freecad_fiveaxis.core.motion.joint_path.rewind import ROUND
 from freecad_fiveaxis.core.pipeline import job, milling, options, round_bodies
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
@@ -156,6 +156,38 @@ def test_where_a_longer_tool_would_help_it_is_told_by_how_much(monkeypatch):
     assert one.value is None and "With a tool that sticks out 20 mm farther there is a way." in one.text
     told = codes(milled("trunnion_ac", **{**UPRIGHT, "tool_length": LENGTH + 20.0}))
     assert "links-raised" in told and not told & {"machine-collision", "no-way-round"}
+
+
+def test_a_rewind_is_raised_as_links_are(monkeypatch):
+    """Round a ball with C from -150 to 150 deg the tool rewinds. Where turning below Z 150 mm counts as a hit,
+    every rapid that turns is at 150 mm or higher, and no cut has changed."""
+    plain = load_machine("trunnion_ac")
+    most = np.radians(150.0)
+    axes = tuple(replace(one, low=-most, high=most) if one.letter == "C" else one for one in plain.axes)
+    monkeypatch.setattr(options, "load_machine", lambda name: replace(plain, axes=axes))
+    mesh = from_triangles(sphere(20.0))
+    given = {**MILL, "machine": "trunnion_ac", "passes": "zlevel", "tool_axis": "facet_mean", "links": "over"}
+    height = mesh.normal[:, 2]
+    draft = job.make(build_settings("mill", "part", given), mesh=mesh, faces=(height > 0.5) & (height < 0.8))
+
+    def hits(joints, rows, tool):
+        turns = np.abs(np.diff(joints.q[:, 3], prepend=joints.q[0, 3])) > 1e-6
+        low = np.minimum(joints.q[:, 2], np.append(joints.q[0, 2], joints.q[:-1, 2])) < 150.0 - 1e-9
+        return (turns & low & (joints.path.motion == Motion.RAPID))[rows]
+
+    old, kinematics = draft.joints, draft.kinematics
+    every = np.arange(1, len(old.q))
+    raised = raise_links(old, kinematics, hits, 5.0)
+    new = raised.joints
+    assert old.rewinds > 0 and hits(old, every, True).any()
+    assert (raised.height > 0.0).all() and not hits(new, np.arange(1, len(new.q)), True).any()
+    tip, axis = forward(kinematics, new.q)
+    np.testing.assert_allclose(tip, new.path.tip, atol=1e-3)  # words are as printed
+    np.testing.assert_allclose(axis, new.path.axis, atol=1e-4)
+    cuts = [one.q[np.isin(one.path.motion, (Motion.CUT, Motion.FILL))] for one in (old, new)]
+    np.testing.assert_array_equal(*cuts)
+    told = [(one.code, one.place) for one in new.findings if one.code == "rewind"]
+    assert told == [(one.code, one.place) for one in old.findings if one.code == "rewind"]
 
 
 def test_without_bodies_or_where_nothing_is_hit_the_program_is_the_same(monkeypatch):
