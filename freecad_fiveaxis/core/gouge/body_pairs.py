@@ -89,12 +89,12 @@ def check_pairs(
     return (*found, *_worst_of_tool(of_tool))
 
 
-def which_meet(given: PairCheck, carried: Sequence[Carried], blocks: Ints) -> Bools:
-    """Tell in which of these ``blocks`` (k,) a pair is not proven to stay out of each other."""
+def which_meet(given: PairCheck, pairs: Sequence[CarriedPair], blocks: Ints) -> Bools:
+    """Tell in which of these ``blocks`` (k,) one of the ``pairs`` is not proven to stay out of each other."""
     found, level = np.zeros(len(blocks), np.bool_), PARED * given.tolerance
     independent = given.rapids != INTERPOLATED
     rapids = np.flatnonzero(np.isin(blocks, independent_rapids(given.program))) if independent else blocks[:0]
-    for pair in pair_up(given.machine, carried)[0]:
+    for pair in pairs:
         columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
         if not given.known[columns].all():
             continue

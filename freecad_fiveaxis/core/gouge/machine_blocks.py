@@ -22,16 +22,18 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
 from .body_pairs import which_meet
+from .carried_pieces import CarriedPair, pair_up
 from .check import program_motion
 from .joint_box import JointBoxes, JointSpace
 from .machine_bodies import make_mesh
 from .machine_check import (
     InMachine,
-    carried_pairs,
+    carry_all,
     is_held,
     lock_words,
     locked_letters,
     needs_length,
+    pair_check,
     spindle_of,
     stack_of,
 )
@@ -66,6 +68,11 @@ class MachineBlocks:
             and (given.length is not None or not needs_length(given.machine, body))
         )
 
+    @cached_property
+    def pairs(self) -> list[CarriedPair]:
+        """What moves against each other."""
+        return pair_up(self.given.machine, carry_all(self.given, self.part, self.progress))[0]
+
     def which_hit(self, program: Program, blocks: Ints, tool: bool = True) -> Bools:
         """Tell which of these ``blocks`` (k,) of a program are not proven to hit nothing; block i leads to
         row i + 1. ``tool``: whether it is asked, too, what cutter, shank and holder do to part and
@@ -76,8 +83,9 @@ class MachineBlocks:
         for letters, tree in self.held:
             words = lock_words(given.machine, given.setup, given.kinematics, program.words, letters)
             hit |= self._enter(stack, tree, replace(program, words=words), blocks)
-        pairs, carried = carried_pairs(given, program, self.part, self.tolerance, self.progress)
-        return np.asarray(hit | which_meet(pairs, carried, blocks))
+        left = np.flatnonzero(~hit)
+        hit[left] = which_meet(pair_check(given, program, self.tolerance), self.pairs, blocks[left])
+        return hit
 
     def _enter(self, stack: Body, tree: FacetTree, program: Program, blocks: Ints) -> Bools:
         """Which blocks (k,) the stack is not proven to keep out of these facets in."""

@@ -173,24 +173,26 @@ def _of_bodies(
 ) -> tuple[Finding, ...]:
     """What bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
     head."""
-    check, carried = carried_pairs(given, program, part, tolerance, progress)
-    return check_pairs(check, carried, progress)
+    return check_pairs(pair_check(given, program, tolerance), carry_all(given, part, progress), progress)
 
 
-def carried_pairs(
-    given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress = silent
-) -> tuple[PairCheck, list[Carried]]:
-    """Give all that the axes carry, and what a check of its pairs takes. Raises FiveAxisError for the file of
-    a body that cannot be used."""
-    machine, setup, kinematics = given.machine, given.setup, given.kinematics
-    rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
-    known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
-    carried = [*carry_bodies(machine, progress), *carry_work(machine, setup, part, given.fixtures)]
+def carry_all(given: InMachine, part: Mesh | None, progress: Progress = silent) -> list[Carried]:
+    """Give all that the axes carry: bodies, part and fixtures, and the tool where its length is known. Raises
+    FiveAxisError for the file of a body that cannot be used."""
+    machine = given.machine
+    carried = [*carry_bodies(machine, progress), *carry_work(machine, given.setup, part, given.fixtures)]
     if given.length is not None:
         carried += carry_tool(machine, given.body, given.length + given.back)
-    zero = zero_words(machine, setup, kinematics)
-    check = PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
-    return check, carried
+    return carried
+
+
+def pair_check(given: InMachine, program: Program, tolerance: float) -> PairCheck:
+    """Make what a check of pairs takes, of a program."""
+    machine, kinematics = given.machine, given.kinematics
+    rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
+    known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
+    zero = zero_words(machine, given.setup, kinematics)
+    return PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
 
 
 def spindle_of(given: InMachine) -> Body:
