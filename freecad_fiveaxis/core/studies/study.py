@@ -49,12 +49,15 @@ from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
+from freecad_fiveaxis.core.tool.stick_out import Stack
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .corrections import cures, known_cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
 from .setup_map import Collide, Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
+from .setup_map.room import with_room
+from .setup_map.standing import Standing
 
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
@@ -172,6 +175,7 @@ def try_setups(
     )
     if chart.best is None:
         _refuse(chart)
+    chart = with_room(chart, _standing(chart, program, machine, posting), progress)
     return SetupTrial(settings, program, chart, chart.findings)
 
 
@@ -255,6 +259,20 @@ def _collide(settings: Settings, machine: Machine, dialect: Dialect, progress: P
         return check_machine(given, program, None, settings.proof.tolerance, progress)
 
     return collide
+
+
+def _standing(chart: SetupMap, program: PostedProgram, machine: Machine, posting: Posting) -> Standing:
+    """The recommended setup with all that stands in it. Rapids are taken as they are interpolated: where they
+    may not be, ``mill`` divides them until every way is free."""
+    settings, row = program.settings, chart.best or 0
+    x, y, z = chart.origin[row].tolist()
+    stack = Stack(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
+    part = program.mesh if isinstance(program, MilledProgram) else None
+    return Standing(
+        program.path, machine, chart.base, posting, (x, y, z), float(chart.turn[row]), part, program.fixtures,
+        chart.table, stack, settings.machine.tool_length is not None, tip_to_driven(settings),
+        settings.gouge.fixture_clearance, settings.proof.tolerance,
+    )  # fmt: skip
 
 
 def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Posting:

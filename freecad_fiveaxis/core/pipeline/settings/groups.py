@@ -400,7 +400,7 @@ class GougeSettings:
         (), "paths",
         "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against "
         "it, "
-        "and a path is laid around it; may be repeated", ONE_PROGRAM,
+        "and a path is laid around it; may be repeated", (*ONE_PROGRAM, SETUP),
     )  # fmt: skip
     fixture_clearance: float = option(
         0.0, "length",

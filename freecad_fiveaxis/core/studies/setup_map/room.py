@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the recommended setup of a map needs beside the work zero: how far the tool must stick out."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from freecad_fiveaxis.core.base.progress import Progress, silent
+
+from .setups import SetupMap
+from .standing import Standing
+from .stick_out import find_stick_out, stick_out_findings
+
+
+def with_room(chart: SetupMap, stand: Standing, progress: Progress = silent) -> SetupMap:
+    """Add to a map with a recommended setup, which ``stand`` is, what the tool needs there, and what is to be
+    said of that."""
+    stick_out = find_stick_out(stand, progress)
+    return replace(chart, stick_out=stick_out, findings=(*chart.findings, *stick_out_findings(stick_out)))
