@@ -34,9 +34,9 @@ GIVEN = {
 }  # fmt: skip
 
 
-def plate(*more):
+def plate(*more, half=20.0):
     """A plate with its top at 0, and boxes on it."""
-    boxes = [((-30.0, -20.0, -10.0), (30.0, 20.0, 0.0)), *more]
+    boxes = [((-30.0, -half, -10.0), (30.0, half, 0.0)), *more]
     return from_triangles(np.concatenate([box_facets(*np.array(one)) for one in boxes]))
 
 
@@ -66,7 +66,7 @@ def test_tilted_over_a_plane_the_rim_of_the_holder_just_clears_it(tilt):
     """Tip and rim: L cos t - R sin t + r (1 - cos t) = 0 for a ball of r, a holder of R, and a tilt of t."""
     t = math.radians(tilt)
     least = (20.0 * math.sin(t) - 3.0 * (1.0 - math.cos(t))) / math.cos(t)
-    told = found(plate(), tilt=tilt, max_axis_angle=tilt + 5.0).stick_out
+    told = found(plate(half=60.0), tilt=tilt, max_axis_angle=tilt + 5.0).stick_out
     assert 0.0 <= told.enough - least <= stick_out.STEP + 1e-6
 
 
@@ -74,7 +74,7 @@ def test_the_clearance_is_kept_all_round_the_holder():
     """A gap of 2 mm on the rim that is nearest to the plane, square to it."""
     t = math.radians(60.0)
     least = (2.0 + 20.0 * math.sin(t) - 3.0 * (1.0 - math.cos(t))) / math.cos(t)
-    told = found(plate(), tilt=60.0, max_axis_angle=70.0, fixture_clearance=2.0).stick_out
+    told = found(plate(half=60.0), tilt=60.0, max_axis_angle=70.0, fixture_clearance=2.0).stick_out
     assert 0.0 <= told.enough - least <= stick_out.STEP + 1e-6
 
 
@@ -109,13 +109,19 @@ def test_without_a_holder_there_is_nothing_to_tell():
 # --------------------------------------------------------------------------------------------- the second route
 
 
-def sampled_depth(mesh, kinematics, words, length, radius, high, shares=6):
+def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
     """How deep points of the mesh are in a cylinder that stands ``length`` mm over the tip, at most: dense
-    samples of the joints' straight way, and of the surface near its edges."""
+    samples of the joints' straight way, and of the facets' edges, one in each cube of 2 mm; or of all that are within
+    5 mm of a place."""
     corner = mesh.vertex[mesh.face]
-    share = np.linspace(0.0, 1.0, 9)[:, None, None, None]
+    wide = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max()
+    share = np.linspace(0.0, 1.0, math.ceil(wide / 5.0) + 1)[:, None, None, None]
     edge = (1.0 - share) * corner + share * np.roll(corner, 1, axis=1)
-    point = np.unique(edge.reshape(-1, 3).round(6), axis=0)
+    point = edge.reshape(-1, 3)
+    if near is None:
+        point, shares = point[np.unique((point / 2.0).round().astype(int), axis=0, return_index=True)[1]], 3
+    else:
+        point, shares = np.unique(point[np.linalg.norm(point - near, axis=1) < 5.0], axis=0), 12
     at = np.linspace(0.0, 1.0, shares, endpoint=False)[:, None, None]
     way = ((1.0 - at) * words[:-1] + at * words[1:]).transpose(1, 0, 2).reshape(-1, 5)
     deepest = 0.0
@@ -131,19 +137,20 @@ def sampled_depth(mesh, kinematics, words, length, radius, high, shares=6):
 
 EXAMPLES = {
     "saddle": ("saddle", {}),
-    "blade": ("blade", {}),
-    "blade on a head": ("blade", {"machine": "head_b_table_c", "tool_length": 120.0}),
+    "saddle on a head": ("saddle", {"machine": "head_b_table_c", "tool_length": 120.0}),
+    "dome, leaning": ("dome", {"tilt": 40.0}),
 }
 
 
-def made_with(mesh, given, chart):
-    """The program that ``mill`` makes with what is recommended: the second route starts from the options."""
-    options = dict(chart.stick_out.options)
+def made_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
+    """The program that ``mill`` makes with what is recommended, of it the options of these names: the second
+    route starts from them."""
+    options = {name: value for name, value in chart.stick_out.options if name in names}
     more = {name: float(value) if name == "tool_length" else value for name, value in options.items()}
     plain = {name: value for name, value in given.items() if name not in ("region", "grid")}
     origin = tuple(chart.origin[chart.best].tolist())
     settings = build_settings("mill", "part.stl", plain | more | {"origin": origin, "spindle": "off"})
-    return job.run(settings, mesh=mesh) if hasattr(job, "run") else job.prove(job.make(settings, mesh=mesh))
+    return job.run(settings, mesh=mesh)
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -155,19 +162,22 @@ def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millime
     enough = chart.stick_out.enough
     result = made_with(mesh, given, chart)
     assert not [one for one in result.findings if one.code in ("holder-collision", "machine-collision")]
-    words, kinematics = result.draft.program.words, result.draft.kinematics
+    assert holder_depth(mesh, result, enough) <= 0.01 + 1e-6
+    same = made_with(mesh, given, chart, ("tool_length",))  # the links of a shorter tool are others
+    assert holder_depth(mesh, same, enough) <= 0.01 + 1e-6
+    assert holder_depth(mesh, same, enough - 0.5, chart.stick_out.shorter.place) > 0.05
 
-    def depth(length):
-        lower = sampled_depth(mesh, kinematics, words, length, 20.0, 30.0)
-        return max(lower, sampled_depth(mesh, kinematics, words, length + 30.0, 31.5, 60.0))
 
-    assert depth(enough) <= 0.01 + 1e-6
-    assert depth(enough - 0.5) > 0.05
+def holder_depth(mesh, made, length, near=None):
+    """How deep a holder of two steps is in the mesh, by samples."""
+    words, kinematics = made.draft.program.words, made.draft.kinematics
+    lower = sampled_depth(mesh, kinematics, words, length, 20.0, 30.0, near)
+    return max(lower, sampled_depth(mesh, kinematics, words, length + 30.0, 31.5, 60.0, near))
 
 
 def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
     """The comparison can fail: proven with a holder that is 4 mm thinner, the samples hit the true one."""
-    mesh, true = from_faces(*parts.PARTS["saddle"]()), standing.Run.above.fget
+    mesh, true = from_faces(*parts.PARTS["dome"]()), standing.Run.above.fget
 
     def thinner(run):
         pieces = (
@@ -177,11 +187,12 @@ def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
         return standing.Body(tuple(pieces))
 
     monkeypatch.setattr(standing.Run, "above", property(thinner))
-    given = GIVEN | {"cutter": "ball:8", "stepover": 8.0}
+    given = GIVEN | {"cutter": "ball:8", "stepover": 8.0, "tilt": 40.0}
     chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
-    made = made_with(mesh, given, chart)
+    made = made_with(mesh, given, chart, ())
     words, kinematics = made.draft.program.words, made.draft.kinematics
-    assert sampled_depth(mesh, kinematics, words, chart.stick_out.enough, 20.0, 30.0) > 0.1
+    told = chart.stick_out
+    assert sampled_depth(mesh, kinematics, words, told.enough, 20.0, 30.0, told.shorter.place) > 0.1
 
 
 # -------------------------------------------------------------------------------------------- machine and spindle
@@ -193,7 +204,7 @@ def test_the_spindle_over_a_known_tool_is_looked_at_and_the_length_is_stated():
     more = {
         "machine": machine,
         "cutter": "ball:6:70",
-        "holder": "10x10",
+        "holder": "6x10",
         "tool_length": 80.0,
         "max_axis_angle": 10.0,
     }

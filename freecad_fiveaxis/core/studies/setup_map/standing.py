@@ -10,6 +10,7 @@ above     of the tool what a longer stick-out lifts, or takes the place of: shan
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -29,14 +30,15 @@ from freecad_fiveaxis.core.gouge.search import find_entries
 from freecad_fiveaxis.core.gouge.swept_motion import SweptMotion
 from freecad_fiveaxis.core.gouge.table_check import stays_above, table_slab
 from freecad_fiveaxis.core.machine import Machine, Vector
-from freecad_fiveaxis.core.machine.kinematics import Chain, Setup
+from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
+from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.joint_path.plan import LINEAR_SLACK
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import HOLDER, PARTS, SHANK, SPINDLE, Body
 from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
-from .driven import Driven, Posting, drive_turned, turned
+from .driven import turned, turned_path
 
 PART, TABLE, LIMITS = "part", "table", "limits"
 """What is met, beside fixtures and bodies of the machine, which have names of their own."""
@@ -55,6 +57,11 @@ SAMPLES = 256
 need no look."""
 
 
+Post = Callable[[Chain, CLPath, Stack, float, Progress], tuple[JointPath, Program]]
+"""Joints and program of a path that is turned by so much, rad, for this tool on this chain, blocks divided as
+the settings ask."""
+
+
 class Met(NamedTuple):
     """``enters``: shank, holder or spindle, or a body of the machine; ``entered``: PART, TABLE, LIMITS, or
     the name of a fixture or a body. ``depth`` mm: at least so deep, of LIMITS so far beyond them; 0.0 where
@@ -69,8 +76,9 @@ class Met(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """``path``, ``base``, ``posting`` as of :func:`~.mapping.setup_map`; ``origin`` mm and ``turn`` rad: the
-    setup. ``part`` (None: not known) and ``fixtures`` as they lie at turn 0; ``table`` mm, machine frame.
+    """``path`` and ``base`` as of :func:`~.mapping.setup_map`; ``origin`` mm and ``turn`` rad: the setup.
+    ``post``: how the path becomes the program of ``mill``. ``part`` (None: not known) and ``fixtures`` as
+    they lie at turn 0; ``table`` mm, machine frame.
     ``stack``: the tool; ``known``: whether its length is, that of ``base``; ``back`` mm from the tip up to
     the point that the words drive. ``clearance`` mm: holder and spindle keep so far off; ``tolerance``
     mm."""
@@ -78,7 +86,7 @@ class Standing:
     path: CLPath
     machine: Machine
     base: Setup
-    posting: Posting
+    post: Post
     origin: Vector
     turn: float
     part: Mesh | None
@@ -95,10 +103,15 @@ class Standing:
         SettingsError."""
         stack = clamp_tool(self.stack, self.stack.stick_out + more) if more else self.stack
         length = self.base.tool_length + (more if self.known else 0.0)  # else the words do not depend on it
-        driven = drive_turned(
-            self.path, self.machine, replace(self.base, tool_length=length), self.posting, self.turn, progress
+        x, y, z = self.origin
+        setup = Setup((x, y, z), length)
+        kinematics, path = chain(self.machine, setup), turned_path(self.path, self.turn)
+        joints, program = self.post(kinematics, path, stack, self.turn, progress)
+        low, high = kinematics.low[:3] - joints.q[:, :3], joints.q[:, :3] - kinematics.high[:3]
+        over = float(np.maximum(low, high).max(initial=0.0))
+        return Run(
+            self, stack, setup, kinematics, program, program_motion(kinematics, program, self.back), over
         )
-        return _run(self, stack, driven, length)
 
     @property
     def table_in_work(self) -> float | None:
@@ -118,17 +131,6 @@ class Standing:
 
 def _turned(mesh: Mesh, turn: float) -> Mesh:
     return from_faces(turned(mesh.vertex, turn), mesh.face) if turn else mesh
-
-
-def _run(stand: Standing, stack: Stack, driven: Driven, length: float) -> Run:
-    origin = np.array(stand.origin, float)
-    kinematics = driven.kinematics(origin)
-    joints, program = driven.posted(kinematics)
-    low, high = kinematics.low[:3] - joints.q[:, :3], joints.q[:, :3] - kinematics.high[:3]
-    return Run(
-        stand, stack, driven.setup(origin), kinematics, program,
-        program_motion(kinematics, program, stand.back), float(np.maximum(low, high).max(initial=0.0)),
-    )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
