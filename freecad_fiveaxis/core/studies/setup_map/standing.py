@@ -234,9 +234,7 @@ def deepest_met(
     """The deepest of these ``blocks`` (k,), as it is told."""
     found = find_entries(body, tree, swept, tolerance, ROUGHLY, blocks)
     block = int(found.depth.argmax())
-    return Met(
-        str(PARTS[int(found.part[block])]), name, float(found.depth[block]), vector(found.place[block])
-    )
+    return Met(PARTS[int(found.part[block])], name, float(found.depth[block]), vector(found.place[block]))
 
 
 def vector(point: Floats) -> Vector:
