@@ -4796,6 +4796,10 @@
         <translation>Er liegt</translation>
     </message>
     <message>
+        <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero: {sides}.</source>
+        <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus: {sides}.</translation>
+    </message>
+    <message>
         <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>
         <translation>Das Werkzeug vor der ersten Zeile von Hand hoch über das Werkstück fahren, Rundachsen auf 0.</translation>
     </message>
@@ -6402,6 +6406,10 @@
     <message>
         <source>how high part and clamps reach is not given</source>
         <translation>wie hoch Teil und Spannmittel reichen, ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>how high the jaws of a vise may reach beside the part</source>
+        <translation>wie hoch die Backen eines Schraubstocks neben dem Teil reichen dürfen</translation>
     </message>
     <message>
         <source>how many times a rotary axis turns back inside a cut</source>
@@ -9614,6 +9622,18 @@
     <message>
         <source>{side} is not machined: {area}.</source>
         <translation>{side} ist nicht bearbeitet: {area}.</translation>
+    </message>
+    <message>
+        <source>{side}: Z {top}</source>
+        <translation>{side}: Z {top}</translation>
+    </message>
+    <message>
+        <source>{side}: as high as the part</source>
+        <translation>{side}: so hoch wie das Teil</translation>
+    </message>
+    <message>
+        <source>{side}: none</source>
+        <translation>{side}: gar nicht</translation>
     </message>
     <message>
         <source>{singularity} leads past a pole, and machine {name} has none; leave it out</source>

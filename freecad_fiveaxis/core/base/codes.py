@@ -528,6 +528,7 @@ class Code(str, Enum):
         "mm",
         "in all setups that were tried tool or spindle hit the machine",
     )
+    JAWS_FREE = "jaws-free", NOTE, "mm", "how high the jaws of a vise may reach beside the part"
     NO_STICK_OUT_FREE = (
         "no-stick-out-free",
         WARNING,

@@ -18,6 +18,7 @@ from freecad_fiveaxis.core.report.markers import MARKERS, Marker
 from freecad_fiveaxis.core.report.text import WIDTH, duration, number
 
 from .heat_map import heat_maps
+from .jaws import jaws_record
 from .setups import Kind, SetupMap
 from .sheet import Table, figures, findings_list, findings_text, json_text, page, section, table, text_table
 from .stick_out import stick_out_record
@@ -150,7 +151,7 @@ def setup_text(chart: SetupMap) -> str:
 
 def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> str:
     """The map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into
-    setups), least, setups, stick_out (of the recommended setup), findings, inputs (a job file)."""
+    setups), least, setups, stick_out and jaws (of the recommended setup), findings, inputs (a job file)."""
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
@@ -167,6 +168,7 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
         "table": chart.table,
         "bottom": chart.bottom, "best": chart.best,
         "least": chart.least, "setups": setups, "stick_out": stick_out_record(chart.stick_out),
+        "jaws": jaws_record(chart.clamping),
         "findings": chart.findings, "inputs": inputs or {},
     }  # fmt: skip
     return json_text(record)
