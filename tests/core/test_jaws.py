@@ -26,9 +26,9 @@ def stepped(shelf=-6.0):
     return from_triangles(np.concatenate([box_facets(*np.array(one)) for one in boxes]))
 
 
-def vise(tmp_path, low, high):
-    write_stl(from_triangles(box_facets(np.array(low, float), np.array(high, float))), tmp_path / "vise.stl")
-    return str(tmp_path / "vise.stl")
+def vise(tmp_path, low, high, name="beside.stl"):
+    write_stl(from_triangles(box_facets(np.array(low, float), np.array(high, float))), tmp_path / name)
+    return str(tmp_path / name)
 
 
 def charted(tmp_path, **more):
@@ -60,7 +60,7 @@ def test_the_clearance_is_kept_below_the_ball(tmp_path, clearance):
 def test_a_fixture_that_is_hit_is_told_and_one_that_is_free_is_not(tmp_path):
     free = charted(tmp_path)
     assert free.clamping.hits == () and "jaws-free" in [one.code for one in free.findings]
-    hit = charted(tmp_path, fixture=(vise(tmp_path, (45.5, -20, -10), (60, 20, -2)),), gouge="report")
+    hit = charted(tmp_path, fixture=(vise(tmp_path, (-5, -5, 1), (5, 5, 20), "on.stl"),), gouge="off")
     told = [one for one in hit.findings if one.code == "fixture-collision"]
     assert bool(told) and "+X: Z -6 mm" in next(one.text for one in hit.findings if one.code == "jaws-free")
 

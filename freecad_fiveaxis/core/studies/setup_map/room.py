@@ -19,5 +19,5 @@ def with_room(chart: SetupMap, stand: Standing, progress: Progress = silent) -> 
     said of that."""
     stick_out = find_stick_out(stand, progress)
     clamping = find_clamping(stand, progress)
-    said = (*stick_out_findings(stick_out), *clamping_findings(clamping))
-    return replace(chart, stick_out=stick_out, clamping=clamping, findings=(*chart.findings, *said))
+    more = (*stick_out_findings(stick_out), *clamping_findings(clamping))
+    return replace(chart, stick_out=stick_out, clamping=clamping, findings=(*chart.findings, *more))
