@@ -4684,6 +4684,10 @@
         <translation>GODLTA steht vor dem ersten GOTO: der Ausgangspunkt ist nicht bekannt</translation>
     </message>
     <message>
+        <source>Give {options}.</source>
+        <translation>Geben Sie {options} an.</translation>
+    </message>
+    <message>
         <source>If {text}, the tip is off by {size} only at the last stop, which is easily overlooked: rely on the stops</source>
         <translation>Wenn gilt: {text}, steht die Werkzeugspitze nur am letzten Halt um {size} daneben, was leicht übersehen wird: auf die Halte verlassen</translation>
     </message>
@@ -4784,8 +4788,20 @@
         <translation>In {where} bewegt sich die Werkzeugspitze mehr als {factor}-mal schneller oder langsamer als gewollt über das Werkstück: am schlimmsten {feed} in NC-Zeile {line}, wo {meant}. </translation>
     </message>
     <message>
+        <source>It cannot be clamped shorter.</source>
+        <translation>Kürzer lässt es sich nicht spannen.</translation>
+    </message>
+    <message>
+        <source>It is not proven that the {part} stays out of {name}.</source>
+        <translation>{part}: nicht bewiesen ist, dass nichts eindringt in {name}.</translation>
+    </message>
+    <message>
         <source>It lies</source>
         <translation>Er liegt</translation>
+    </message>
+    <message>
+        <source>Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its work zero: {sides}.</source>
+        <translation>Backen von {thick} Dicke neben dem Teil sind in der empfohlenen Aufspannung bis zu diesen Höhen frei, von ihrem Werkstücknullpunkt aus: {sides}.</translation>
     </message>
     <message>
         <source>Jog the tool high above the part, rotary axes at 0, before the first line.</source>
@@ -5016,6 +5032,10 @@
         <translation>Kürzere Sätze helfen: halbe Länge lässt etwa ein Viertel der Abweichung; {linearize} macht so viele, wie nötig sind.</translation>
     </message>
     <message>
+        <source>Shorter by {step}: {met}</source>
+        <translation>Um {step} kürzer: {met}</translation>
+    </message>
+    <message>
         <source>Sliders of the screen set pins of {module}; taken is what they start with: {taken}. Is that so on your machine?</source>
         <translation>Schieberegler des Bildschirms setzen Pins von {module}; genommen sind ihre Anfangswerte: {taken}. Ist das an Ihrer Maschine so?</translation>
     </message>
@@ -5062,6 +5082,10 @@
     <message>
         <source>The CL path starts with a feed move; the program reaches its first position in rapid. Start it above the part.</source>
         <translation>Der CL-Weg beginnt mit einer Vorschubbewegung; das Programm fährt seinen ersten Ort im Eilgang an. Über dem Werkstück beginnen.</translation>
+    </message>
+    <message>
+        <source>The axes leave their limits by {over}.</source>
+        <translation>Die Achsen verlassen ihre Grenzen um {over}.</translation>
     </message>
     <message>
         <source>The controller guides the tip (RTCP). Proven is that every block ends within {off} of the path's tip and {lean} of its tool axis, as the machine file describes the machine; how tip and axes go from end to end is the controller's affair, and not proven here.</source>
@@ -5396,6 +5420,14 @@
         <translation>{part}: mindestens {depth} tief in {name}, bei {at}, der tiefste von {count} Sätzen.</translation>
     </message>
     <message>
+        <source>The {part} goes at least {depth} into {name} at {at}.</source>
+        <translation>{part}: dringt bei {at} mindestens {depth} ein in {name}.</translation>
+    </message>
+    <message>
+        <source>The {part} goes at least {depth} into {name}.</source>
+        <translation>{part}: dringt mindestens {depth} ein in {name}.</translation>
+    </message>
+    <message>
         <source>The {part} goes {depth} into the part at {at}.</source>
         <translation>{part}: dringt bei {at} {depth} ins Werkstück ein.</translation>
     </message>
@@ -5420,6 +5452,22 @@
         <translation>Geschwenkte Ebenen: Von den möglichen Stellungen wird die genommen, die {control} nach seinem Handbuch nimmt, zuerst {first} {second}; ein Parameter der Maschine kann eine andere wählen. Mit der Steuerung vergleichen.</translation>
     </message>
     <message>
+        <source>Tool stick-out: the {present} that are set are the least.</source>
+        <translation>Auskragung des Werkzeugs: Die eingestellten {present} sind das Mindeste.</translation>
+    </message>
+    <message>
+        <source>Tool stick-out: {enough} are enough, {present} are set.</source>
+        <translation>Auskragung des Werkzeugs: {enough} genügen, {present} sind eingestellt.</translation>
+    </message>
+    <message>
+        <source>Tool stick-out: {enough} are needed, {present} are set.</source>
+        <translation>Auskragung des Werkzeugs: {enough} sind nötig, {present} sind eingestellt.</translation>
+    </message>
+    <message>
+        <source>Tool stick-out: {present} are set, and no length up to {longest} keeps shank, holder and spindle free in the recommended setup.</source>
+        <translation>Auskragung des Werkzeugs: {present} sind eingestellt, und keine Länge bis {longest} hält Schaft, Halter und Spindel in der empfohlenen Aufspannung frei.</translation>
+    </message>
+    <message>
         <source>Tool vectors</source>
         <translation>Werkzeugvektoren</translation>
     </message>
@@ -5442,6 +5490,10 @@
     <message>
         <source>Use a smaller cutter or another tool axis there.</source>
         <translation>Dort einen kleineren Fräser oder eine andere Werkzeugachse nehmen.</translation>
+    </message>
+    <message>
+        <source>Use a smaller holder, lean the tool otherwise, or clamp the part otherwise.</source>
+        <translation>Nehmen Sie einen kleineren Halter, neigen Sie das Werkzeug anders, oder spannen Sie das Teil anders.</translation>
     </message>
     <message>
         <source>What an axis change buys on {part} passes that come within {change} of the pole (peak rate and travel of {letter}, blocks that would hold {tolerance}): {rows}.</source>
@@ -5718,6 +5770,10 @@
     <message>
         <source>a statement within a drilling cycle drills no hole</source>
         <translation>eine Anweisung in einem Bohrzyklus bohrt kein Loch</translation>
+    </message>
+    <message>
+        <source>a stick-out of {length} is not between {least} and {most}</source>
+        <translation>eine Auskragung von {length} liegt nicht zwischen {least} und {most}</translation>
     </message>
     <message>
         <source>a strip beside the faces to avoid stays uncut</source>
@@ -6368,6 +6424,10 @@
         <translation>wie hoch Teil und Spannmittel reichen, ist nicht angegeben</translation>
     </message>
     <message>
+        <source>how high the jaws of a vise may reach beside the part</source>
+        <translation>wie hoch die Backen eines Schraubstocks neben dem Teil reichen dürfen</translation>
+    </message>
+    <message>
         <source>how many times a rotary axis turns back inside a cut</source>
         <translation>eine Drehachse dreht mitten im Schnitt zurück</translation>
     </message>
@@ -6980,6 +7040,10 @@
         <translation>kein Programm gegeben; die NC-Datei nennen, die aus dem CL-Weg ausgegeben wurde</translation>
     </message>
     <message>
+        <source>no stick-out of the tool within reason keeps the holder free</source>
+        <translation>keine vernünftige Auskragung des Werkzeugs hält den Halter frei</translation>
+    </message>
+    <message>
         <source>no tilted plane is on</source>
         <translation>keine geschwenkte Ebene ist aktiv</translation>
     </message>
@@ -7006,6 +7070,10 @@
     <message>
         <source>no way to stand lies within the limits of the rotary axes</source>
         <translation>keine Stellung liegt in den Grenzen der Drehachsen</translation>
+    </message>
+    <message>
+        <source>no {option}</source>
+        <translation>kein {option}</translation>
     </message>
     <message>
         <source>no_motion: {name} is no function that can be passed over; write one each as M202, G05 P10000, CYCL DEF 392 (300 to 399, 500 to 599) or FUNCTION NAME</source>
@@ -7812,6 +7880,10 @@
         <translation>der kurze Weg</translation>
     </message>
     <message>
+        <source>the shortest stick-out with which the holder is free</source>
+        <translation>die kürzeste Auskragung, bei der der Halter frei ist</translation>
+    </message>
+    <message>
         <source>the side at {letter} {at}</source>
         <translation>die Seite bei {letter} {at}</translation>
     </message>
@@ -7834,6 +7906,10 @@
     <message>
         <source>the surface that is to be cut has no border to lead passes from or to; give two guides by {from_} and {to}, a point X,Y,Z or a file CURVE.csv each</source>
         <translation>Die zu bearbeitende Fläche hat keinen Rand, von dem oder zu dem Bahnen führen könnten; zwei Leitlinien mit {from_} und {to} angeben, je einen Punkt X,Y,Z oder eine Datei CURVE.csv</translation>
+    </message>
+    <message>
+        <source>the table</source>
+        <translation>den Tisch</translation>
     </message>
     <message>
         <source>the text cannot be shown: {strerror}</source>
@@ -7934,6 +8010,10 @@
     <message>
         <source>the tool moves over the part at another speed than F</source>
         <translation>das Werkzeug fährt mit anderer Geschwindigkeit als F über das Teil</translation>
+    </message>
+    <message>
+        <source>the tool must stick out farther, so that the holder is free</source>
+        <translation>das Werkzeug muss weiter auskragen, damit der Halter frei ist</translation>
     </message>
     <message>
         <source>the tool stands off the normal of its tilted plane</source>
@@ -9388,6 +9468,10 @@
         <translation>{option} {source} ist weder border noch X,Y,Z noch eine Datei CURVE.csv; eines davon angeben</translation>
     </message>
     <message>
+        <source>{option} {value}</source>
+        <translation>{option} {value}</translation>
+    </message>
+    <message>
         <source>{output} does not end in {suffix}, as machine files do; name it so</source>
         <translation>{output} endet nicht auf {suffix} wie Maschinendateien; so benennen</translation>
     </message>
@@ -9570,6 +9654,18 @@
     <message>
         <source>{side} is not machined: {area}.</source>
         <translation>{side} ist nicht bearbeitet: {area}.</translation>
+    </message>
+    <message>
+        <source>{side}: Z {top}</source>
+        <translation>{side}: Z {top}</translation>
+    </message>
+    <message>
+        <source>{side}: as high as the part</source>
+        <translation>{side}: so hoch wie das Teil</translation>
+    </message>
+    <message>
+        <source>{side}: none</source>
+        <translation>{side}: gar nicht</translation>
     </message>
     <message>
         <source>{singularity} leads past a pole, and machine {name} has none; leave it out</source>

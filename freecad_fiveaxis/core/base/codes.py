@@ -535,6 +535,13 @@ class Code(str, Enum):
         "mm",
         "in all setups that were tried tool or spindle hit the machine",
     )
+    JAWS_FREE = "jaws-free", NOTE, "mm", "how high the jaws of a vise may reach beside the part"
+    NO_STICK_OUT_FREE = (
+        "no-stick-out-free",
+        WARNING,
+        "mm",
+        "no stick-out of the tool within reason keeps the holder free",
+    )
     NO_SETUP_ON_THE_TABLE = "no-setup-on-the-table", ERROR, "", "no position on the table is free"
     NO_SETUP_WITHIN_LIMITS = (
         "no-setup-within-limits",
@@ -548,6 +555,13 @@ class Code(str, Enum):
         NOTE,
         "1",
         "setups are passed over: tool or spindle hit the machine there",
+    )
+    STICK_OUT_ENOUGH = "stick-out-enough", NOTE, "mm", "the shortest stick-out with which the holder is free"
+    STICK_OUT_TOO_SHORT = (
+        "stick-out-too-short",
+        WARNING,
+        "mm",
+        "the tool must stick out farther, so that the holder is free",
     )
     TABLE_UNKNOWN = "table-unknown", WARNING, "", "where the table is, is not known"
     TURN_OUT_OF_REACH = (

@@ -30,9 +30,12 @@ from freecad_fiveaxis.core.gouge.machine_check import InMachine, check_machine
 from freecad_fiveaxis.core.gouge.obstacles import Reacher
 from freecad_fiveaxis.core.machine import Machine, Vector, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain
-from freecad_fiveaxis.core.motion.program import Program
+from freecad_fiveaxis.core.motion.joint_path import JointPath
+from freecad_fiveaxis.core.motion.program import Program, build_program
 from freecad_fiveaxis.core.pipeline.avoided import facets_off, keep_off_of, report_places
 from freecad_fiveaxis.core.pipeline.bounded import boundary_of, facets_inside
+from freecad_fiveaxis.core.pipeline.context import JobContext
+from freecad_fiveaxis.core.pipeline.driving import drive
 from freecad_fiveaxis.core.pipeline.fewer_axes import suit_tool_axis, what_needs_more_axes
 from freecad_fiveaxis.core.pipeline.job import chosen_faces, make
 from freecad_fiveaxis.core.pipeline.machine_around import bodies_in_pose
@@ -49,12 +52,26 @@ from freecad_fiveaxis.core.pipeline.over_table import IN_TABLE
 from freecad_fiveaxis.core.pipeline.programs import MilledProgram, PostedProgram
 from freecad_fiveaxis.core.pipeline.settings import MILL, POST, REACH, SETUP, Settings, flat_options, is_part
 from freecad_fiveaxis.core.pipeline.settings.groups import USUAL_REGION
+from freecad_fiveaxis.core.tool.stick_out import Stack
+from freecad_fiveaxis.core.toolpath.cl_path import CLPath
 
 from .compare import Row, compare, compare_html, compare_json, compare_text, station
 from .corrections import cures, known_cures
 from .reach_map import ReachMap, reach_map
 from .reach_report import reach_html, reach_json, reach_text
-from .setup_map import Collide, Posting, Region, SetupMap, heat_map_html, setup_json, setup_map, setup_text
+from .setup_map import (
+    Collide,
+    Posting,
+    Region,
+    SetupMap,
+    heat_map_html,
+    part_box,
+    setup_json,
+    setup_map,
+    setup_text,
+)
+from .setup_map.room import with_room
+from .setup_map.standing import Standing
 
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
 """Places along X, Y, Z of a map that nobody asked to be otherwise, the finest first."""
@@ -172,6 +189,7 @@ def try_setups(
     )
     if chart.best is None:
         _refuse(chart)
+    chart = with_room(chart, _standing(chart, program, machine), progress)
     return SetupTrial(settings, program, chart, chart.findings)
 
 
@@ -255,6 +273,37 @@ def _collide(settings: Settings, machine: Machine, dialect: Dialect, progress: P
         return check_machine(given, program, None, settings.proof.tolerance, progress)
 
     return collide
+
+
+def _standing(chart: SetupMap, program: PostedProgram, machine: Machine) -> Standing:
+    """Return the recommended setup with all that stands in it. Rapids are taken as they are interpolated:
+    where they may not be, ``mill`` divides them until every way is free."""
+    settings, row = program.settings, chart.best or 0
+    x, y, z = chart.origin[row].tolist()
+    stack = Stack(settings.cutter.cutter, settings.gouge.shank, settings.gouge.holder)
+    part = program.mesh if isinstance(program, MilledProgram) else None
+
+    def post(
+        kinematics: Chain, path: CLPath, tool: Stack, turn: float, progress: Progress
+    ) -> tuple[JointPath, Program]:
+        box = part_box(program.path, None if part is None else part.vertex, turn)
+        given = with_tool(settings, tool)
+        context = JobContext(given, machine, kinematics, program.dialect, box, progress)
+        joints = drive(context, path)
+        inverse_time = settings.feeds.feed_mode == "g93"
+        return joints, build_program(joints, kinematics, program.dialect, inverse_time, progress)
+
+    return Standing(
+        program.path, machine, chart.base, post, (x, y, z), float(chart.turn[row]), part, program.fixtures,
+        chart.table, stack, settings.machine.tool_length is not None, tip_to_driven(settings),
+        settings.gouge.fixture_clearance, settings.proof.tolerance,
+    )  # fmt: skip
+
+
+def with_tool(settings: Settings, tool: Stack) -> Settings:
+    """Return the settings with another tool."""
+    gouge = replace(settings.gouge, shank=tool.shank, holder=tool.holder)
+    return replace(settings, cutter=replace(settings.cutter, cutter=tool.cutter), gouge=gouge)
 
 
 def _posting(settings: Settings, program: PostedProgram, dialect: Dialect) -> Posting:

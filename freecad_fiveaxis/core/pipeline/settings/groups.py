@@ -360,8 +360,8 @@ class CureSettings:
 
     linearize: Literal["on", "off"] = option(
         "off", "choice", "divide feed blocks over tolerance into the fewest that hold it; off with rtcp",
-        (MILL, POST),
-        choices=("on", "off"), by_task={MILL: "on", POST: "on"},
+        (MILL, POST, SETUP),
+        choices=("on", "off"), by_task={MILL: "on", POST: "on", SETUP: "on"},
     )  # fmt: skip
     singularity: str = option(
         "report", "choice",
@@ -386,7 +386,7 @@ class GougeSettings:
         "off", "choice",
         "where the tool enters the part: only report, lift it along its axis, leave out, or tilt it free "
         "within max-tilt and lift where the cutter still enters; off: no check",
-        (MILL, AUDIT), choices=GOUGE, by_task={MILL: "lift", AUDIT: "report"},
+        (MILL, AUDIT, SETUP), choices=GOUGE, by_task={MILL: "lift", SETUP: "lift", AUDIT: "report"},
     )  # fmt: skip
     shank: tuple[tuple[float, float], ...] = option(
         (), "stack", "cylinders above the cutter, DIAMETERxLENGTH upwards in mm, as 8x20,12x30; see gouge",
@@ -400,7 +400,7 @@ class GougeSettings:
         (), "paths",
         "an STL file of a vise, clamp or other fixture, in the part's own place: the tool is checked against "
         "it, "
-        "and a path is laid around it; may be repeated", ONE_PROGRAM,
+        "and a path is laid around it; may be repeated", (*ONE_PROGRAM, SETUP),
     )  # fmt: skip
     fixture_clearance: float = option(
         0.0, "length",

@@ -18,8 +18,10 @@ from freecad_fiveaxis.core.report.markers import MARKERS, Marker
 from freecad_fiveaxis.core.report.text import WIDTH, duration, number
 
 from .heat_map import heat_maps
+from .jaws import jaws_record
 from .setups import Kind, SetupMap
 from .sheet import Table, figures, findings_list, findings_text, json_text, page, section, table, text_table
+from .stick_out import stick_out_record
 
 VERSION = 1
 """Of the JSON record: raised when a key changes its meaning."""
@@ -102,13 +104,25 @@ def advice(chart: SetupMap) -> tuple[str, ...]:
     turn = math.degrees(chart.turn[chart.best])
     place = f"give to mill and post: {origin_option(chart)}"
     if not turn:
-        return (place,)
+        return (place, *tool_options(chart))
     return (
         f"turn the part in CAD by {turn:g} deg about Z through its zero, counter-clockwise seen from above, "
         "and export it",
         f"add {turn:g} deg to --direction, so that the passes turn with the part",
         place,
+        *tool_options(chart),
     )
+
+
+def tool_options(chart: SetupMap) -> tuple[str, ...]:
+    """How the shortest tool that is free is stated, where it is another than the one that is set."""
+    if chart.stick_out is None or not chart.stick_out.options:
+        return ()
+    words = (
+        f"--{name.replace('_', '-')}={value}" if value else f"no --{name.replace('_', '-')}"
+        for name, value in chart.stick_out.options
+    )
+    return (f"for a tool that sticks out {chart.stick_out.enough:g} mm: {' '.join(words)}",)
 
 
 def origin_option(chart: SetupMap) -> str:
@@ -137,7 +151,7 @@ def setup_text(chart: SetupMap) -> str:
 
 def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> str:
     """Return the map for scripts: mm, degrees, seconds. Keys: version, machine, tool_length, best (index into
-    setups), least, setups, findings, inputs (a job file)."""
+    setups), least, setups, stick_out and jaws (of the recommended setup), findings, inputs (a job file)."""
     columns = {
         "origin": chart.origin, "turn_deg": np.degrees(chart.turn), "max_deviation": chart.max_deviation,
         "rotary_travel_deg": np.degrees(chart.rotary_travel), "time_s": chart.time, "over_limits": chart.over,
@@ -153,7 +167,9 @@ def setup_json(chart: SetupMap, inputs: Mapping[str, object] | None = None) -> s
         "version": VERSION, "machine": chart.machine, "tool_length": chart.base.tool_length,
         "table": chart.table,
         "bottom": chart.bottom, "best": chart.best,
-        "least": chart.least, "setups": setups, "findings": chart.findings, "inputs": inputs or {},
+        "least": chart.least, "setups": setups, "stick_out": stick_out_record(chart.stick_out),
+        "jaws": jaws_record(chart.clamping),
+        "findings": chart.findings, "inputs": inputs or {},
     }  # fmt: skip
     return json_text(record)
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import IntEnum
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,6 +26,10 @@ from freecad_fiveaxis.core.base.records import Bools, Bytes, Floats, Ints, freez
 from freecad_fiveaxis.core.base.sentences import Length, say
 from freecad_fiveaxis.core.machine import Vector
 from freecad_fiveaxis.core.machine.kinematics import Setup
+
+if TYPE_CHECKING:
+    from .jaws import Clamping
+    from .stick_out import StickOut
 
 MOST_SETUPS = 20_000
 """Setups of one map: each is a program of its own that is posted and measured."""
@@ -128,6 +133,8 @@ class SetupMap:
     words). ``table`` mm: height of the table's face, machine frame, None where it is not known; ``bottom``
     mm: the part's lowest place over the work zero. ``hits`` (k,) mm: at least so deep tool or spindle go into
     the machine, 0 where they hit nothing, NaN where nobody knows (no bodies, or no need to look).
+    ``stick_out``: the shortest of the tool that is free in the recommended setup, and
+    ``clamping``: what is hit of the fixtures there, and how high jaws may reach; None: nobody has looked.
     """
 
     machine: str
@@ -149,6 +156,8 @@ class SetupMap:
     bottom: float
     hits: Floats
     findings: tuple[Finding, ...] = ()
+    stick_out: StickOut | None = None
+    clamping: Clamping | None = None
 
     def __post_init__(self) -> None:
         freeze(

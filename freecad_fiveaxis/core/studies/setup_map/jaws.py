@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How high the jaws of a vise may reach beside the part in a setup, on each of its four sides.
+
+jaw      a block THICK mm thick beside the part's box, as long as that side of it, from the part's lowest
+         place up to the jaw's top.
+top      the highest one, in STEPs, that cutter, shank, holder and spindle never enter on the real way of any
+         block: **proven**. A jaw that is higher by a STEP is entered, or it is not proven that it is not; it
+         holds all that a lower one does, so halving finds it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad_fiveaxis.core.base.codes import Code
+from freecad_fiveaxis.core.base.findings import Finding, report_finding
+from freecad_fiveaxis.core.base.progress import Progress, silent
+from freecad_fiveaxis.core.base.records import Floats
+from freecad_fiveaxis.core.base.sentences import Length, Sentence, joined, say
+from freecad_fiveaxis.core.geometry.facet_tree import planted
+from freecad_fiveaxis.core.geometry.mesh import from_triangles
+from freecad_fiveaxis.core.geometry.solids import box_facets
+from freecad_fiveaxis.core.gouge.fixtures import check_fixtures
+from freecad_fiveaxis.core.tool.body import Body, grow_body
+
+from .standing import Run, Standing, first_entries
+
+STEP = 0.1
+"""mm; so well the height of a jaw is known."""
+
+THICK = 40.0
+"""mm that a jaw is thick, away from the part."""
+
+SIDES = (("-X", 0, -1), ("+X", 0, 1), ("-Y", 1, -1), ("+Y", 1, 1))
+"""Names of the sides, their axis, and the way out."""
+
+
+@dataclass(frozen=True)
+class Jaw:
+    """``top`` mm in the program's coordinates: up to there a jaw on this ``side`` is free; None: no jaw is,
+    however low. ``limited``: whether the tool is why, and not the height of the part."""
+
+    side: str
+    top: float | None
+    limited: bool
+
+
+@dataclass(frozen=True)
+class Clamping:
+    """``hits``: what is to be said of the fixtures, that are hit or come too near; ``jaws`` of the four
+    sides."""
+
+    hits: tuple[Finding, ...]
+    jaws: tuple[Jaw, ...]
+
+
+def find_clamping(stand: Standing, progress: Progress = silent) -> Clamping | None:
+    """Find what the tool hits of the fixtures, and how high jaws may reach; None where no fixture is given,
+    or the part is not known. Raises ReachError."""
+    part = stand.turned_part
+    if not stand.fixtures or part is None:
+        return None
+    run, quiet = stand.run(0.0, progress), _quiet(progress)
+    body = Body((*run.stack.body.pieces, *run.spindle.pieces))
+    hits = check_fixtures(
+        stand.turned_fixtures, body, run.kinematics, run.program, stand.tolerance, stand.back, quiet,
+        clearance=stand.clearance,
+    )  # fmt: skip
+    apart, box = grow_body(body, stand.clearance), part.box
+    return Clamping(hits, tuple(_jaw(run, apart, box, side, quiet) for side in SIDES))
+
+
+def _quiet(progress: Progress) -> Progress:
+    return lambda stage, share: progress("jaws", 0.0)
+
+
+def _jaw(
+    run: Run, body: Body, box: tuple[Floats, Floats], side: tuple[str, int, int], progress: Progress
+) -> Jaw:
+    name, axis, out = side
+    bottom, top = float(box[0][2]), float(box[1][2])
+    count = max(int((top - bottom) / STEP + 1e-9), 1)
+    free, entered, suspects = 0, count + 1, np.empty(0, np.int64)
+    step = count
+    while entered - free > 1:
+        low, high = jaw_corners(box, axis, out, top - (count - step) * STEP)
+        tree = planted(from_triangles(box_facets(low, high)))
+        found = first_entries(tree, body, run.swept, run.stand.tolerance, suspects, progress)
+        free, entered = (free, step) if len(found) else (step, entered)
+        suspects = found if len(found) else suspects
+        step = (free + entered) // 2
+    return Jaw(name, round(top - (count - free) * STEP, 6) if free else None, free < count)
+
+
+def jaw_corners(box: tuple[Floats, Floats], axis: int, out: int, top: float) -> tuple[Floats, Floats]:
+    """Return the low and the high corner (3,) mm of a jaw beside a ``box``, up to ``top``."""
+    low, high = np.array(box[0], float), np.array(box[1], float)
+    face = high[axis] if out > 0 else low[axis]
+    low[axis], high[axis] = min(face, face + out * THICK), max(face, face + out * THICK)
+    high[2] = top
+    return low, high
+
+
+def clamping_findings(found: Clamping | None) -> Iterator[Finding]:
+    """Tell what is hit of the fixtures, and how high jaws may reach."""
+    if found is None:
+        return
+    yield from found.hits
+    able = [jaw.top for jaw in found.jaws if jaw.top is not None]
+    sides = joined([_words(jaw) for jaw in found.jaws], ", ")
+    text = say(
+        "Jaws {thick} thick beside the part are free in the recommended setup up to these heights, from its "
+        "work zero: {sides}.",
+        thick=Length(THICK), sides=sides,
+    )  # fmt: skip
+    yield report_finding(Code.JAWS_FREE, text, min(able, default=None))
+
+
+def _words(jaw: Jaw) -> Sentence:
+    if jaw.top is None:
+        return say("{side}: none", side=jaw.side)
+    if not jaw.limited:
+        return say("{side}: as high as the part", side=jaw.side)
+    return say("{side}: Z {top}", side=jaw.side, top=Length(jaw.top, ".6g"))
+
+
+def jaws_record(found: Clamping | None) -> list[dict[str, object]] | None:
+    """Return the jaws for scripts, mm."""
+    return None if found is None else [vars(jaw) | {"thick": THICK} for jaw in found.jaws]

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How high jaws may reach beside the part: closed forms, and dense samples of the program that ``mill``
+makes."""
+
+import numpy as np
+import pytest
+from plain import build_settings
+
+from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
+from freecad_fiveaxis.core.geometry.solids import box_facets
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.studies.setup_map import jaws
+from freecad_fiveaxis.core.studies.study import try_setups
+
+GIVEN = {
+    "machine": "trunnion_ac", "cutter": "ball:6", "holder": "40x30", "passes": "planes",
+    "tool_axis": "facet_mean", "stepover": 4.0, "origin": (0.0, 0.0, 0.0), "max_axis_angle": 10.0,
+}  # fmt: skip
+MAP = {"region": (20.0, 0.0, 0.0), "grid": (2.0, 1.0, 1.0)}
+
+
+def stepped(shelf=-6.0):
+    """A plate with its top at 0 and its bottom at -10, and a shelf on its +X side."""
+    boxes = [((-30.0, -20.0, -10.0), (30.0, 20.0, 0.0)), ((30.0, -20.0, -10.0), (45.0, 20.0, shelf))]
+    return from_triangles(np.concatenate([box_facets(*np.array(one)) for one in boxes]))
+
+
+def vise(tmp_path, low, high, name="beside.stl"):
+    write_stl(from_triangles(box_facets(np.array(low, float), np.array(high, float))), tmp_path / name)
+    return str(tmp_path / name)
+
+
+def charted(tmp_path, **more):
+    beside = vise(tmp_path, (-80, -90, -10), (80, -70, -9))
+    return try_setups(
+        build_settings("setup", "p.stl", GIVEN | MAP | {"fixture": (beside,)} | more), mesh=stepped()
+    ).chart
+
+
+def tops(chart):
+    return {jaw.side: jaw.top for jaw in chart.clamping.jaws}
+
+
+def test_a_jaw_beside_a_shelf_reaches_as_high_as_the_shelf(tmp_path):
+    """The ball goes down to the shelf up to its edge, and on the other side to the top of the plate. In Y the
+    last pass is not over the edge: there the ball leaves room for a little more."""
+    found = tops(charted(tmp_path))
+    assert found["-X"] == pytest.approx(0.0) and found["+X"] == pytest.approx(-6.0)
+    assert -6.0 <= found["-Y"] < -5.0 and -6.0 <= found["+Y"] < -5.0
+
+
+@pytest.mark.parametrize("clearance", [1.0, 2.5])
+def test_the_clearance_is_kept_below_the_ball(tmp_path, clearance):
+    """Over the edge the ball's lowest point is straight above the jaw's: grown, it reaches so far down."""
+    found = tops(charted(tmp_path, fixture_clearance=clearance))
+    assert found["-X"] == pytest.approx(-clearance) and found["+X"] == pytest.approx(-6.0 - clearance)
+
+
+def test_a_fixture_that_is_hit_is_told_and_one_that_is_free_is_not(tmp_path):
+    free = charted(tmp_path)
+    assert free.clamping.hits == () and "jaws-free" in [one.code for one in free.findings]
+    hit = charted(tmp_path, fixture=(vise(tmp_path, (-5, -5, 1), (5, 5, 20), "on.stl"),), gouge="off")
+    told = [one for one in hit.findings if one.code == "fixture-collision"]
+    assert bool(told) and "+X: Z -6 mm" in next(one.text for one in hit.findings if one.code == "jaws-free")
+
+
+def test_without_a_fixture_nothing_is_told(tmp_path):
+    chart = charted(tmp_path, fixture=())
+    assert chart.clamping is None and "jaws-free" not in [one.code for one in chart.findings]
+
+
+def ball_in_jaw(chart, top, side):
+    """How deep the ball of 6 mm of the program that ``mill`` makes goes into a jaw at most, by samples."""
+    origin = tuple(chart.origin[chart.best].tolist())
+    made = job.make(
+        build_settings("mill", "p.stl", GIVEN | {"origin": origin, "spindle": "off"}), mesh=stepped()
+    )
+    _, axis, out = next(one for one in jaws.SIDES if one[0] == side)
+    low, high = jaws.jaw_corners(stepped().box, axis, out, top)
+    share = np.linspace(0.0, 1.0, 40, endpoint=False)[:, None, None]
+    words = ((1.0 - share) * made.program.words[:-1] + share * made.program.words[1:]).reshape(-1, 5)
+    tip, lean = forward(made.kinematics, words_to_q(words))
+    centre = tip + 3.0 * lean
+    return float((3.0 - np.linalg.norm(centre - np.clip(centre, low, high), axis=1)).max())
+
+
+@pytest.mark.parametrize("side", ["-X", "+X", "-Y", "+Y"])
+def test_samples_enter_no_jaw_and_one_that_is_half_a_millimetre_higher(tmp_path, side):
+    chart = charted(tmp_path)
+    top = tops(chart)[side]
+    assert ball_in_jaw(chart, top, side) <= 0.01 + 1e-6
+    assert side == "-X" or ball_in_jaw(chart, top + 0.5, side) > 0.1
+
+
+def test_a_jaw_on_the_wrong_side_would_be_noticed(tmp_path, monkeypatch):
+    """The comparison can fail: with the sides taken for each other the samples enter the jaw."""
+    monkeypatch.setattr(jaws, "SIDES", tuple((name, axis, -out) for name, axis, out in jaws.SIDES))
+    chart = charted(tmp_path)
+    wrong = tops(chart)["+X"]
+    monkeypatch.undo()
+    assert ball_in_jaw(chart, wrong, "+X") > 1.0

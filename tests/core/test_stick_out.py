@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shortest stick-out that is free: closed forms, the program that ``mill`` makes with it against dense
+samples, and what is said."""
+
+import importlib.util
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from plain import build_settings
+
+from freecad_fiveaxis.core import cli
+from freecad_fiveaxis.core.base.errors import SettingsError
+from freecad_fiveaxis.core.geometry.mesh import from_faces, from_triangles, write_stl
+from freecad_fiveaxis.core.geometry.solids import box_facets
+from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
+from freecad_fiveaxis.core.pipeline import job
+from freecad_fiveaxis.core.studies.setup_map import standing, stick_out
+from freecad_fiveaxis.core.studies.study import try_setups
+from freecad_fiveaxis.core.tool import parse_cutter
+from freecad_fiveaxis.core.tool.stick_out import Stack, clamp_tool
+
+SCRIPT = Path(__file__).parents[2] / "resources" / "examples" / "make_parts.py"
+spec = importlib.util.spec_from_file_location("make_parts", SCRIPT)
+parts = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(parts)
+
+GIVEN = {
+    "machine": "trunnion_ac", "cutter": "ball:6", "holder": "40x30", "passes": "planes",
+    "tool_axis": "facet_mean", "stepover": 4.0, "origin": (0.0, 0.0, 0.0), "region": (20.0, 0.0, 0.0),
+    "grid": (2.0, 1.0, 1.0),
+}  # fmt: skip
+
+
+def plate(*more, half=20.0):
+    """A plate with its top at 0, and boxes on it."""
+    boxes = [((-30.0, -half, -10.0), (30.0, half, 0.0)), *more]
+    return from_triangles(np.concatenate([box_facets(*np.array(one)) for one in boxes]))
+
+
+def wall(height):
+    return plate(((30.0, -20.0, -10.0), (40.0, 20.0, height)))
+
+
+def found(mesh, **more):
+    return try_setups(build_settings("setup", "part.stl", GIVEN | more), mesh=mesh).chart
+
+
+# ----------------------------------------------------------------------------------------------- closed forms
+
+
+@pytest.mark.parametrize(("present", "met"), [(60.0, False), (20.0, True), (40.0, False)])
+def test_beside_a_wall_the_holder_just_clears_its_top(present, met):
+    """Cuts with upright axes at height 0, a wall of 40 mm: the holder stands 40 mm above the tip."""
+    chart = found(wall(40.0), cutter=f"ball:6:{present}", max_axis_angle=10.0)
+    told = chart.stick_out
+    assert told.present == present and told.enough == pytest.approx(40.0, abs=1e-9)
+    assert (told.met is not None) == met and told.shorter.enters == "holder"
+    assert told.shorter.depth == pytest.approx(stick_out.STEP, abs=1e-6) and told.shorter.entered == "part"
+
+
+@pytest.mark.parametrize("tilt", [50.0, 60.0])
+def test_tilted_over_a_plane_the_rim_of_the_holder_just_clears_it(tilt):
+    """Tip and rim: L cos t - R sin t + r (1 - cos t) = 0 for a ball of r, a holder of R, and a tilt of t."""
+    t = math.radians(tilt)
+    least = (20.0 * math.sin(t) - 3.0 * (1.0 - math.cos(t))) / math.cos(t)
+    told = found(plate(half=60.0), tilt=tilt, max_axis_angle=tilt + 5.0).stick_out
+    assert 0.0 <= told.enough - least <= stick_out.STEP + 1e-6
+
+
+def test_the_clearance_is_kept_all_round_the_holder():
+    """A gap of 2 mm on the rim that is nearest to the plane, square to it."""
+    t = math.radians(60.0)
+    least = (2.0 + 20.0 * math.sin(t) - 3.0 * (1.0 - math.cos(t))) / math.cos(t)
+    told = found(plate(half=60.0), tilt=60.0, max_axis_angle=70.0, fixture_clearance=2.0).stick_out
+    assert 0.0 <= told.enough - least <= stick_out.STEP + 1e-6
+
+
+def test_a_fixture_is_in_the_way_as_the_part_is(tmp_path):
+    write_stl(
+        from_triangles(box_facets(*np.array(((30.5, -20.0, -10.0), (40.0, 20.0, 33.0))))), tmp_path / "v.stl"
+    )
+    told = found(plate(), max_axis_angle=10.0, fixture=(str(tmp_path / "v.stl"),)).stick_out
+    assert told.enough == pytest.approx(33.0) and told.shorter.entered == "v.stl"
+
+
+def test_where_no_length_within_reason_helps_that_is_said_with_what_is_met():
+    chart = found(wall(200.0), max_axis_angle=10.0)
+    told = chart.stick_out
+    assert told.enough is None and told.longest == 130.0 and told.options == ()
+    said = next(one for one in chart.findings if one.code == "no-stick-out-free")
+    assert (
+        "up to 130 mm" in said.text and "holder goes at least" in said.text and "smaller holder" in said.text
+    )
+
+
+def test_where_nothing_is_ever_met_only_the_rounded_end_of_the_cutter_limits_it():
+    told = found(plate(), max_axis_angle=10.0).stick_out
+    assert told.enough == pytest.approx(3.1) and told.shorter is None
+
+
+def test_without_a_holder_there_is_nothing_to_tell():
+    chart = found(plate(), holder=(), max_axis_angle=10.0)
+    assert chart.stick_out is None and not [one for one in chart.findings if "stick-out" in one.code]
+
+
+# ------------------------------------------------------------------------------------------- the second route
+
+
+def sampled_depth(mesh, kinematics, words, length, radius, high, near=None):
+    """How deep points of the mesh are in a cylinder that stands ``length`` mm over the tip, at most: dense
+    samples of the joints' straight way, and of the facets' edges, one in each cube of 4 mm and at 4000
+    places; or of all that are within 5 mm of a place."""
+    corner = mesh.vertex[mesh.face]
+    wide = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).max()
+    share = np.linspace(0.0, 1.0, math.ceil(wide / 5.0) + 1)[:, None, None, None]
+    edge = (1.0 - share) * corner + share * np.roll(corner, 1, axis=1)
+    point = edge.reshape(-1, 3)
+    if near is None:
+        point, shares = point[np.unique((point / 4.0).round().astype(int), axis=0, return_index=True)[1]], 3
+    else:
+        point, shares = np.unique(point[np.linalg.norm(point - near, axis=1) < 5.0], axis=0), 12
+    at = np.linspace(0.0, 1.0, shares, endpoint=False)[:, None, None]
+    way = ((1.0 - at) * words[:-1] + at * words[1:]).transpose(1, 0, 2).reshape(-1, 5)
+    way = way[:: max(len(way) // 4000, 1)] if near is None else way
+    deepest = 0.0
+    for some in np.array_split(way, max(len(way) * len(point) // 4_000_000, 1)):
+        tip, axis = forward(kinematics, words_to_q(some))
+        height = point @ axis.T - (tip * axis).sum(axis=1)
+        square = (point**2).sum(axis=1)[:, None] - 2.0 * point @ tip.T + (tip**2).sum(axis=1)
+        across = np.sqrt(np.maximum(square - height**2, 0.0))
+        inside = np.minimum(np.minimum(height - length, length + high - height), radius - across)
+        deepest = max(deepest, float(inside.max()))
+    return deepest
+
+
+EXAMPLES = {
+    "saddle": ("saddle", {}),
+    "saddle on a head": ("saddle", {"machine": "head_b_table_c", "tool_length": 120.0}),
+    "dome, leaning": ("dome", {"tilt": 40.0}),
+}
+
+
+def made_with(mesh, given, chart, names=("cutter", "shank", "tool_length")):
+    """The program that ``mill`` makes with what is recommended, of it the options of these names: the second
+    route starts from them."""
+    options = {name: value for name, value in chart.stick_out.options if name in names}
+    more = {name: float(value) if name == "tool_length" else value for name, value in options.items()}
+    plain = {name: value for name, value in given.items() if name not in ("region", "grid")}
+    origin = tuple(chart.origin[chart.best].tolist())
+    settings = build_settings("mill", "part.stl", plain | more | {"origin": origin, "spindle": "off"})
+    return job.run(settings, mesh=mesh)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_dense_samples_of_the_recommended_program_hit_nothing_and_half_a_millimetre_shorter_they_do(name):
+    part, more = EXAMPLES[name]
+    mesh = from_faces(*parts.PARTS[part]())
+    given = GIVEN | {"cutter": "ball:8", "holder": "40x30,63x60", "stepover": 8.0} | more
+    chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
+    enough = chart.stick_out.enough
+    result = made_with(mesh, given, chart)
+    assert not [one for one in result.findings if one.code in ("holder-collision", "machine-collision")]
+    assert holder_depth(mesh, result, enough) <= 0.01 + 1e-6
+    same = made_with(mesh, given, chart, ("tool_length",))  # the links of a shorter tool are others
+    assert holder_depth(mesh, same, enough) <= 0.01 + 1e-6
+    assert holder_depth(mesh, same, enough - 0.5, chart.stick_out.shorter.place) > 0.05
+
+
+def holder_depth(mesh, made, length, near=None):
+    """How deep a holder of two steps is in the mesh, by samples."""
+    words, kinematics = made.draft.program.words, made.draft.kinematics
+    lower = sampled_depth(mesh, kinematics, words, length, 20.0, 30.0, near)
+    return max(lower, sampled_depth(mesh, kinematics, words, length + 30.0, 31.5, 60.0, near))
+
+
+def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
+    """The comparison can fail: proven with a holder that is 4 mm thinner, the samples hit the true one."""
+    mesh, true = from_faces(*parts.PARTS["dome"]()), standing.Run.above.fget
+
+    def thinner(run):
+        pieces = (
+            one._replace(low_radius=one.low_radius - 2.0, high_radius=one.high_radius - 2.0)
+            for one in true(run).pieces
+        )
+        return standing.Body(tuple(pieces))
+
+    monkeypatch.setattr(standing.Run, "above", property(thinner))
+    given = GIVEN | {"cutter": "ball:8", "stepover": 8.0, "tilt": 40.0}
+    chart = try_setups(build_settings("setup", "part.stl", given), mesh=mesh).chart
+    made = made_with(mesh, given, chart, ())
+    words, kinematics = made.draft.program.words, made.draft.kinematics
+    told = chart.stick_out
+    assert sampled_depth(mesh, kinematics, words, told.enough, 20.0, 30.0, told.shorter.place) > 0.1
+
+
+# ---------------------------------------------------------------------------------------- machine and spindle
+
+
+def test_the_spindle_over_a_known_tool_is_looked_at_and_the_length_is_stated():
+    """A spindle nose of radius 60 mm, lower than the holder is high: it meets the wall before the holder."""
+    machine = str(Path(__file__).parents[2] / "examples" / "trunnion_with_bodies.fcm")
+    more = {
+        "machine": machine,
+        "cutter": "ball:6:70",
+        "holder": "6x10",
+        "tool_length": 80.0,
+        "max_axis_angle": 10.0,
+    }
+    told = found(wall(60.0), **more).stick_out
+    assert told.shorter.enters == "spindle" and told.shorter.entered == "part"
+    assert told.enough == pytest.approx(50.0) and dict(told.options)["tool_length"] == "60"
+
+
+# --------------------------------------------------------------------------------------------------- the tool
+
+
+@pytest.mark.parametrize(
+    ("cutter", "shank", "length", "options"),
+    [
+        ("ball:10:50", (), 60.0, ("ball:10.0:50.0", ((10.0, 10.0),))),
+        ("ball:10:50", ((8.0, 20.0),), 75.0, ("ball:10.0:50.0", ((8.0, 25.0),))),
+        ("ball:10:50", ((8.0, 20.0),), 65.0, ("ball:10.0:50.0", ((8.0, 15.0),))),
+        ("ball:10:50", ((8.0, 20.0), (12.0, 10.0)), 65.0, ("ball:10.0:50.0", ((8.0, 15.0),))),
+        ("ball:10:50", ((8.0, 20.0),), 45.0, ("ball:10.0:45.0", ())),
+        ("lollipop:10:6:40", (), 50.0, ("lollipop:10.0:6.0:40.0", ((6.0, 10.0),))),
+    ],
+)  # fmt: skip
+def test_a_tool_is_clamped_otherwise(cutter, shank, length, options):
+    from freecad_fiveaxis.core.tool import cutter_text
+
+    made = clamp_tool(Stack(parse_cutter(cutter), shank), length)
+    assert (cutter_text(made.cutter), made.shank) == options and made.stick_out == pytest.approx(length)
+
+
+@pytest.mark.parametrize(
+    "cutter", ["ball:10", "flat:10", "bull:10:2", "taperball:6:5deg", "lollipop:10:6", "barrel:10:85:2"]
+)
+def test_the_shortest_tool_can_be_made_and_a_shorter_one_is_refused(cutter):
+    stack = Stack(parse_cutter(cutter), (), ((40.0, 30.0),))
+    made = clamp_tool(stack, stack.shortest)
+    assert made.stick_out == pytest.approx(stack.shortest) and made.body.pieces
+    with pytest.raises(SettingsError, match="stick-out"):
+        clamp_tool(stack, stack.shortest - 0.5)
+
+
+# ----------------------------------------------------------------------------------------------- what is said
+
+
+def test_text_page_and_record_say_it_with_the_option_to_give(tmp_path, capsys):
+    write_stl(wall(40.0), tmp_path / "part.stl")
+    words = [
+        "setup",
+        str(tmp_path / "part.stl"),
+        "--machine",
+        "trunnion_ac",
+        "--cutter",
+        "ball:6",
+        "--holder",
+    ]
+    words += ["40x30", "--passes", "planes", "--stepover", "4", "--max-axis-angle", "10", "--origin=0,0,0"]
+    words += ["--region", "20,0,0", "--grid", "2,1,1"]
+    reports = [str(tmp_path / f"map.{ending}") for ending in ("json", "html")]
+    assert cli.main([*words, "--report", reports[0], "--report", reports[1]]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "Tool stick-out: 40 mm are enough, 50 mm are set. Give --cutter ball:6:40." in said
+    assert "for a tool that sticks out 40 mm: --cutter=ball:6:40" in said
+    record = json.loads(Path(reports[0]).read_text())["stick_out"]
+    assert (record["present"], record["enough"], record["met"]) == (50.0, 40.0, None)
+    assert record["options"] == {"cutter": "ball:6:40"} and record["shorter"]["enters"] == "holder"
+    assert "40 mm are enough" in Path(reports[1]).read_text()
