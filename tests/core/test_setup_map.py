@@ -72,7 +72,14 @@ def test_the_rotary_centre_is_found_for_a_spherical_part(machine):
     """Both rotary axes meet at (0, 0, z) of these machines; the ball's centre belongs there."""
     centre = np.array([0.0, 0.0, load_machine(machine).axes[0].point[2] - CENTRE])
     away = (100.0, 0.0, float(centre[2]))
-    given = {"machine": machine, "stepover": 3.8, "origin": away, "grid": "1,1,1", "region": "120,120,50"}
+    given = {
+        "machine": machine,
+        "stepover": 3.8,
+        "origin": away,
+        "grid": "1,1,1",
+        "region": "120,120,50",
+        "gouge": "off",
+    }
     found = trials.try_setups(build_settings("setup", "cap.stl", given), mesh=cap()).chart
     made = milled(machine)
     at_centre = full_run(made, made.machine, centre, 0.0)[0]
