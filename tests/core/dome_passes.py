@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
 from freecad_fiveaxis.core.passes import facets_within_limits, prepare_planes, slice_mesh
@@ -33,7 +33,7 @@ NUTATING_HEAD = Machine(
 )
 BOTH_WAYS = ("fork_head_bc", "head_b_table_c", "trunnion_ac", "trunnion_bc")
 """Machines of orthogonal rotary axes whose second one leans 60 deg to both sides."""
-MACHINES = (*shipped_machines(), "nutating_head")
+MACHINES = (*list_shipped_machines(), "nutating_head")
 
 
 def kinematics_of(name):

@@ -13,10 +13,10 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
-from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, inverse
 from freecad_fiveaxis.core.motion.joint_path import JointPath
-from freecad_fiveaxis.core.motion.program import Program, build_program, feeds, shorter_turns, turned_to
+from freecad_fiveaxis.core.motion.program import Program, build_program, feeds, shorter_turns, take_up_axes
 from freecad_fiveaxis.core.nc.writer import write_nc
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
 
@@ -199,7 +199,7 @@ def test_travel_agrees_with_dense_sampling_whatever_the_turn(turn: float) -> Non
     assert np.abs(travel / dense - 1).max() < feeds.TRAVEL_ERROR
 
 
-@pytest.mark.parametrize("name", shipped_machines())
+@pytest.mark.parametrize("name", list_shipped_machines())
 def test_travel_agrees_with_dense_sampling_on_every_kind_of_chain(name: str) -> None:
     """Linear axes on one side of the rotary ones or on several: short blocks, of which many are taken for
     their chords."""
@@ -394,4 +394,4 @@ def test_an_axis_vector_is_taken_up_on_the_winding_nearest_to_the_words_before()
     )
     vector = forward(kinematics, in_radians(np.column_stack([np.zeros((300, 3)), wanted])))[1]
     near = wanted + rng.uniform(-4.0, 4.0, wanted.shape)
-    assert turned_to(kinematics, vector, near) == pytest.approx(wanted, abs=1e-9)
+    assert take_up_axes(kinematics, vector, near) == pytest.approx(wanted, abs=1e-9)

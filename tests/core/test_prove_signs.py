@@ -25,7 +25,7 @@ from freecad_fiveaxis.core.calibration.prove_signs.plan import _last_pose
 from freecad_fiveaxis.core.calibration.prove_signs.seen import linear_seen, rotary_seen
 from freecad_fiveaxis.core.calibration.prove_signs.sheet import rows
 from freecad_fiveaxis.core.controllers import DIALECTS, find_dialect
-from freecad_fiveaxis.core.machine import load_machine, shipped_machines
+from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.reader import read_nc
@@ -33,7 +33,7 @@ from freecad_fiveaxis.core.nc.reader import read_nc
 SETUP = Setup((0.0, 0.0, 0.0), 100.0)
 WISHES = Wishes((30.0, 20.0, 0.0))
 
-machines = pytest.mark.parametrize("name", shipped_machines())
+machines = pytest.mark.parametrize("name", list_shipped_machines())
 
 
 def plan(name, setup=SETUP, **wishes):
@@ -83,7 +83,7 @@ def test_without_that_care_a_wrong_sign_would_come_too_near():
     assert made.distance > WISHES.gap
     both = made.stops[-2].q[-1, 3:]
     near = _last_pose(made.kinematics, WISHES, both, WISHES.gap)[None]
-    assert min(one.reached(near)[0][0, 2] for one in wrong_machines(machine, SETUP)) < WISHES.gap - 3.0
+    assert min(one.reach(near)[0][0, 2] for one in wrong_machines(machine, SETUP)) < WISHES.gap - 3.0
 
 
 @machines
