@@ -45,7 +45,7 @@ def part_of(path: Any, settings: Mapping[str, Any]) -> Part:
         if settings.get("avoid"):
             raise tessellation.no_names(mesh)
         return Part(mesh)
-    base, faces = tessellation.find_chosen(mesh)
+    base, faces = tessellation.find_base_and_faces(mesh)
     avoid, linear = settings.get("avoid"), settings.get("linear_deflection")
     return Part(
         base, faces, tessellation.name_avoided(mesh) if avoid is None else tuple(avoid),

@@ -32,7 +32,7 @@ def scale_part(path: Any, factor: float) -> Any:
     if path.Mesh is None:
         raise toolpath.mesh_is_gone(path)
     mesh, doc = path.Mesh, path.Document
-    base, faces = tessellation.find_chosen(mesh) if hasattr(mesh, "LinearDeflection") else (mesh, ())
+    base, faces = tessellation.find_base_and_faces(mesh) if hasattr(mesh, "LinearDeflection") else (mesh, ())
     avoid = tessellation.name_avoided(mesh)
     copy, names = _scale_copy(doc, base, (*faces, *avoid), factor)
     copy.Label = f"{base.Label} x {factor:g}"

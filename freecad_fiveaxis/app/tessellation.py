@@ -89,7 +89,7 @@ class Tessellation(Proxy):
     def build(self, obj: Any) -> None:
         """Make the mesh now. Raises SelectionError, SettingsError, Cancelled; the recompute that follows does
         no work again."""
-        (base, faces), doc = find_chosen(obj), obj.Document
+        (base, faces), doc = find_base_and_faces(obj), obj.Document
         with listening() as progress:
             progress("tessellate", 0.0)
             check_open(doc)
@@ -108,7 +108,7 @@ class Tessellation(Proxy):
         SelectionError where it is not the same."""
         if obj.AvoidedRuns or not name_avoided(obj):
             return list(obj.AvoidedRuns)
-        inputs = find_chosen(obj)[1], name_avoided(obj), obj.MadeOf
+        inputs = find_base_and_faces(obj)[1], name_avoided(obj), obj.MadeOf
         if self._found is None or self._found[0] != inputs:
             self._found = inputs, _find_avoided(obj)
         return self._found[1]
@@ -129,7 +129,7 @@ class Tessellation(Proxy):
 def _find_avoided(obj: Any) -> list[int]:
     """Return the runs of the facets on the faces left alone, of the object's mesh made anew. Raises
     SelectionError for another mesh."""
-    base, faces = find_chosen(obj)
+    base, faces = find_base_and_faces(obj)
     with listening() as progress:
         mesh, runs, off = mesh_base(
             base, faces, obj.LinearDeflection.Value, obj.AngularDeflection.Value, progress, name_avoided(obj)
@@ -147,7 +147,7 @@ def _find_avoided(obj: Any) -> list[int]:
 def hash_inputs(obj: Any) -> str:
     """Return a checksum of the base, as far as its vertices tell, the chosen faces, those left alone and the
     deflections; empty without a base."""
-    base, faces = find_chosen(obj)
+    base, faces = find_base_and_faces(obj)
     if base is None:
         return ""
     shape: tuple[Any, ...]
@@ -171,7 +171,7 @@ def hash_inputs(obj: Any) -> str:
     return hashlib.sha256(repr(tuple(inputs)).encode()).hexdigest()
 
 
-def find_chosen(obj: Any) -> tuple[Any, tuple[str, ...]]:
+def find_base_and_faces(obj: Any) -> tuple[Any, tuple[str, ...]]:
     """Return the base of a Tessellation and the names of its chosen faces."""
     if obj.Base is None:
         return None, ()

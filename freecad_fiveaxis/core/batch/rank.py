@@ -59,14 +59,14 @@ def _merit(row: Row) -> tuple[int, float, float]:
     none; the percentage that stays unfinished; minutes. A number that is not known is worse than any
     other."""
     grave = {FAILED: 2, Light.RED.value: 1}.get(str(row["verdict"]), 0)
-    return grave, round(_number_of(row, "unfinished_percent"), SHARE_DIGITS), _number_of(row, "minutes")
+    return grave, round(_read_number(row, "unfinished_percent"), SHARE_DIGITS), _read_number(row, "minutes")
 
 
 def _is_usable(merit: tuple[int, float, float]) -> bool:
     return merit[0] == 0
 
 
-def _number_of(row: Row, name: str) -> float:
+def _read_number(row: Row, name: str) -> float:
     value = row.get(name)
     return math.inf if value is None else float(value)
 

@@ -301,12 +301,12 @@ def _find_left_out(
     tree, most = scipy.spatial.cKDTree(samples), AMPLE * float(enough.max())
 
     def ask(some: slice) -> Bools:
-        return _test_left_out(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
+        return _is_left_out(tree, mesh.vertex[mesh.face[some]], looking[some], enough[some], most)
 
     return np.concatenate(in_threads(ask, batches(len(mesh.face), BATCH), tell))
 
 
-def _test_left_out(
+def _is_left_out(
     tree: scipy.spatial.cKDTree, corner: Floats, looking: Floats, enough: Floats, most: float
 ) -> Bools:
     """Return the same of facets with the ``corner`` (f, 3, 3), by a ``tree`` of the samples that is not asked
