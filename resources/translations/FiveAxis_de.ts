@@ -4756,6 +4756,10 @@
         <translation>In {count} geteilten NC-Sätzen drehen die Rundachsen gleichmäßig, weil der gerade Schwenk der Werkzeugachse einen anderen Zweig oder eine andere Windung bräuchte; die Abweichung der Achse bleibt, wie sie war. Das Werkzeug um den Pol herumführen, um das zu vermeiden.</translation>
     </message>
     <message>
+        <source>In {count} links or rewinds something hits the machine, and within its travel {letter} cannot go round it.</source>
+        <translation>In {count} Verbindungen oder Rückdrehungen stößt etwas an die Maschine, und in seinem Verfahrweg kommt {letter} nicht daran vorbei.</translation>
+    </message>
+    <message>
         <source>In {count} of {all} feed blocks the ball of {diameter} enters the part by more than {tolerance}; deepest in NC line {line}, {depth}; first NC line {first}. Are {cutter}, {origin} and the machine those of the program, does the STL stand at the work zero? Else the part is spoilt.</source>
         <translation>In {count} von {all} Vorschubsätzen dringt die Kugel von {diameter} um mehr als {tolerance} ins Werkstück ein; am tiefsten in NC-Zeile {line}, {depth}; die erste ist NC-Zeile {first}. Sind {cutter}, {origin} und die Maschine die des Programms, steht das STL am Werkstücknullpunkt? Sonst ist das Werkstück verdorben.</translation>
     </message>
@@ -4828,6 +4832,10 @@
         <translation>Mehr oder weniger Platz als {gap}: Werkzeuglänge, Nullpunktverschiebung oder {mark} sind falsch. Nicht weitermachen.</translation>
     </message>
     <message>
+        <source>Most of that is blocked by {name}.</source>
+        <translation>Das meiste davon versperrt {name}.</translation>
+    </message>
+    <message>
         <source>NC line {line} has F{feed}, and {name} takes F{most} at most under {mode}: it refuses the line. Post the program with longer blocks, or with a lower F.</source>
         <translation>NC-Zeile {line} hat F{feed}, und {name} nimmt unter {mode} höchstens F{most}: sie wird abgelehnt. Das Programm mit längeren Sätzen oder kleinerem F ausgeben.</translation>
     </message>
@@ -4858,6 +4866,10 @@
     <message>
         <source>No cutter is given; the one that the program names is taken: {cutter}.</source>
         <translation>Kein Fräser ist angegeben; der im Programm genannte gilt: {cutter}.</translation>
+    </message>
+    <message>
+        <source>No height frees all of them: what hits there does so as it retracts or comes down.</source>
+        <translation>Keine Höhe macht alle frei: Was dort anstößt, tut es beim Abheben oder beim Anfahren.</translation>
     </message>
     <message>
         <source>No link has a collision or visual shape: the machine has no bodies that the tool must not hit.</source>
@@ -5466,6 +5478,10 @@
     <message>
         <source>With a tool that sticks out {more} farther an axis is free on about {share} % of that.</source>
         <translation>Mit einem Werkzeug, das {more} weiter auskragt, ist auf etwa {share} % davon eine Achse frei.</translation>
+    </message>
+    <message>
+        <source>With a tool that sticks out {more} farther there is a way.</source>
+        <translation>Mit einem Werkzeug, das {more} weiter auskragt, gibt es einen Weg.</translation>
     </message>
     <message>
         <source>With rotary axes turning, F under G94 means other things on other controls. Post with inverse time (G93).</source>
@@ -6680,6 +6696,10 @@
         <translation>Link {name}</translation>
     </message>
     <message>
+        <source>links or rewinds go higher, round bodies of the machine</source>
+        <translation>Verbindungen oder Rückdrehungen fahren höher, um Maschinenkörper herum</translation>
+    </message>
+    <message>
         <source>low and high are one point</source>
         <translation>low und high sind ein Punkt</translation>
     </message>
@@ -6906,6 +6926,10 @@
     <message>
         <source>no link is called {words}; name the one that is it</source>
         <translation>kein Link heißt {words}; nennen Sie den so, der es ist</translation>
+    </message>
+    <message>
+        <source>no link within the travel goes round a body of the machine</source>
+        <translation>keine Verbindung im Verfahrweg führt an einem Maschinenkörper vorbei</translation>
     </message>
     <message>
         <source>no machine file named; give one with -o OUT.fcm</source>
@@ -8596,6 +8620,10 @@
         <translation>{count} Zeilen wählen eine hier unbekannte Kinematik (die erste: G12.1 P{number}); die Wörter danach gelten als die der Achsen. Mit G12.1 P0 und G13.1 ausgeben.</translation>
     </message>
     <message>
+        <source>{count} links or rewinds go round bodies of the machine, at most {height} higher than over the part alone.</source>
+        <translation>{count} Verbindungen oder Rückdrehungen fahren um Maschinenkörper herum, höchstens {height} höher als über das Teil allein.</translation>
+    </message>
+    <message>
         <source>{count} moves after MULTAX/OFF say no axis; the tool keeps the last one, which is not upright.</source>
         <translation>{count} Bewegungen nach MULTAX/OFF nennen keine Achse; das Werkzeug behält die letzte, die nicht senkrecht ist.</translation>
     </message>
@@ -8994,6 +9022,10 @@
     <message>
         <source>{letter} would have to go to {word}, its limit is {limit} ({count} rows): move the work zero ({origin}) or take a larger machine.</source>
         <translation>{letter} müsste nach {word} fahren, die Grenze ist {limit} ({count} Punkte): den Werkstücknullpunkt versetzen ({origin}) oder eine größere Maschine nehmen.</translation>
+    </message>
+    <message>
+        <source>{letter} would have to go {more} higher than its limit {limit}.</source>
+        <translation>{letter} müsste {more} höher fahren als bis zur Grenze {limit}.</translation>
     </message>
     <message>
         <source>{letter} would leave its limits by {over}</source>

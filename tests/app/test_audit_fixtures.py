@@ -34,7 +34,7 @@ def program(folder, machine="trunnion_ac"):
     return str(file)
 
 
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
+EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "machines" / "trunnion_with_bodies.fcm"
 GIVEN = {"machine": "trunnion_ac", "cutter": "flat:6:30", "tool_length": 120}
 
 

@@ -9,9 +9,10 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
+from bare_machines import BARE
 
 from freecad_fiveaxis.core.geometry.mesh import from_faces
-from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain
 from freecad_fiveaxis.core.orientation.strategies import AxisOptions, tool_axes
 from freecad_fiveaxis.core.passes import facets_within_limits, prepare_planes, slice_mesh
@@ -33,7 +34,7 @@ NUTATING_HEAD = Machine(
 )
 BOTH_WAYS = ("fork_head_bc", "head_b_table_c", "trunnion_ac", "trunnion_bc")
 """Machines of orthogonal rotary axes whose second one leans 60 deg to both sides."""
-MACHINES = (*list_shipped_machines(), "nutating_head")
+MACHINES = (*BARE, "nutating_head")
 
 
 def kinematics_of(name):

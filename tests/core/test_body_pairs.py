@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.tool import body as tool_body
 from freecad_fiveaxis.core.tool import parse_cutter
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+FILES = Path(__file__).resolve().parents[2] / "resources" / "machines"
 SETUP = Setup(ORIGIN, LENGTH)
 TOLERANCE = 0.01
 CRADLE = MachineBody("cradle", "A", "box", ((-100.0, -60.0, -170.0), (100.0, 60.0, -140.0)))
@@ -456,7 +456,7 @@ def test_the_command_line_tells_of_a_cradle_in_a_column(tmp_path):
 def test_the_head_table_machine_of_the_examples_moves_free_and_hits_where_it_leans_low():
     """Its fork and housing stay out of everything while it leans to both sides above the table, and lean into
     it below."""
-    machine = load_machine(EXAMPLES / "head_table_with_bodies.fcm")
+    machine = load_machine(FILES / "head_table_with_bodies.fcm")
     above = [
         {"Z": 50.0},
         {"Z": 50.0, "B": 90.0, "C": 200.0},
@@ -479,7 +479,7 @@ def test_a_part_is_milled_free_of_bodies_on_that_machine_where_it_stands_high_en
 
     write_stl(from_triangles(box((-30, -20, height), (30, 20, height + 10))), tmp_path / "part.stl")
     given = {
-        "machine": str(EXAMPLES / "head_table_with_bodies.fcm"),
+        "machine": str(FILES / "head_table_with_bodies.fcm"),
         "cutter": "ball:6:30",
         "passes": "planes",
         "stepover": 6,

@@ -8,10 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 
 from freecad_fiveaxis.core.base.errors import Cancelled, ReachError, SettingsError
 from freecad_fiveaxis.core.base.findings import Severity
-from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, branch_of, chain, forward, inverse_axis
 from freecad_fiveaxis.core.motion.joint_path import solve
 from freecad_fiveaxis.core.toolpath.cl_path import CLPath, Motion
@@ -110,7 +111,7 @@ def inside_box(points, margin):
     return ((points > LOW - margin) & (points < HIGH + margin)).all(-1)
 
 
-MACHINES = list_shipped_machines()
+MACHINES = BARE
 
 
 @pytest.mark.parametrize("name", MACHINES)

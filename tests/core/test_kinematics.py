@@ -8,11 +8,12 @@ import math
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 from scipy.spatial.transform import Rotation
 
 from freecad_fiveaxis.core.base.columns import CHUNK, cos_sin
 from freecad_fiveaxis.core.base.errors import MachineError
-from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import (
     Setup,
     branch_of,
@@ -207,7 +208,7 @@ def check_by_matrices(machine, setup, rng, rows):
     np.testing.assert_allclose(axis, [pair[1] for pair in expected], rtol=0, atol=CLOSE)
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_forward_is_the_motion_of_the_iron(name):
     check_by_matrices(load_machine(name), Setup((12.0, -7.0, 31.0), 85.0), np.random.default_rng(7), 50)
 
@@ -274,7 +275,7 @@ def test_measure_is_how_fast_the_axis_leaves_the_cone_of_the_first_axis():
 # At the pole and next to it.
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 @pytest.mark.parametrize("exponent", range(-15, -5))
 def test_next_to_the_pole_inverse_is_exact(name, exponent):
     kinematics = chain(load_machine(name), Setup((3.0, -4.0, 5.0), 60.0))
@@ -294,7 +295,7 @@ def test_next_to_the_pole_inverse_is_exact(name, exponent):
         np.testing.assert_allclose(forward(kinematics, branch)[0], tip, rtol=0, atol=ROUNDING)
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_axes_with_tiny_components_keep_their_direction(name):
     kinematics = chain(load_machine(name), Setup())
     heading = np.linspace(-np.pi, np.pi, 101)
@@ -306,7 +307,7 @@ def test_axes_with_tiny_components_keep_their_direction(name):
             np.testing.assert_allclose(got[:, 2], 1.0, rtol=0, atol=tilt * tilt + UNIT_ROUNDING)
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_at_the_pole_the_first_word_is_zero_and_both_branches_agree(name):
     kinematics = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 40.0))
     tip = np.array([(10.0, 20.0, 30.0)])
@@ -332,7 +333,7 @@ def test_rotary_words_lie_in_the_half_open_turn():
         [np.sin(tilt) * np.cos(heading), np.sin(tilt) * np.sin(heading), np.cos(tilt) + 0 * heading], -1
     ).reshape(-1, 3)
     axis = np.concatenate([np.round(axis, 15), -0.0 - np.round(axis, 15)])  # exact zeros of both signs
-    for name in list_shipped_machines():
+    for name in BARE:
         angles, _ = inverse_axis(chain(load_machine(name), Setup()), axis)
         reached = ~np.isnan(angles)
         assert (angles[reached] > -np.pi).all() and (angles[reached] <= np.pi).all()
@@ -391,7 +392,7 @@ def test_an_axis_beyond_the_rim_of_the_reach_by_more_than_rounding_is_out_of_rea
         assert forward(kinematics, place)[1] == pytest.approx(axis, abs=1e-12)
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_rows_of_nan_stay_nan_and_leave_the_others_alone(name):
     kinematics = chain(load_machine(name), Setup())
     tip, axis = np.ones((3, 3)), np.tile((0.6, 0.0, 0.8), (3, 1))
@@ -426,7 +427,7 @@ def test_empty_input_is_empty_output():
 # The pieces that other modules use.
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_linear_words_are_those_of_inverse_at_any_winding(name):
     kinematics = chain(load_machine(name), Setup((5.0, 6.0, 7.0), 90.0))
     rng = np.random.default_rng(10)
@@ -439,7 +440,7 @@ def test_linear_words_are_those_of_inverse_at_any_winding(name):
 
 
 def test_with_rotary_words_zero_the_linear_words_are_the_work_coordinates():
-    for name in list_shipped_machines():
+    for name in BARE:
         q = np.array([(11.0, 22.0, 33.0, 0.0, 0.0)])
         tip, axis = forward(chain(load_machine(name), Setup((40.0, 50.0, 60.0), 70.0)), q)
         np.testing.assert_allclose(tip, q[:, :3], atol=ROUNDING)
@@ -532,7 +533,7 @@ def test_cosine_and_sine_through_the_tangent_are_right_to_rounding_at_any_angle(
     np.testing.assert_allclose(cos_sin(small)[1], small, rtol=1e-10)
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_the_tip_alone_and_all_words_are_those_of_forward_and_linear_words(name):
     kinematics = chain(load_machine(name), Setup((1.0, 2.0, 3.0), 100.0))
     q = np.random.default_rng(3).uniform(-1.0, 1.0, (50, 5)) * [100.0, 100.0, 100.0, 3.0, 1.0]

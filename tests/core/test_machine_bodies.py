@@ -24,7 +24,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body, frustum_piece, round_piece
 from freecad_fiveaxis.core.toolpath.cl_path import Motion
 
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
+EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "machines" / "trunnion_with_bodies.fcm"
 LENGTH, RADIUS, ORIGIN = 80.0, 3.0, (10.0, -5.0, 20.0)
 TOOL = Body(
     (

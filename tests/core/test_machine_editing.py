@@ -190,7 +190,7 @@ def test_the_order_and_side_of_axes_say_what_carries_what(tmp_path):
 
 
 def test_axes_are_added_removed_and_renamed(tmp_path):
-    draft = read_draft(EXAMPLES[-1])
+    draft = read_draft(machine_path("trunnion_with_bodies"))
     assert free_letters(draft) == ()
     less = remove_axis(draft, draft.letters().index("C"))
     assert free_letters(less) == ("B", "C")
@@ -206,7 +206,7 @@ def test_axes_are_added_removed_and_renamed(tmp_path):
     more = change_axis(more, 0, max_rate=9000.0)
     save_draft(more, tmp_path / "again.fcm")
     again = load_machine(tmp_path / "again.fcm")
-    assert again == replace(load_machine(str(EXAMPLES[-1])), bodies=again.bodies)
+    assert again == replace(load_machine("trunnion_with_bodies"), bodies=again.bodies)
     renamed = change_axis(draft, draft.letters().index("A"), letter="B", direction=(0.0, 1.0, 0.0))
     assert {body.carrier for body in renamed.bodies} == {"base", "B", "C", "spindle"}
     machine, problems = check_draft(renamed)

@@ -62,16 +62,18 @@ def refused(load, content, *words):
 # What is read.
 
 
-def test_the_eight_machines_come_with_the_program():
+def test_the_ten_machines_come_with_the_program():
     assert list_shipped_machines() == (
         "fork_head_bc",
         "head_b_table_c",
+        "head_table_with_bodies",
         "linuxcnc_xyzac_trt",
         "linuxcnc_xyzbc_trt",
         "mikron_ucp710",
         "nutating_table_b45",
         "trunnion_ac",
         "trunnion_bc",
+        "trunnion_with_bodies",
     )
 
 
@@ -80,12 +82,14 @@ def test_axes_come_in_the_order_from_work_to_tool():
     assert orders == {
         "fork_head_bc": "XYZCB",
         "head_b_table_c": "CXYZB",
+        "head_table_with_bodies": "CXYZB",
         "linuxcnc_xyzac_trt": "CAXYZ",
         "linuxcnc_xyzbc_trt": "CBXYZ",
         "mikron_ucp710": "CAXYZ",
         "nutating_table_b45": "CBXYZ",
         "trunnion_ac": "CAXYZ",
         "trunnion_bc": "CBXYZ",
+        "trunnion_with_bodies": "CAXYZ",
     }
 
 

@@ -158,7 +158,7 @@ def test_directions_of_mixed_up_lengths_would_be_noticed(monkeypatch):
 
 @pytest.mark.parametrize("length", [LENGTH, None])
 def test_poses_are_told_as_the_check_of_the_finished_program_tells_them(length):
-    """All bodies of examples/trunnion_with_bodies.fcm, and these against each other: a program that stands
+    """All bodies of trunnion_with_bodies, and these against each other: a program that stands
     still in the pose."""
     rng, machine, setup = np.random.default_rng(8), load_machine(str(EXAMPLE)), Setup((0.0, 0.0, -40.0), 45.0)
     kinematics = chain(machine, setup)
@@ -233,6 +233,7 @@ def test_what_no_axis_frees_of_the_machine_is_told_by_its_area_and_what_a_longer
     assert not [one for one in found if one.code == "machine-collision"]
     (one,) = [one for one in found if one.code == "facets-without-free-axis"]
     assert one.value == pytest.approx(40.0 * 40.0, rel=0.5) and "the machine is in the way" in one.text
+    assert "Most of that is blocked by wall." in one.text
     assert "farther an axis is free" in one.text
 
 

@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.controllers import DIALECTS
-from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.nc.reader import Assumed, read_nc
@@ -315,7 +316,7 @@ FAR_AXIS = b"""0 BEGIN PGM 1 MM
 """
 
 
-@pytest.mark.parametrize("machine", list_shipped_machines())
+@pytest.mark.parametrize("machine", BARE)
 def test_an_axis_beyond_the_limits_comes_to_an_end_and_stands_where_it_is_told(machine: str) -> None:
     kinematics = chain(load_machine(machine), Setup((0.0, 0.0, 0.0), 100.0))
     program = read_nc(FAR_AXIS, kinematics, DIALECTS["heidenhain"])

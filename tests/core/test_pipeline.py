@@ -9,9 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 from plain import build_settings
 
-from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine, save_machine
+from freecad_fiveaxis.core.machine import load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import forward, words_to_q
 from freecad_fiveaxis.core.nc.reader import read_nc
 from freecad_fiveaxis.core.pipeline import job
@@ -46,7 +47,7 @@ def rounding(result):
     return linear + 500 * angle, angle
 
 
-@pytest.mark.parametrize("machine", list_shipped_machines())
+@pytest.mark.parametrize("machine", BARE)
 def test_posted_words_read_again_are_the_cl_path(machine, milled):
     result = milled("dome", machine)
     miss, allowed = largest_miss(result), rounding(result)
@@ -69,7 +70,7 @@ def test_a_wrong_sign_would_be_noticed(milled):
     assert np.linalg.norm(tip - result.draft.joints.path.tip[result.draft.program.row], axis=1).max() > 1.0
 
 
-@pytest.mark.parametrize("machine", list_shipped_machines())
+@pytest.mark.parametrize("machine", BARE)
 def test_the_deviation_of_the_program_is_that_of_a_dense_walk(machine, milled):
     """A random share of the blocks, 2001 points each, distance to the segment by hand; never above the
     bound."""
@@ -106,7 +107,7 @@ def least_ball_clearance(made, radius):
     return np.linalg.norm(np.maximum(0, np.maximum(low - centre, centre - high)), axis=1).min() - radius
 
 
-@pytest.mark.parametrize("machine", list_shipped_machines())
+@pytest.mark.parametrize("machine", BARE)
 def test_the_ball_keeps_its_clearance_on_rapids(machine, milled):
     assert least_ball_clearance(milled("dome", machine).draft, 5.0) > 5.0
 
@@ -129,7 +130,7 @@ def test_a_narrow_first_axis_never_swings_the_ball_beside_the_part(parts, tmp_pa
 @pytest.mark.rs274
 @pytest.mark.skipif(shutil.which("rs274") is None, reason="LinuxCNC's interpreter rs274 is not installed")
 @pytest.mark.parametrize("mode", ["g93", "g94"])
-@pytest.mark.parametrize("machine", list_shipped_machines())
+@pytest.mark.parametrize("machine", BARE)
 def test_linuxcnc_accepts_every_program(machine, mode, milled, tmp_path):
     (tmp_path / "dome.ngc").write_bytes(milled("dome", machine, feed_mode=mode).draft.nc)
     done = subprocess.run(

@@ -8,11 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 from five_kinds import KINDS, TABLE_2, kinematics_of, mikron_links, random_blocks
 from report_examples import by_hand, dome, empty, program_of
 
 from freecad_fiveaxis.core.base.errors import ProgramError
-from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.motion.deviation import measure
 from freecad_fiveaxis.core.report.playback import (
@@ -43,7 +44,7 @@ def random_words(kinematics, count=60, seed=4):
     return np.round(random_blocks(kinematics, count, seed)[0], 4)
 
 
-@pytest.fixture(params=[*sorted(list_shipped_machines()), *KINDS])
+@pytest.fixture(params=[*BARE, *KINDS])
 def kinematics(request):
     return kinematics_of(request.param) if request.param in KINDS else shipped(request.param)
 

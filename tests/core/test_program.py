@@ -7,13 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 
 from freecad_fiveaxis.core.base.errors import ProgramError
 from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.controllers import DIALECTS
 from freecad_fiveaxis.core.controllers.dialect import feed_distance
-from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine
 from freecad_fiveaxis.core.machine.kinematics import Chain, Setup, chain, forward, inverse
 from freecad_fiveaxis.core.motion.joint_path import JointPath
 from freecad_fiveaxis.core.motion.program import Program, build_program, feeds, shorter_turns, take_up_axes
@@ -199,7 +200,7 @@ def test_travel_agrees_with_dense_sampling_whatever_the_turn(turn: float) -> Non
     assert np.abs(travel / dense - 1).max() < feeds.TRAVEL_ERROR
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_travel_agrees_with_dense_sampling_on_every_kind_of_chain(name: str) -> None:
     """Linear axes on one side of the rotary ones or on several: short blocks, of which many are taken for
     their chords."""

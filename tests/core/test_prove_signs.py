@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 
 from freecad_fiveaxis.core.base.errors import SettingsError
 from freecad_fiveaxis.core.calibration.prove_signs import (
@@ -25,7 +26,7 @@ from freecad_fiveaxis.core.calibration.prove_signs.plan import _last_pose
 from freecad_fiveaxis.core.calibration.prove_signs.seen import linear_seen, rotary_seen
 from freecad_fiveaxis.core.calibration.prove_signs.sheet import rows
 from freecad_fiveaxis.core.controllers import DIALECTS, find_dialect
-from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, words_to_q
 from freecad_fiveaxis.core.nc.head import PostOptions
 from freecad_fiveaxis.core.nc.reader import read_nc
@@ -33,7 +34,7 @@ from freecad_fiveaxis.core.nc.reader import read_nc
 SETUP = Setup((0.0, 0.0, 0.0), 100.0)
 WISHES = Wishes((30.0, 20.0, 0.0))
 
-machines = pytest.mark.parametrize("name", list_shipped_machines())
+machines = pytest.mark.parametrize("name", BARE)
 
 
 def plan(name, setup=SETUP, **wishes):

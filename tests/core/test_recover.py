@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 from recover_examples import SETUP, TABLE_2, cl_path, line_errors, poses, posted, program
 from thorough import some_in_core
 
@@ -31,7 +32,7 @@ from freecad_fiveaxis.core.calibration.recover.matching import (
 from freecad_fiveaxis.core.calibration.recover.model import UNKNOWNS, rows_of
 from freecad_fiveaxis.core.calibration.recover.pairs import Pairs, Steps, step_of
 from freecad_fiveaxis.core.calibration.tasks import recover_machine
-from freecad_fiveaxis.core.machine import Axis, Machine, list_shipped_machines, load_machine, save_machine
+from freecad_fiveaxis.core.machine import Axis, Machine, load_machine, save_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward
 from freecad_fiveaxis.core.pipeline.settings import build_settings
 
@@ -71,7 +72,7 @@ def test_table_2_gives_the_offsets_of_the_ucp_710_within_their_certainty(start):
 
 
 @pytest.mark.parametrize("wrong", [0.0, 0.05])
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_50_rows_of_every_shipped_machine_give_it_back(name, wrong, tmp_path):
     path, made, bad = posted(name, seed=7 if wrong else 3, wrong=wrong)
     found = recover(path, made, setup=SETUP)
@@ -156,7 +157,7 @@ def test_words_by_5axiskins_give_its_pivot_length_and_a_fork():
     assert "tool-length-included" in codes(found)
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_the_model_is_the_kinematics_and_its_derivative_that_of_differences(name):
     machine = load_machine(name)
     kinematics = chain(machine, SETUP)

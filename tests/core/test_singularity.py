@@ -7,8 +7,9 @@ import math
 
 import numpy as np
 import pytest
+from bare_machines import BARE
 
-from freecad_fiveaxis.core.machine import list_shipped_machines, load_machine
+from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.kinematics import Setup, chain, forward, inverse_axis, words_to_q
 from freecad_fiveaxis.core.motion.singularity import LEAST_TRAVEL, find_singular, in_cone
 
@@ -63,7 +64,7 @@ def test_the_least_travel_is_the_limit_between_noise_and_a_turn():
     assert not block((0.0, 0.1), (0.99 * degrees, 0.1))[3]
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_columns_agree_with_sampling_and_forward_kinematics(name):
     kinematics = kinematics_of(name)
     rng = np.random.default_rng(8)
@@ -83,7 +84,7 @@ def test_columns_agree_with_sampling_and_forward_kinematics(name):
     )
 
 
-@pytest.mark.parametrize("name", list_shipped_machines())
+@pytest.mark.parametrize("name", BARE)
 def test_the_cone_is_an_angle_to_the_pole_on_every_machine(name):
     """A turn of the first axis just inside the cone is singular, just outside it is not."""
     kinematics = kinematics_of(name)

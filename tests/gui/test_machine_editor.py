@@ -17,7 +17,7 @@ from freecad_fiveaxis.app import machines
 from freecad_fiveaxis.core.geometry.mesh import read_stl
 from freecad_fiveaxis.core.machine import load_machine, machine_path
 
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
+EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "machines" / "trunnion_with_bodies.fcm"
 SLID = 1000
 
 

@@ -14,7 +14,7 @@ from freecad_fiveaxis.core.geometry.solids import box_facets, frustum_facets
 
 __all__ = ["opened", "tick"]
 pytestmark = pytest.mark.usefixtures("kept")
-EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "trunnion_with_bodies.fcm"
+EXAMPLE = Path(__file__).resolve().parents[2] / "resources" / "machines" / "trunnion_with_bodies.fcm"
 ORIGIN, LENGTH, ZERO = np.array((10.0, -5.0, 20.0)), 90.0, np.array((3.0, 4.0, 5.0))
 PIVOT = -50.0  # mm: height of the line of A, which runs along X; C turns about Z
 POST = (np.array((70.0, -10.0, -200.0)), np.array((110.0, 10.0, 60.0)))

@@ -186,6 +186,13 @@ class Code(str, Enum):
 
     # --------------------------------------------------------------------------------- joints and the program
     LEAD_IN_SMALLER = "lead-in-smaller", NOTE, "1", "lead-in or lead-out arcs are smaller than asked, or none"
+    LINKS_RAISED = "links-raised", NOTE, "mm", "links or rewinds go higher, round bodies of the machine"
+    NO_WAY_ROUND = (
+        "no-way-round",
+        WARNING,
+        "mm",
+        "no link within the travel goes round a body of the machine",
+    )
     RAPIDS_DIVIDED = "rapids-divided", NOTE, "1", "rapids were divided, so that every way of the axes is free"
     RETRACT_BELOW_PART = "retract-below-part", WARNING, "1", "retracts or approaches pass below the part"
     REWIND = "rewind", WARNING, "deg", "a rotary axis turns back inside a cut, with the tool retracted"

@@ -89,6 +89,23 @@ def check_pairs(
     return (*found, *_worst_of_tool(of_tool))
 
 
+def which_meet(given: PairCheck, pairs: Sequence[CarriedPair], blocks: Ints) -> Bools:
+    """Tell in which of these ``blocks`` (k,) one of the ``pairs`` is not proven to stay out of each other."""
+    found, level = np.zeros(len(blocks), np.bool_), PARED * given.tolerance
+    independent = given.rapids != INTERPOLATED
+    rapids = np.flatnonzero(np.isin(blocks, independent_rapids(given.program))) if independent else blocks[:0]
+    for pair in pairs:
+        columns = [given.kinematics.letters.index(step.axis.letter) for step in pair.motion.steps]
+        if not given.known[columns].all():
+            continue
+        levels = _Levels(given, pair, _joints(given, pair.motion.steps, columns))
+        for rows, together in ((np.arange(len(blocks)), True), (rapids, False)):
+            left = rows[~found[rows]]
+            met = levels.meet(level, blocks[left], together)
+            found[left] = met.met | met.unproven
+    return found
+
+
 def _worst_of_tool(found: Sequence[Finding]) -> Iterator[Finding]:
     """Of each body the worst of what the tool's many pieces do to it."""
     worst: dict[str, Finding] = {}

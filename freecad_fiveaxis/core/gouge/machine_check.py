@@ -28,7 +28,7 @@ from freecad_fiveaxis.core.motion.program import Program
 from freecad_fiveaxis.core.tool.body import Body
 
 from .body_pairs import REMEDY, PairCheck, check_pairs
-from .carried_pieces import carry_bodies, carry_tool, carry_work
+from .carried_pieces import Carried, carry_bodies, carry_tool, carry_work
 from .check import GougeCheck, check_program
 from .fixtures import Fixture
 from .machine_bodies import make_mesh, spindle_body
@@ -132,7 +132,7 @@ def lock_words(machine: Machine, setup: Setup, kinematics: Chain, words: Floats,
 def _against_bodies(
     given: InMachine, program: Program, tolerance: float, progress: Progress
 ) -> Iterator[Finding]:
-    stack = _stack(given)
+    stack = stack_of(given)
     for body in given.machine.bodies:
         if not is_held(given.machine, body) or (given.length is None and needs_length(given.machine, body)):
             continue
@@ -159,7 +159,7 @@ def _against_bodies(
 def _against_part(
     given: InMachine, program: Program, part: Mesh | None, tolerance: float, progress: Progress
 ) -> Iterator[Finding]:
-    spindle = _spindle(given)
+    spindle = spindle_of(given)
     if part is not None and spindle.pieces:
         check = check_program(
             part, spindle, given.kinematics, program, tolerance, given.back, progress, "", given.rapids
@@ -173,24 +173,36 @@ def _of_bodies(
 ) -> tuple[Finding, ...]:
     """Return what bodies of the machine do to each other, to part and fixtures, and the tool to bodies of its
     head."""
-    machine, setup, kinematics = given.machine, given.setup, given.kinematics
-    rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
-    known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
-    carried = [*carry_bodies(machine, progress), *carry_work(machine, setup, part, given.fixtures)]
+    return check_pairs(pair_check(given, program, tolerance), carry_all(given, part, progress), progress)
+
+
+def carry_all(given: InMachine, part: Mesh | None, progress: Progress = silent) -> list[Carried]:
+    """Give all that the axes carry: bodies, part and fixtures, and the tool where its length is known. Raises
+    FiveAxisError for the file of a body that cannot be used."""
+    machine = given.machine
+    carried = [*carry_bodies(machine, progress), *carry_work(machine, given.setup, part, given.fixtures)]
     if given.length is not None:
         carried += carry_tool(machine, given.body, given.length + given.back)
-    zero = zero_words(machine, setup, kinematics)
-    check = PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
-    return check_pairs(check, carried, progress)
+    return carried
 
 
-def _spindle(given: InMachine) -> Body:
-    """Return what the spindle carries, heights from the tip; nothing where the tool's length is not known."""
+def pair_check(given: InMachine, program: Program, tolerance: float) -> PairCheck:
+    """Make what a check of pairs takes, of a program."""
+    machine, kinematics = given.machine, given.kinematics
+    rise = np.linalg.solve(kinematics.direction[:3].T, (0.0, 0.0, 1.0))
+    known = np.concatenate([np.abs(rise) < 1e-9, (True, True)]) | (given.length is not None)
+    zero = zero_words(machine, given.setup, kinematics)
+    return PairCheck(machine, kinematics, program, zero, known, given.rapids, tolerance, given.clearance)
+
+
+def spindle_of(given: InMachine) -> Body:
+    """Give what the spindle carries, heights from the tip; nothing where the tool's length is not known."""
     return Body(()) if given.length is None else spindle_body(given.machine, given.length + given.back)
 
 
-def _stack(given: InMachine) -> Body:
-    return Body((*given.body.pieces, *_spindle(given).pieces))
+def stack_of(given: InMachine) -> Body:
+    """Stack the tool and what the spindle carries, heights from the tip."""
+    return Body((*given.body.pieces, *spindle_of(given).pieces))
 
 
 def _entering(

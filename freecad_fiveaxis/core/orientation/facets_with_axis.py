@@ -39,6 +39,7 @@ from .axis_field import (
     unit,
     with_margin,
 )
+from .blocking_body import find_blocking_body
 
 NEAREST = 6
 """Nodes whose mean a contact takes."""
@@ -138,20 +139,34 @@ def select_facets(
             say("no facet can be cut: no tool axis is free on any; {remedy}", remedy=_REMEDY[met]), None
         )
     by_machine = reacher is not None and (out & (reason == Obstacle.MACHINE)).any()
-    longer = _try_longer(field, mesh, reacher) if reacher is not None and by_machine else ""
+    longer = ""
+    if reacher is not None and by_machine:
+        longer = join_sentences((_name_blocking(field, mesh, reacher), _try_longer(field, mesh, reacher)))
     return facets & ~out, _report_left_out(mesh, out, reason, most, longer)
+
+
+def _some_held(field: AxisField) -> Nodes:
+    """Return some of the nodes where no axis is free and the machine is in the way."""
+    held = np.flatnonzero(~field.freedom.some & (field.freedom.met == Obstacle.MACHINE))
+    return field.nodes.take(held[:: max(1, len(held) // TRIED)])
+
+
+def _name_blocking(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
+    """Say which body of the machine blocks most, at some of the nodes; nothing where none does alone."""
+    nodes, direction = _some_held(field), field.freedom.direction
+    name = find_blocking_body(nodes, with_margin(reacher), mesh, facet_tree(mesh), direction)
+    return "" if name is None else say("Most of that is blocked by {name}.", name=name)
 
 
 def _try_longer(field: AxisField, mesh: Mesh, reacher: Reacher) -> str:
     """Say by how much a longer tool would help, tried at some of the nodes where the machine is in the way;
     nothing where no tool does that is up to the last of LONGER longer."""
-    held = np.flatnonzero(~field.freedom.some & (field.freedom.met == Obstacle.MACHINE))
-    nodes, tree = field.nodes.take(held[:: max(1, len(held) // TRIED)]), facet_tree(mesh)
+    nodes, tree = _some_held(field), facet_tree(mesh)
     for more in LONGER:
         longer = stick_out_farther(with_margin(reacher), more)
         share = (
             float(find_freedom(nodes, longer, tree, field.freedom.direction).some.mean())
-            if len(held)
+            if len(nodes.point)
             else 0.0
         )
         if share >= ENOUGH:

@@ -51,7 +51,8 @@ class MillContext(JobContext):
     and fixtures, where there are some; ``chosen`` (f,): the facets that may be machined at all, where not all
     may; ``boundary``: within which the passes are kept; ``frames``: of passes with locked rotary axes;
     ``keep_off``: faces to avoid on which there is an allowance; ``bodies``: of the machine, which axes are
-    chosen to keep out of, None: there are none, or axes are not chosen."""
+    chosen to keep out of, None: there are none, or axes are not chosen;
+    ``fixtures``: that stand beside the part."""
 
     mesh: Mesh
     keep: Bools
@@ -62,6 +63,7 @@ class MillContext(JobContext):
     frames: Frames | None = None
     keep_off: KeepOff | None = None
     bodies: MachineInPose | None = None
+    fixtures: tuple[Fixture, ...] = ()
 
     @property
     def obstacles(self) -> Mesh:

@@ -103,6 +103,7 @@ def mill_context(
         frames,
         keep_off,
         bodies,
+        fixtures,
     )
     return context, (*reports, *left_out)
 

@@ -16,6 +16,7 @@ from .context import MillContext
 from .mill_context import find_region
 from .plan_passes import keep_off_faces, keep_within_boundary, offset_contacts, plan_passes
 from .programs import MilledProgram
+from .round_bodies import keep_links_off_bodies
 from .solve_joints import keep_rapids_clear, solve_joints, write_program
 
 Stage = Callable[[MillContext, Any], Any]
@@ -33,6 +34,7 @@ STAGES: tuple[Stage, ...] = (
     keep_links_near,
     lead_in_and_out,
     solve_joints,
+    keep_links_off_bodies,
     keep_rapids_clear,
     write_program,
 )

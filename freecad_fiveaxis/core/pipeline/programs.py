@@ -82,6 +82,7 @@ class MilledProgram(PostedProgram):
             joined,
             boundary=self.boundary,
             keep_off=self.keep_off,
+            fixtures=self.fixtures,
         )
 
 
