@@ -14,11 +14,11 @@ from freecad_fiveaxis.core.base.findings import Severity
 from freecad_fiveaxis.core.geometry.mesh import from_faces
 from freecad_fiveaxis.core.passes import prepare_planes, slice_mesh
 from freecad_fiveaxis.core.passes.scallop import (
+    compute_turn,
     facet_curvature,
     flat_interval,
     kink_factor,
     scallop_height,
-    turned_along,
 )
 from freecad_fiveaxis.core.passes.spacing import AIM
 
@@ -239,7 +239,7 @@ def test_facets_of_cylinder_and_sphere_have_their_curvature(radius):
         for direction, expected in (((0.0, 1.0, 0.0), 1.0), ((1.0, 0.0, 0.0), round_across)):
             tangent = np.array(direction) - (mesh.normal @ direction)[:, None] * mesh.normal
             tangent /= np.linalg.norm(tangent, axis=1)[:, None]
-            along = (turned_along(tensor, tangent) * tangent).sum(axis=1)
+            along = (compute_turn(tensor, tangent) * tangent).sum(axis=1)
             inner = np.abs(mesh.vertex[mesh.face].mean(axis=1)[:, :2]).max(axis=1) < 4.0
             assert np.median(along[inner]) * radius == pytest.approx(expected, abs=0.02)
 

@@ -20,7 +20,7 @@ from freecad_fiveaxis.core.machine.kinematics import (
     forward,
     joint_words,
     lift_of,
-    raised,
+    raise_chain,
     words_to_q,
 )
 from freecad_fiveaxis.core.pipeline import driving, job
@@ -248,7 +248,7 @@ def test_the_raised_chain_drives_the_point_above_the_tip(name, origin):
     machine = load_machine(name)
     kinematics, height = chain(machine, Setup(origin, 120.0)), 3.175
     lift = lift_of(kinematics, height, 4)
-    upper, shorter = raised(kinematics, lift), chain(machine, Setup(origin, 120.0 - height))
+    upper, shorter = raise_chain(kinematics, lift), chain(machine, Setup(origin, 120.0 - height))
     rng = np.random.default_rng(3)
     q = np.column_stack([rng.uniform(-80.0, 80.0, (200, 3)), rng.uniform(-3.0, 3.0, (200, 2))])
     tip, axis = forward(kinematics, q)

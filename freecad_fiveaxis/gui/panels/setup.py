@@ -21,9 +21,9 @@ from freecad_fiveaxis.gui.waiting import waiting
 
 from .form import Form
 from .path_panel import DRAWN, PathPanel, fit, reveal, show
-from .post import proposed_file
+from .post import propose_file
 from .summary import Summary, clock
-from .toolpath import preferred
+from .toolpath import read_preferred
 
 
 class SetupSummary(Summary):
@@ -70,7 +70,7 @@ def deviation_words(obj: Any) -> str:
     return translate("FiveAxis", "Largest deviation")
 
 
-def applied_words(path: Any) -> str:
+def describe_applied(path: Any) -> str:
     """Return what a path has come to in its new place: of divided blocks what the verdict goes by, else what
     the map tells of."""
     from freecad_fiveaxis.app import results, setups
@@ -79,7 +79,7 @@ def applied_words(path: Any) -> str:
         text = translate(
             "FiveAxis", "Applied: the largest deviation of the divided blocks is now {deviation}."
         )
-        return text.format(deviation=length_text(results.judged_of(path)[0]))
+        return text.format(deviation=length_text(results.read_judged(path)[0]))
     text = translate("FiveAxis", "Applied: the largest deviation is now {deviation}.")
     return text.format(deviation=length_text(path.MaxSegmentDeviation.Value))
 
@@ -135,7 +135,7 @@ class SetupPanel(PathPanel):
         from freecad_fiveaxis import app
 
         if self.path is None:
-            self.path = app.create_toolpath(self.doc, self.base, faces=self.faces, **preferred())
+            self.path = app.create_toolpath(self.doc, self.base, faces=self.faces, **read_preferred())
         return app.setup_map(self.path, **self.options.read_values())
 
     def _undone(self) -> None:
@@ -143,8 +143,8 @@ class SetupPanel(PathPanel):
         if self.base is not None:
             self.path = None
 
-    def _edited(self) -> None:
-        super()._edited()
+    def _on_edit(self) -> None:
+        super()._on_edit()
         turned = not self.stale and self.obj.RecommendedTurn.Value != 0.0
         self.apply_button.setEnabled(not self.stale and not turned)
         self.apply_button.setToolTip(
@@ -170,7 +170,9 @@ class SetupPanel(PathPanel):
             self._tell(error)
             return False
         self.options.show_error("")
-        self.summary.tell(f"<p><b>{html.escape(applied_words(self.path))}</b></p>{self.summary.text.text()}")
+        self.summary.tell(
+            f"<p><b>{html.escape(describe_applied(self.path))}</b></p>{self.summary.text.text()}"
+        )
         reveal(self.form)
         return True
 
@@ -201,7 +203,7 @@ def table_of(machine: str) -> str:
 def ask_file(parent: Any, document: str, name: str) -> str:
     """Return the file that the user names for a report, proposed beside the file of the document; empty where
     he names none."""
-    proposed = proposed_file(name, document, ".html")
+    proposed = propose_file(name, document, ".html")
     kinds = translate("FiveAxis", "Web page (*.html);;For programs (*.json);;Text (*.txt)")
     dialog = QtWidgets.QFileDialog
     return dialog.getSaveFileName(

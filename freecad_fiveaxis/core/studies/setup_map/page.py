@@ -12,7 +12,7 @@ from html import escape
 import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Severity
-from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Sentence, joined, say
+from freecad_fiveaxis.core.base.sentences import Angle, Length, Number, Sentence, join_sentences, say
 from freecad_fiveaxis.core.report.json_text import plain
 from freecad_fiveaxis.core.report.markers import MARKERS, Marker
 from freecad_fiveaxis.core.report.text import WIDTH, duration, number
@@ -55,7 +55,7 @@ def verdict(chart: SetupMap) -> Sentence:
         stand = say(
             "Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g")
         )
-        return joined(
+        return join_sentences(
             (stand, hits if chart.hits[0] > 0.0 else below if chart.within_limits[0] else leaves, on_table)
         )
     if now <= LEAST_GAIN * best:
@@ -64,7 +64,7 @@ def verdict(chart: SetupMap) -> Sentence:
             "The present setup is as good as any of the region: largest deviation {deviation}.",
             deviation=text,
         )
-        return joined((good, _on_table(chart, 0)))
+        return join_sentences((good, _on_table(chart, 0)))
     stand = say(
         "Stand {place}: largest deviation {deviation} instead of {now}, {times} times less.",
         place=place,
@@ -72,7 +72,7 @@ def verdict(chart: SetupMap) -> Sentence:
         now=Length(now, ".4g"),
         times=Number(now / max(best, 1e-9), ".3g"),
     )
-    return joined((stand, on_table))
+    return join_sentences((stand, on_table))
 
 
 def _on_table(chart: SetupMap, row: int) -> Sentence:
