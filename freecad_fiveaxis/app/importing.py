@@ -15,11 +15,12 @@ from freecad_fiveaxis.core.machine.importing import Imported, import_machine, sa
 from . import machines
 
 
-def read(source: Any) -> Imported:
-    """Return the machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open.
-    Raises FiveAxisError."""
-    check_readable(source)
-    return import_machine(os.fspath(source))
+def read(source: Any, bodies: Any = None) -> Imported:
+    """Return the machine of a LinuxCNC .ini, a URDF file or a FreeCAD .fcm, with what that file leaves open;
+    ``bodies``: the vismach model of a LinuxCNC .ini, None or empty for none. Raises FiveAxisError."""
+    for one in filter(None, (source, bodies)):
+        check_readable(one)
+    return import_machine(os.fspath(source), os.fspath(bodies or ""))
 
 
 def check_target(fcm_file: Any) -> None:

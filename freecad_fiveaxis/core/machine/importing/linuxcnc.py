@@ -20,6 +20,7 @@ from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.sentences import Number, say
+from freecad_fiveaxis.core.geometry.mesh import Mesh
 from freecad_fiveaxis.core.machine import Axis, Machine
 
 from .hal_files import HalValues
@@ -27,6 +28,7 @@ from .ini_file import IniFile, Value, number
 from .pins import PinValues, pin_values
 from .record import Given, Kinematics, Turn, X, Y, Z
 from .registry import KINEMATICS
+from .vismach import Configuration, add_bodies
 
 LENGTHS = {"mm": 1.0, "metric": 1.0, "in": 25.4, "inch": 25.4, "imperial": 25.4}
 ANGLES = {
@@ -47,9 +49,20 @@ LINEAR = tuple(
 )
 
 
-def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
-    """Make the machine of a LinuxCNC configuration. Raises MachineError naming the value that is missing or
+def machine_of_ini(
+    path: Path, model: Path | None = None
+) -> tuple[Machine, tuple[Finding, ...], dict[str, Mesh]]:
+    """Make the machine of a LinuxCNC configuration, with bodies by its vismach ``model``, and the meshes, mm,
+    of those of the shape ``file`` by their names. Raises MachineError naming the value that is missing or
     wrong, FileError."""
+    given, findings = _configuration(path)
+    if model is None:
+        return given.machine, findings, {}
+    machine, more, meshes = add_bodies(given, model)
+    return machine, (*findings, *more), meshes
+
+
+def _configuration(path: Path) -> tuple[Configuration, tuple[Finding, ...]]:
     ini = IniFile(path)
     hal = HalValues(ini)
     line = _kinematics_line(ini, hal)
@@ -63,7 +76,8 @@ def machine_of_ini(path: Path) -> tuple[Machine, tuple[Finding, ...]]:
     axes = tuple(_axis(ini, axis, order.index(axis.letter), length, angle) for axis in _work_to_tool(turns))
     findings = (*pins.findings, *kind.remarks(given), *_held(kind, given, turns), *_unread(hal, kind))
     description = f"LinuxCNC's {kind.name}, imported from {path.name}"
-    return Machine(_name(ini), axes, description=description, controller="linuxcnc"), findings
+    machine = Machine(_name(ini), axes, description=description, controller="linuxcnc")
+    return Configuration(machine, hal, order, length, angle), findings
 
 
 def _kinematics_line(ini: IniFile, hal: HalValues) -> Value:
