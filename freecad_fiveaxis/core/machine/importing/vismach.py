@@ -5,8 +5,8 @@ frame     the model's, moved so that the capture of the tool's tip, with every j
           zero, stands in the gauge point. The tool must stand along Z there.
 pin       moves with an axis where a signal joins it with the joint's position; where no HAL file says
           anything of it, where its name is one of an axis (``jx``, ``tilt-a``). With
-          ``motion.tooloffset.z`` it is the tool's length, and what it moves is the tool. Others stand where HAL
-          sets them.
+          ``motion.tooloffset.z`` it is the tool's length, and what it moves is the tool. Others stand where
+          HAL sets them.
 sides     what moves the capture of the work is on the table's side: kinematics alone do not say which linear
           axes are.
 agree     order and sides of the rotary axes must be those of the kinematics. Directions and lines that are
@@ -16,7 +16,7 @@ agree     order and sides of the rotary axes must be those of the kinematics. Di
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
@@ -62,8 +62,8 @@ class Configuration:
 
 
 def add_bodies(given: Configuration, path: Path) -> tuple[Machine, tuple[Finding, ...], dict[str, Mesh]]:
-    """Give the machine with the bodies of a vismach model, what is to be said of them, and the meshes of those
-    of the shape ``file``. Raises MachineError that names what does not fit, FileError."""
+    """Give the machine with the bodies of a vismach model, what is to be said of them, and the meshes, mm, of
+    those of the shape ``file`` by their names. Raises MachineError for what does not fit, FileError."""
     pins = _Pins(given)
     tree = grow(read_model(path, _settings(given.hal, path)), pins.meaning, given.angle)
     if tree.full:
@@ -79,7 +79,7 @@ def add_bodies(given: Configuration, path: Path) -> tuple[Machine, tuple[Finding
     found = [
         _taken(machine, frame, path),
         *_differing(machine, (*table, *head), frame, path),
-        *_left(tree.left | flat, path),
+        *_left([*tree.left, *flat], path),
         *_tool(sum(one.tool for one in tree.shapes), path),
         *_unset(pins.unset, path),
     ]
@@ -142,8 +142,7 @@ def _ends(tree: Tree, path: Path) -> tuple[Placed, Placed]:
         "the captures at tool and work, which main is given, do not stand in what can be read of the model"
     )
     if tree.left:
-        line, text = next(iter(tree.left.items()))
-        problem = say("{problem}; left out is line {line}: {text}", problem=problem, line=line, text=text)
+        problem = say("{problem}; left out is {parts}", problem=problem, parts=_parts(tree.left))
     raise wrong(path, problem)
 
 
@@ -242,7 +241,7 @@ def _apart(one: Floats, other: Floats, direction: Floats) -> float:
     return float(np.linalg.norm(np.cross(one - other, direction)))
 
 
-# ------------------------------------------------------------------------------------------- what is to be said
+# ----------------------------------------------------------------------------------------- what is to be said
 
 
 def _taken(machine: Machine, frame: Floats, path: Path) -> Finding:
@@ -251,7 +250,7 @@ def _taken(machine: Machine, frame: Floats, path: Path) -> Finding:
         for side in ("table", "head")
     }
     text = say(
-        "{count} bodies of {name} are taken, moved by {shift} so that the tip of its tool stands in the gauge "
+        "{count} bodies of {name} are taken, moved by {shift} so that its tool's tip stands in the gauge "
         "point. By it the table moves with {table}, the tool with {head}. Take out what is only drawn there "
         "(marks, a workpiece) with the machine editor.",
         count=Number(len(machine.bodies)), name=path.name, shift=Point(tuple(frame[:3, 3].tolist())), **sides,
@@ -274,7 +273,8 @@ def _difference(axis: Axis, joint: Joint, frame: Floats, path: Path) -> list[Fin
         text = say(
             "{name} line {line} moves {letter} along or about {model}, the kinematics {ours}; the machine is "
             "that of the kinematics. Which is right?",
-            name=name, line=joint.line, letter=letter, model=_direction(joint.direction), ours=_direction(ours),
+            name=name, line=joint.line, letter=letter,
+            model=_direction(joint.direction), ours=_direction(ours),
         )  # fmt: skip
         return [report_finding(Code.MODEL_DIFFERS, text)]
     if apart <= NEAR:
@@ -292,14 +292,20 @@ def _direction(vector: Floats) -> Point:
     return Point((x, y, z), ".6g", bare=True)
 
 
-def _left(left: Mapping[int, str], path: Path) -> list[Finding]:
+def _left(left: Sequence[tuple[int, str]], path: Path) -> list[Finding]:
     if not left:
         return []
-    named = [say("line {line}: {text}", line=line, text=left[line]) for line in sorted(left)[:TOLD]]
-    if more := len(left) - TOLD:
-        named += [plural(more, "one more", "{count} more")] if more > 0 else []
-    text = say("Left out of {name} is what is not plain: {parts}", name=path.name, parts=joined(named, "; "))
-    return [report_finding(Code.MODEL_LEFT_OUT, text, float(len(left)))]
+    text = say("Left out of {name} is what is not plain: {parts}", name=path.name, parts=_parts(left))
+    return [report_finding(Code.MODEL_LEFT_OUT, text, float(len(set(left))))]
+
+
+def _parts(left: Sequence[tuple[int, str]]) -> str:
+    """Name what is left out by its lines."""
+    told = sorted(set(left))
+    named = [say("line {line}: {text}", line=line, text=text) for line, text in told[:TOLD]]
+    if (more := len(told) - TOLD) > 0:
+        named.append(plural(more, "one more", "{count} more"))
+    return joined(named, "; ")
 
 
 def _tool(count: int, path: Path) -> list[Finding]:
@@ -307,8 +313,8 @@ def _tool(count: int, path: Path) -> list[Finding]:
         return []
     text = plural(
         count,
-        "One shape of {name} moves with the tool's length; it is taken for the tool, and is no body.",
-        "{count} shapes of {name} move with the tool's length; they are taken for the tool, and are no bodies.",
+        "One shape of {name} moves with the tool's length; it is taken for the tool, not for a body.",
+        "{count} shapes of {name} move with the tool's length; they are taken for the tool, not for bodies.",
         name=path.name,
     )
     return [report_finding(Code.MACHINE_DEFAULT, text)]

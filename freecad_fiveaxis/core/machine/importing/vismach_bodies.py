@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -35,7 +36,8 @@ from freecad_fiveaxis.core.machine.bodies import (
 from freecad_fiveaxis.core.machine.bodies_file import read_bodies, write_bodies
 
 from .urdf_bodies import is_straight, moved
-from .vismach_file import Part, wrong
+from .vismach_file import wrong
+from .vismach_parts import Part
 from .vismach_tree import Placed
 
 MOST = 500
@@ -45,7 +47,7 @@ ALONG = {"CylinderX": (1.0, 0.0, 0.0), "CylinderY": (0.0, 1.0, 0.0), "CylinderZ"
 
 def make_bodies(
     shapes: Sequence[Placed], carrier: Callable[[Placed], tuple[str, bool]], gauge: Vector, path: Path
-) -> tuple[tuple[MachineBody, ...], dict[str, Mesh], dict[int, str]]:
+) -> tuple[tuple[MachineBody, ...], dict[str, Mesh], list[tuple[int, str]]]:
     """Make a body of each shape, with the meshes of those of the shape ``file`` by their names, and say by
     line why what makes none does not.
 
@@ -53,19 +55,19 @@ def make_bodies(
     tool, too. Raises MachineError for a mesh that is not there, FileError."""
     bodies: list[MachineBody] = []
     meshes: dict[str, Mesh] = {}
-    left: dict[int, str] = {}
+    left: list[tuple[int, str]] = []
     for shape in shapes[: MOST + 1]:
         name = free_body_name(shape.name, [body.name for body in bodies])
         try:
             letter, with_tool = carrier(shape)
-            body, mesh = _body(name, letter, shape, path)
+            body = _body(name, letter, shape)
             _check(body)
         except MachineError as error:
-            left[shape.part.line] = say("{text}: {error}", text=shape.part.text, error=error)
+            left.append((shape.part.line, say("{text}: {error}", text=shape.part.text, error=error)))
             continue
         bodies.append(_on_spindle(body, gauge) if with_tool else body)
-        if mesh is not None:
-            meshes[name] = mesh
+        if body.shape == FILE:
+            meshes[name] = _mesh(shape, path)
     if len(bodies) > MOST:
         text = say("it has more than {most} shapes; give a model of fewer, larger ones", most=MOST)
         raise wrong(path, text)
@@ -74,31 +76,31 @@ def make_bodies(
 
 def _check(body: MachineBody) -> None:
     """Refuse what the machine's file could not be read with. Raises MachineError."""
-    read_bodies(
-        write_bodies([body if body.shape != FILE else MachineBody("a", "base", FILE, file="a")]), "", 1.0
-    )
+    named = replace(body, file=body.name) if body.shape == FILE else body
+    read_bodies(write_bodies([named]), "bodies", 1.0)
 
 
 def _on_spindle(body: MachineBody, gauge: Vector) -> MachineBody:
     if not is_round(body, gauge) or body.points[0][2] < gauge[2] - 1e-6:
         return body
-    return MachineBody(body.name, SPINDLE, body.shape, body.points, body.radii)
+    return replace(body, carrier=SPINDLE)
 
 
-def _body(name: str, carrier: str, shape: Placed, path: Path) -> tuple[MachineBody, Mesh | None]:
+def _body(name: str, carrier: str, shape: Placed) -> MachineBody:
+    """Make the body of a shape, of the shape ``file`` still without its file. Raises MachineError for a flat
+    box."""
     part, place = shape.part, shape.place
     if part.kind == "AsciiSTL":
-        return MachineBody(name, carrier, FILE), _mesh(moved(_facets(part, path), place), part, path)
+        return MachineBody(name, carrier, FILE)
     if part.kind == "Sphere":
         *centre, radius = part.numbers("x", "y", "z", "r")
-        return MachineBody(name, carrier, SPHERE, _points([centre], place), (_scaled(radius, place),)), None
+        return MachineBody(name, carrier, SPHERE, _points([centre], place), (_scaled(radius, place),))
     if part.kind in ALONG:
-        return _round(name, carrier, part, place), None
-    low, high = _ends(part)
+        return _round(name, carrier, part, place)
+    ends = np.array(_ends(part))
     if not is_straight(place / _scale(place)):
-        return MachineBody(name, carrier, FILE), _mesh(moved(box_facets(low, high), place), part, path)
-    corners = moved(np.array([low, high]), place)
-    return MachineBody(name, carrier, BOX, _rounded(np.sort(corners, axis=0))), None
+        return MachineBody(name, carrier, FILE)
+    return MachineBody(name, carrier, BOX, _rounded(np.sort(moved(ends, place), axis=0)))
 
 
 def _ends(part: Part) -> tuple[Floats, Floats]:
@@ -146,6 +148,16 @@ def _rounded(points: Floats) -> tuple[Vector, ...]:
     return tuple((x, y, z) for x, y, z in (np.round(points, 9) + 0.0).tolist())
 
 
+def _mesh(shape: Placed, path: Path) -> Mesh:
+    """Make the mesh, mm, of an STL file, or of a box that leans. Raises MachineError, FileError."""
+    part = shape.part
+    facets = _facets(part, path) if part.kind == "AsciiSTL" else box_facets(*_ends(part))
+    try:
+        return from_triangles(moved(facets, shape.place))
+    except FiveAxisError as error:
+        raise wrong(path, say("line {line}: {error}", line=part.line, error=error)) from error
+
+
 def _facets(part: Part, path: Path) -> Floats:
     """Return the facets (f, 3, 3) of a mesh as its file has them. Raises MachineError, FileError."""
     file = path.absolute().parent / part.given["filename"]
@@ -155,11 +167,3 @@ def _facets(part: Part, path: Path) -> Floats:
         )
         raise wrong(path, text)
     return read_corners(file)
-
-
-def _mesh(corners: Floats, part: Part, path: Path) -> Mesh:
-    try:
-        return from_triangles(corners)
-    except FiveAxisError as error:
-        text = say("line {line}: {error}", line=part.line, error=error)
-        raise wrong(path, text) from error

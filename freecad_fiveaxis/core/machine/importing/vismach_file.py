@@ -20,67 +20,18 @@ from freecad_fiveaxis.core.base.errors import MachineError
 from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.sentences import say
 
+from .vismach_parts import PARTS, Component, Listing, Part, Unread, make_part, unread
+
 LONGEST = 1_000_000
 """Bytes; no model is as long."""
+LARGEST = 1e9
+"""No number of a model is as large."""
 MODULES = ("vismach", "qt_vismach")
 """The last part of the names of the modules that have the parts."""
-PARTS = {
-    "Collection": "parts", "Color": "color parts", "Capture": "",
-    "Translate": "parts x y z", "Rotate": "parts th x y z",
-    "HalTranslate": "parts comp var x y z", "HalRotate": "parts comp var th x y z",
-    "HalVectorTranslate": "parts comp xvar yvar zvar scale",
-    "Box": "x1 y1 z1 x2 y2 z2", "BoxCentered": "xw yw zw", "BoxCenteredXY": "xw yw zw",
-    "CylinderX": "x1 r1 x2 r2", "CylinderY": "y1 r1 y2 r2", "CylinderZ": "z1 r1 z2 r2",
-    "Sphere": "x y z r", "AsciiSTL": "filename",
-}  # fmt: skip
-"""The parts that are read, and their arguments."""
-OTHERWISE: dict[str, Any] = {"scale": 1.0}
-NAMES = ("parts", "color", "comp", "filename", "var", "xvar", "yvar", "zvar")
-"""Arguments that are no numbers, or need not be."""
 AT_WILL = {"exec", "eval", "globals", "locals", "vars", "setattr", "compile", "__import__"}
 """Whoever calls these may change any name."""
 HARMLESS = {"set_volume", "newpin", "newparam", "ready"}
 """Methods that move no part."""
-
-
-@dataclass(eq=False)
-class Unread:
-    """What is not plain: the ``line`` of the script, and the text that stands there."""
-
-    line: int
-    text: str
-
-
-@dataclass(eq=False)
-class Listing:
-    """A list of the script; ``spoilt``: the line of what may have changed it, 0 for none."""
-
-    items: list[Any]
-    spoilt: int = 0
-
-
-@dataclass(frozen=True)
-class Component:
-    """A HAL component: what its pins begin with."""
-
-    prefix: str
-
-
-@dataclass(eq=False)
-class Part:
-    """One of :data:`PARTS`: its ``given`` arguments by name, numbers as floats, pins (``var`` and the like)
-    by their whole names; ``label``: the name that the script first gave it; ``spoilt`` as of a Listing."""
-
-    kind: str
-    line: int
-    text: str
-    given: dict[str, Any]
-    label: str = ""
-    spoilt: int = 0
-
-    def numbers(self, *names: str) -> tuple[float, ...]:
-        """Give arguments that are numbers."""
-        return tuple(self.given[name] for name in names)
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +96,7 @@ class _Script:
             self._take(one)
             for node in ast.walk(one):
                 if isinstance(node, ast.NamedExpr):
-                    self.names[node.target.id] = _unread(node)
+                    self.names[node.target.id] = unread(node)
 
     def _take(self, one: ast.stmt) -> None:
         match one:
@@ -165,14 +116,17 @@ class _Script:
                 self._call_alone(call)
             case ast.If(test=ast.Compare() as test) if ast.unparse(test) == "__name__ == '__main__'":
                 self.run(one.body)
-            case ast.For() if _is_settings(one):
-                self._set()
-            case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
-                self._define(one)
-            case ast.Expr(value=ast.Constant()) | ast.Pass():
-                pass
             case _:
-                self._spoil(one)
+                self._take_other(one)
+
+    def _take_other(self, one: ast.stmt) -> None:
+        """Take what builds no part."""
+        if isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            self._define(one)
+        elif isinstance(one, ast.For) and _is_settings(one):
+            self._set()
+        elif not (isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)):
+            self._spoil(one)
 
     # ------------------------------------------------------------------------------------------ statements
 
@@ -198,7 +152,7 @@ class _Script:
                 called = alias.asname or alias.name
                 if alias.name.rpartition(".")[2] in MODULES:
                     self.modules.add(called)
-                self.names[called.partition(".")[0]] = _unread(one)
+                self.names[called.partition(".")[0]] = unread(one)
         elif (one.module or "").rpartition(".")[2] in MODULES:
             for alias in one.names:
                 known = {name: name for name in (*PARTS, "main")}
@@ -207,7 +161,7 @@ class _Script:
                 for name in found:
                     self.names.pop(name, None)
         else:
-            self.names |= {alias.asname or alias.name: _unread(one) for alias in one.names}
+            self.names |= {alias.asname or alias.name: unread(one) for alias in one.names}
 
     def _call_alone(self, call: ast.Call) -> None:
         if self._callee(call.func) == "main":
@@ -228,7 +182,7 @@ class _Script:
             self.names[name.strip()] = number
 
     def _define(self, one: ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef) -> None:
-        self.names[one.name] = _unread(one)
+        self.names[one.name] = unread(one)
         for node in ast.walk(one):
             if isinstance(node, ast.Name):
                 self.in_functions.append((node.id, one.lineno))
@@ -245,11 +199,11 @@ class _Script:
         line = getattr(one, "lineno", 1)
         for node in ast.walk(one):
             if isinstance(node, ast.Name) and node.id in AT_WILL:
-                self.names = dict.fromkeys(self.names, _unread(one))
+                self.names = dict.fromkeys(self.names, unread(one))
             elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
                 _mark(self.names.get(node.id), line)
             elif isinstance(node, ast.Name):
-                self.names[node.id] = _unread(one)
+                self.names[node.id] = unread(one)
             elif isinstance(node, ast.FunctionDef | ast.ClassDef):
                 self._define(node)
             elif isinstance(node, ast.Import | ast.ImportFrom):
@@ -260,7 +214,7 @@ class _Script:
     def _value(self, node: ast.expr) -> Any:
         match node:
             case ast.Constant(value=bool()):
-                return _unread(node)
+                return unread(node)
             case ast.Constant(value=int() | float() as number):
                 return _finite(node, number)
             case ast.Constant(value=str() | None as text):
@@ -281,12 +235,12 @@ class _Script:
             case ast.Call():
                 return self._called(node)
         self._spoil(node)
-        return _unread(node)
+        return unread(node)
 
     def _named(self, node: ast.expr, name: str) -> Any:
         if name in self.names:
             return self.names[name]
-        return math.pi if name == "pi" and self.of_vismach else _unread(node)
+        return math.pi if name == "pi" and self.of_vismach else unread(node)
 
     def _callee(self, func: ast.expr) -> str:
         """Return vismach's name of what is called, ``hal.component``, or nothing."""
@@ -301,41 +255,18 @@ class _Script:
         name = self._callee(call.func)
         if name == "hal.component" and call.args and not call.keywords:
             prefix = self._value(call.args[-1])
-            return Component(prefix) if isinstance(prefix, str) and len(call.args) < 3 else _unread(call)
+            return Component(prefix) if isinstance(prefix, str) and len(call.args) < 3 else unread(call)
         if name not in PARTS:
             self._spoil(call)
-            return _unread(call)
-        words = PARTS[name].split()
+            return unread(call)
         values = [self._value(one) for one in call.args]
-        given = OTHERWISE | dict(zip(words, values, strict=False))
-        given |= {word.arg: self._value(word.value) for word in call.keywords if word.arg}
-        plain = len(values) <= len(words) and all(word.arg in words for word in call.keywords)
-        given = {word: given[word] for word in words if word in given}
-        if not plain or len(given) < len(words) or not all(_fits(*one) for one in given.items()):
-            return _unread(call)
-        return Part(name, call.lineno, _text(call), _whole_pins(given))
-
-
-def _fits(word: str, value: Any) -> bool:
-    """Tell whether an argument is of the kind that its part needs."""
-    if word not in NAMES:
-        return isinstance(value, float)
-    kinds: dict[str, Any] = {"parts": Listing, "color": object, "comp": Component | None}
-    return isinstance(value, kinds.get(word, str)) or (word in ("xvar", "yvar", "zvar") and value == 0.0)
-
-
-def _whole_pins(given: dict[str, Any]) -> dict[str, Any]:
-    comp = given.get("comp")
-    prefix = "" if comp is None else f"{comp.prefix}."
-    return {
-        word: prefix + value if word.endswith("var") and isinstance(value, str) else value
-        for word, value in given.items()
-    }
+        by_word = {word.arg or "**": self._value(word.value) for word in call.keywords}
+        return make_part(call, name, values, by_word)
 
 
 def _arithmetic(node: ast.AST, op: ast.operator, one: Any, other: Any) -> Any:
     if not isinstance(one, float) or not isinstance(other, float):
-        return next((value for value in (one, other) if isinstance(value, Unread)), _unread(node))
+        return next((value for value in (one, other) if isinstance(value, Unread)), unread(node))
     match op:
         case ast.Add():
             return _finite(node, one + other)
@@ -345,15 +276,15 @@ def _arithmetic(node: ast.AST, op: ast.operator, one: Any, other: Any) -> Any:
             return _finite(node, one * other)
         case ast.Div() if other:
             return _finite(node, one / other)
-    return _unread(node)
+    return unread(node)
 
 
 def _finite(node: ast.AST, number: float) -> Any:
     try:
         found = float(number) + 0.0
     except OverflowError:
-        return _unread(node)
-    return found if math.isfinite(found) else _unread(node)
+        return unread(node)
+    return found if abs(found) < LARGEST else unread(node)
 
 
 def _is_settings(loop: ast.For) -> bool:
@@ -369,15 +300,5 @@ def _is_settings(loop: ast.For) -> bool:
 
 
 def _mark(value: Any, line: int) -> None:
-    if isinstance(value, Part | Listing):
+    if isinstance(value, Listing) or (isinstance(value, Part) and value.kind != "Capture"):
         value.spoilt = value.spoilt or line
-
-
-def _unread(node: ast.AST) -> Unread:
-    return Unread(getattr(node, "lineno", 1), _text(node))
-
-
-def _text(node: ast.AST) -> str:
-    """Return the beginning of what stands there, on one line."""
-    text = " ".join(ast.unparse(node).split())
-    return text if len(text) <= 40 else text[:37] + "..."

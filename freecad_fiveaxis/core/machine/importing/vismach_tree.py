@@ -18,7 +18,8 @@ import numpy as np
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Number, say
 
-from .vismach_file import Listing, Model, Part, Unread
+from .vismach_file import Model
+from .vismach_parts import Listing, Part, Unread
 
 MOST = 20_000
 """Parts that are looked at, one that stands in several places in each of them."""
@@ -57,6 +58,8 @@ class Placed(NamedTuple):
     place: Floats
     path: tuple[Joint, ...]
     tool: bool = False
+    line: int = 1
+    """Of the script, where what holds it is made."""
 
 
 @dataclass
@@ -66,8 +69,8 @@ class Tree:
     shapes: list[Placed] = field(default_factory=list)
     tip: Placed | None = None
     work: Placed | None = None
-    left: dict[int, str] = field(default_factory=dict)
-    """Why, by line of the script."""
+    left: list[tuple[int, str]] = field(default_factory=list)
+    """Lines of the script, and why."""
     full: bool = False
     """Whether it has more parts than are looked at."""
 
@@ -92,11 +95,13 @@ def _inside(
     be read into what is left out."""
     part = one.part
     if not isinstance(part, Part):
-        line, text = (part.line, part.text) if isinstance(part, Unread) else (0, repr(part)[:40])
-        tree.left.setdefault(line, text)
+        line, text = (part.line, part.text) if isinstance(part, Unread) else (one.line, repr(part)[:40])
+        tree.left.append((line, text))
         return
     if spoilt := part.spoilt or _spoilt(part.given.get("parts")):
-        tree.left[part.line] = say("{text}, which line {line} may have changed", text=part.text, line=spoilt)
+        tree.left.append(
+            (part.line, say("{text}, which line {line} may have changed", text=part.text, line=spoilt))
+        )
         return
     one = one._replace(name=part.label or one.name)
     if part is model.tip or part is model.work:
@@ -107,9 +112,9 @@ def _inside(
     elif "parts" in part.given:
         moved = _moved(one, meaning, degrees)
         if isinstance(moved, Placed):
-            yield from (moved._replace(part=item) for item in part.given["parts"].items)
+            yield from (moved._replace(part=item, line=part.line) for item in part.given["parts"].items)
         else:
-            tree.left[part.line] = moved
+            tree.left.append((part.line, moved))
     elif part.kind != "Capture":
         tree.shapes.append(one)
 
