@@ -195,6 +195,7 @@ def _of_machines_and_places() -> dict[str, str]:
         "cl_file": translate("FiveAxis", "CL file"),
         "sheet": translate("FiveAxis", "Sheet to print"),
         "source": translate("FiveAxis", "File to import"),
+        "bodies": translate("FiveAxis", "Model with bodies"),
         "linear_deflection": translate("FiveAxis", "Mesh deflection"),
         "angular_deflection": translate("FiveAxis", "Mesh angle"),
         "setup": translate("FiveAxis", "Setup"),

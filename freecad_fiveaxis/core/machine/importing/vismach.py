@@ -45,7 +45,7 @@ LETTER = re.compile(
 """Pins that are an axis by their names. Offsets end in such letters, too (``pivot_y``)."""
 NEAR = 0.001
 """mm; lines of rotary axes that are farther apart are told."""
-TOLD = 12
+MOST_NAMED = 12
 """So many parts that are left out are named."""
 
 
@@ -301,9 +301,9 @@ def _left(left: Sequence[tuple[int, str]], path: Path) -> list[Finding]:
 
 def _parts(left: Sequence[tuple[int, str]]) -> str:
     """Name what is left out by its lines."""
-    told = sorted(set(left))
-    named = [say("line {line}: {text}", line=line, text=text) for line, text in told[:TOLD]]
-    if (more := len(told) - TOLD) > 0:
+    lines = sorted(set(left))
+    named = [say("line {line}: {text}", line=line, text=text) for line, text in lines[:MOST_NAMED]]
+    if (more := len(lines) - MOST_NAMED) > 0:
         named.append(plural(more, "one more", "{count} more"))
     return joined(named, "; ")
 

@@ -52,9 +52,7 @@ def read_model(path: Path, settings: Sequence[str] = ()) -> Model:
     except RecursionError as error:
         raise wrong(path, say("it is nested too deep; give the script of a vismach model")) from error
     if script.model is None:
-        text = say(
-            "it has no main(model, tool, work) of vismach that can be read; give the script of a model"
-        )
+        text = say("it has no main(model, tool, work) that can be read; give the script of a vismach model")
         raise wrong(path, text)
     script.spoil_by_functions()
     return script.model
