@@ -18,7 +18,7 @@ from freecad_fiveaxis.core.geometry.mesh import from_triangles, write_stl
 from freecad_fiveaxis.core.gouge.carried_motion import CarriedMotion, steps_between
 from freecad_fiveaxis.core.machine import load_machine
 from freecad_fiveaxis.core.machine.bodies import BASE, BOX, FILE
-from freecad_fiveaxis.core.machine.importing import import_machine
+from freecad_fiveaxis.core.machine.importing import find_model, import_machine
 
 ARM = ((-90.0, -10.0, -40.0), (-80.0, 15.0, 0.0))
 TRUNNION = """#!/usr/bin/env python3
@@ -272,6 +272,13 @@ def test_hal_gives_the_script_its_settings_and_units_are_those_of_the_machine(wr
         ('tilt", -1', 'tilt", -57.29577951308232'),
     ]
     assert len(import_machine(*write("trunnion", *radians, angles="rad")).machine.bodies) == 10
+
+
+def test_the_model_that_hal_starts_is_found(write, tmp_path):
+    source, model = write()
+    assert find_model(tmp_path / "m.ini") == tmp_path / "mill.py"
+    write(hal=HAL.replace("./mill.py", "./arm.stl"))
+    assert find_model(tmp_path / "m.ini") is None and (source, model) == write()
 
 
 def test_pins_of_which_no_hal_file_speaks_are_axes_by_their_names_alone(write):

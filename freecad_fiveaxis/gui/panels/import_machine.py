@@ -44,13 +44,17 @@ class ImportPanel(WorkPanel):
             translate("FiveAxis", "Import a machine"),
             FilesForm("import-machine", None, sections, [self.source, self.bodies, self.target]),
         )
+        self.found = ""
         self.source.edited.connect(self._propose)
 
     def _propose(self) -> None:
-        from freecad_fiveaxis.app import machines
+        from freecad_fiveaxis.app import importing, machines
 
         if self.source.value():
             self.target.propose(machines.free_file(Path(self.source.value()).stem))
+        if self.bodies.value() in ("", self.found):
+            self.found = importing.find_bodies(self.source.value())
+            self.bodies.show_value(self.found)
 
     def compute(self) -> Any:
         """Return the machine, and what its source leaves open."""

@@ -25,6 +25,7 @@ import numpy as np
 
 from freecad_fiveaxis.core.base.codes import Code
 from freecad_fiveaxis.core.base.errors import MachineError
+from freecad_fiveaxis.core.base.files import read_bytes
 from freecad_fiveaxis.core.base.findings import Finding, report_finding
 from freecad_fiveaxis.core.base.records import Floats
 from freecad_fiveaxis.core.base.sentences import Length, Number, Point, joined, plural, say
@@ -33,6 +34,7 @@ from freecad_fiveaxis.core.machine import Axis, Machine
 from freecad_fiveaxis.core.machine.bodies import BASE
 
 from .hal_files import HalValues
+from .ini_file import IniFile
 from .vismach_bodies import make_bodies
 from .vismach_file import read_model, wrong
 from .vismach_tree import SAME, Joint, Meaning, Placed, Tree, grow
@@ -124,6 +126,21 @@ class _Pins:
         if number is None and pin not in self.unset:
             self.unset.append(pin)
         return Meaning(number=number or 0.0)
+
+
+def find_model(ini: Path) -> Path | None:
+    """Return the vismach model that the HAL files of a LinuxCNC configuration start, from the ini file's
+    folder; None where there is none. Raises FiveAxisError for a configuration that cannot be read."""
+    for started in HalValues(IniFile(ini)).programs:
+        for word in started.text.split():
+            file = ini.parent / word
+            if (
+                not word.startswith("-")
+                and file.is_file()
+                and b"vismach" in read_bytes(file, "vismach model")
+            ):
+                return file
+    return None
 
 
 def _settings(hal: HalValues, path: Path) -> list[str]:
