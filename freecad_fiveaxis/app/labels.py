@@ -233,6 +233,7 @@ def _of_the_machine_editor() -> dict[str, str]:
         "axis_low": translate("FiveAxis", "Lower limit"),
         "axis_high": translate("FiveAxis", "Upper limit"),
         "axis_rate": translate("FiveAxis", "Largest rate"),
+        "axis_acceleration": translate("FiveAxis", "Largest acceleration"),
         "body_name": translate("FiveAxis", "Name"),
         "body_carrier": translate("FiveAxis", "Carried by"),
         "body_low": translate("FiveAxis", "Low end"),

@@ -2295,6 +2295,10 @@
         <translation>Art</translation>
     </message>
     <message>
+        <source>Largest acceleration</source>
+        <translation>Größte Beschleunigung</translation>
+    </message>
+    <message>
         <source>Largest axis angle</source>
         <translation>Größter Achswinkel</translation>
     </message>
@@ -3449,6 +3453,10 @@
     <message>
         <source>What the distance is proven to stay below, all through this block</source>
         <translation>Worunter der Abstand im ganzen NC-Satz bewiesenermaßen bleibt</translation>
+    </message>
+    <message>
+        <source>What the drive reaches; it is kept in the file, nothing reckons with it</source>
+        <translation>Was der Antrieb erreicht; es bleibt in der Datei, nichts rechnet damit</translation>
     </message>
     <message>
         <source>What the lists call the machine</source>
@@ -6922,6 +6930,10 @@
     <message>
         <source>machines are compared on a toolpath: select a toolpath</source>
         <translation>Maschinen werden an einem Werkzeugweg verglichen: einen Werkzeugweg auswählen</translation>
+    </message>
+    <message>
+        <source>maximum acceleration {max_acceleration} is not positive; give what the drive reaches</source>
+        <translation>die größte Beschleunigung {max_acceleration} ist nicht positiv; geben Sie an, was der Antrieb erreicht</translation>
     </message>
     <message>
         <source>maximum rate {max_rate} is not positive; give what the drive reaches</source>

@@ -139,9 +139,9 @@ def _row(axis: Axis) -> str:
     unit, scale = ("deg", math.degrees(1.0)) if axis.rotary else ("mm", 1.0)
     line = f"  {axis.letter} {axis.side:5} {_vector(axis.direction):12}"
     line += f" through {_vector(axis.point):18}" if axis.rotary else 27 * " "
-    return (
-        line + f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
-    )
+    line += f" {axis.low * scale:g} to {axis.high * scale:g} {unit}, {axis.max_rate * scale:g} {unit}/min"
+    known = not math.isinf(axis.max_acceleration)
+    return line + (f", {axis.max_acceleration * scale:g} {unit}/s^2" if known else "")
 
 
 def _bodies(machine: Machine) -> list[str]:

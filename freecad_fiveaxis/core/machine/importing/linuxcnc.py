@@ -7,7 +7,8 @@ module   what a HAL file loads by ``loadrt``, else ``[KINS] KINEMATICS``. ``coor
 axes     those that the module and [TRAJ] COORDINATES have. What a machine file cannot hold stays at 0, and a
          finding says so.
 joint    limits are those of [JOINT_n], of [AXIS_L] where they are missing there; the narrower of both for
-         rotary axes, whose word is the joint in every kinematics. A rate is the lower of both.
+         rotary axes, whose word is the joint in every kinematics. A rate is the lower of both, as is an
+         acceleration, which may be missing.
 """
 
 from __future__ import annotations
@@ -203,10 +204,14 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
     low = max(_numbers(ini, joint, letter, "MIN_LIMIT", both=rotary))
     high = min(_numbers(ini, joint, letter, "MAX_LIMIT", both=rotary))
     rate = min(_numbers(ini, joint, letter, "MAX_VELOCITY", both=True))
+    acceleration = scale * min(_given(ini, joint, letter, "MAX_ACCELERATION"), default=math.inf)
     most = UNLIMITED / (angle if rotary else length)
     low, high = (-math.inf if low <= -most else low * scale), (math.inf if high >= most else high * scale)
     try:
-        return Axis(letter, rotary, axis.side, axis.direction, axis.point, low, high, 60.0 * rate * scale)
+        return Axis(
+            letter, rotary, axis.side, axis.direction, axis.point, low, high, 60.0 * rate * scale,
+            max_acceleration=acceleration,
+        )  # fmt: skip
     except MachineError as error:
         raise MachineError(
             say("{path}: [JOINT_{joint}], {error}", path=ini.path, joint=joint, error=error), error.value
@@ -216,13 +221,18 @@ def _axis(ini: IniFile, axis: Turn, joint: int, length: float, angle: float) -> 
 def _numbers(ini: IniFile, joint: int, letter: str, key: str, both: bool) -> list[float]:
     """Return what [JOINT_n] says, or where it says nothing [AXIS_L]; with ``both``, what each of them
     says."""
-    given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
-    found = [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
+    found = _given(ini, joint, letter, key)
     if not found:
         ini.need(
             f"JOINT_{joint}", key, say("axis {letter} needs it there or under [AXIS_{letter}]", letter=letter)
         )
     return found if both else found[:1]
+
+
+def _given(ini: IniFile, joint: int, letter: str, key: str) -> list[float]:
+    """Return what [JOINT_n] and [AXIS_L] say."""
+    given = [ini.get(section, key) for section in (f"JOINT_{joint}", f"AXIS_{letter}")]
+    return [number(value, f"{key} of {letter}") for value in given if value is not None and value.text]
 
 
 def _name(ini: IniFile) -> str:
