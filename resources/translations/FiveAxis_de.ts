@@ -6636,8 +6636,8 @@
         <translation>seine Zustellungen werden kleiner (I)</translation>
     </message>
     <message>
-        <source>its pin is join_sentences with several axes: {axes}</source>
-        <translation type="unfinished"></translation>
+        <source>its pin is joined with several axes: {axes}</source>
+        <translation>ihr Pin ist mit mehreren Achsen verbunden: {axes}</translation>
     </message>
     <message>
         <source>its process died, as when memory runs out; give fewer {workers}, or a coarser part</source>

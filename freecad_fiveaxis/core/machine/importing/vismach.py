@@ -103,9 +103,7 @@ class _Pins:
             letters = {found[1].upper()}
         if len(letters) > 1:
             return Meaning(
-                problem=say(
-                    "its pin is join_sentences with several axes: {axes}", axes=", ".join(sorted(letters))
-                )
+                problem=say("its pin is joined with several axes: {axes}", axes=", ".join(sorted(letters)))
             )
         if letters:
             letter = letters.pop()
