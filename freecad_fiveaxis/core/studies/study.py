@@ -167,10 +167,10 @@ def _table_under(mesh: Mesh, table: float | None) -> tuple[float | None, tuple[F
 
 def try_setups(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    executor: Executor | None = None,
+    executor: Executor | None = None, fixtures: tuple[Fixture, ...] | None = None,
 ) -> SetupTrial:  # fmt: skip
-    """Where the part should stand. ``mesh``, ``faces``: as in :func:`~.job.make`; ``executor``: as in
-    :func:`run`.
+    """Where the part should stand. ``mesh``, ``faces``, ``fixtures``: as in :func:`~.job.make`;
+    ``executor``: as in :func:`run`.
 
     Raises SettingsError for a region with nothing to choose from, and for one that leaves every limit.
     """
@@ -180,7 +180,7 @@ def try_setups(
     )  # and what makes no sense for a setup is refused
     table = machine.table if settings.setup.table_height is None else settings.setup.table_height
     _region(settings, base.origin, 1, table)  # before the long work
-    program = _posted(job, progress, mesh, faces)
+    program = _posted(job, progress, mesh, faces, fixtures)
     region = _region(settings, base.origin, len(program.path.tip), table)
     posting, enough = _posting(job, program, dialect), settings.proof.tolerance
     collide = _collide(job, machine, dialect, progress)
@@ -195,10 +195,11 @@ def try_setups(
 
 def try_machines(
     settings: Settings, progress: Progress = silent, mesh: Mesh | None = None, faces: Bools | None = None,
-    executor: Executor | None = None,
+    executor: Executor | None = None, fixtures: tuple[Fixture, ...] | None = None,
 ) -> Comparison:  # fmt: skip
     """Return the same path on every machine that the settings name, with each cure. The path is made for the
-    first of them that can cut it; those that cannot are rows that say why. ``executor``: as in :func:`run`.
+    first of them that can cut it; those that cannot are rows that say why. ``fixtures``: as in
+    :func:`~.job.make`; ``executor``: as in :func:`run`.
 
     Raises SettingsError for an unknown cure, MachineError for an unknown machine, before any of the long
     work; and what the first machine says where none can cut the path.
@@ -213,7 +214,7 @@ def try_machines(
     refused = [
         what_needs_more_axes(job, machine) for job, machine in zip(each_settings, machines, strict=True)
     ]
-    program = _draft_for_first(each_settings, refused, progress, mesh, faces)
+    program = _draft_for_first(each_settings, refused, progress, mesh, faces, fixtures)
     stations = [
         station(machine, setup, _posting(settings, program, dialect), name, "" if why is None else why.text)
         for name, (machine, setup, dialect), why in zip(names, stands, refused, strict=True)
@@ -224,8 +225,7 @@ def try_machines(
 
 def _draft_for_first(
     each_settings: Sequence[Settings], refused: Sequence[SettingsError | None], progress: Progress,
-    mesh: Mesh | None,
-    faces: Bools | None,
+    mesh: Mesh | None, faces: Bools | None, fixtures: tuple[Fixture, ...] | None,
 ) -> PostedProgram:  # fmt: skip
     """Return the path and its program on the first machine that can take up all of its axes. Raises what the
     first machine says where there is none."""
@@ -233,7 +233,7 @@ def _draft_for_first(
     for job, why in zip(each_settings, refused, strict=True):
         try:
             if why is None:
-                return _posted(job, progress, mesh, faces)
+                return _posted(job, progress, mesh, faces, fixtures)
             problems.append(why)
         except ReachError as error:
             problems.append(error)
@@ -247,10 +247,13 @@ def _job_settings(settings: Settings, machine: str = "") -> Settings:
     return replace(settings, task=task, machine=given)
 
 
-def _posted(job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None) -> PostedProgram:
+def _posted(
+    job: Settings, progress: Progress, mesh: Mesh | None, faces: Bools | None,
+    fixtures: tuple[Fixture, ...] | None = None,
+) -> PostedProgram:  # fmt: skip
     if mesh is not None:
         job = replace(job, task=MILL)
-    program = make(job, progress, mesh, faces)
+    program = make(job, progress, mesh, faces, fixtures)
     if not isinstance(program, PostedProgram):
         raise SettingsError(
             say("{source} is no source of a path; give an STL or a CL file", source=job.source), job.source
