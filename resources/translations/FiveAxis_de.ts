@@ -1128,6 +1128,10 @@
         <translation>So viel darf stehen bleiben: die doppelte Kuppenhöhe und die Toleranz</translation>
     </message>
     <message>
+        <source>Solids and meshes of the document that hold the part, as in the tool path, which takes a change</source>
+        <translation>Körper und Netze des Dokuments, die das Teil halten: dieselben wie im Werkzeugweg, der eine Änderung übernimmt</translation>
+    </message>
+    <message>
         <source>Solids and meshes of the document that hold the part: the path goes around them</source>
         <translation>Körper und Netze des Dokuments, die das Teil halten: die Bahn führt darum herum</translation>
     </message>
