@@ -552,6 +552,14 @@
         <translation>Weg des Werkzeugs von einer Bahn zur nächsten: nahe am Werkstück, wo er frei ist, oder darüber hinweg</translation>
     </message>
     <message>
+        <source>How thick the jaws of a vise are of which is told how high they may reach</source>
+        <translation>Wie dick die Schraubstockbacken sind, von denen gesagt wird, wie hoch sie reichen dürfen</translation>
+    </message>
+    <message>
+        <source>Jaw Thickness</source>
+        <translation>Dicke der Backen</translation>
+    </message>
+    <message>
         <source>Kinds</source>
         <translation>Arten</translation>
     </message>
@@ -3253,6 +3261,10 @@
     <message>
         <source>These files are there already. Replace them?</source>
         <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Thickness of the jaws</source>
+        <translation>Dicke der Backen</translation>
     </message>
     <message>
         <source>This file is there already: choose another name.</source>

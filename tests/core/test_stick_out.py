@@ -201,7 +201,7 @@ def test_a_holder_that_is_forgotten_would_be_noticed(monkeypatch):
 
 def test_the_spindle_over_a_known_tool_is_looked_at_and_the_length_is_stated():
     """A spindle nose of radius 60 mm, lower than the holder is high: it meets the wall before the holder."""
-    machine = str(Path(__file__).parents[2] / "examples" / "trunnion_with_bodies.fcm")
+    machine = "trunnion_with_bodies"
     more = {
         "machine": machine,
         "cutter": "ball:6:70",

@@ -189,7 +189,7 @@ def try_setups(
     )
     if chart.best is None:
         _refuse(chart)
-    chart = with_room(chart, _standing(chart, program, machine), progress)
+    chart = with_room(chart, _standing(chart, program, machine), settings.setup.jaw_thickness, progress)
     return SetupTrial(settings, program, chart, chart.findings)
 
 

@@ -100,7 +100,7 @@ class SetupPanel(PathPanel):
         self.path, self.base, self.faces = path, base, faces
         doc = (path or base).Document
         machine = path.Machine if path else preferences.machine()
-        names = ["region", "grid", "turns", "table_height", "fixtures"]
+        names = ["region", "grid", "turns", "table_height", "fixtures", "jaw_thickness"]
         section = ("setup", translate("FiveAxis", "Setup"), names)
         hint = translate(
             "App::Property",

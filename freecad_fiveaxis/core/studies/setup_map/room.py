@@ -14,10 +14,10 @@ from .standing import Standing
 from .stick_out import find_stick_out, stick_out_findings
 
 
-def with_room(chart: SetupMap, stand: Standing, progress: Progress = silent) -> SetupMap:
-    """Add to a map with a recommended setup, which ``stand`` is, what the tool needs there, and what is to be
-    said of that."""
+def with_room(chart: SetupMap, stand: Standing, thick: float, progress: Progress = silent) -> SetupMap:
+    """Add to a map with a recommended setup, which ``stand`` is, what the tool needs there, how high jaws
+    ``thick`` mm thick may reach, and what is to be said of that."""
     stick_out = find_stick_out(stand, progress)
-    clamping = find_clamping(stand, progress)
+    clamping = find_clamping(stand, thick, progress)
     more = (*stick_out_findings(stick_out), *clamping_findings(clamping))
     return replace(chart, stick_out=stick_out, clamping=clamping, findings=(*chart.findings, *more))
