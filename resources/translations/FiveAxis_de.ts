@@ -5560,6 +5560,10 @@
         <translation>Mit dem um {angle} gedrehten Werkstück erlauben die Grenzen der Rundachsen keinen Weg: {error}.</translation>
     </message>
     <message>
+        <source>With the tool as it is tool or spindle hit the machine in every setup that was tried. With one that sticks out {enough} instead of {present}:</source>
+        <translation>Mit dem Werkzeug, wie es ist, treffen Werkzeug oder Spindel die Maschine in jeder erprobten Aufspannung. Mit einer Auskragung von {enough} statt {present}:</translation>
+    </message>
+    <message>
         <source>With {letter} at {first} and {other} at {second} the tool points at the cross: its tip is {distance} from it, measured along the tool.</source>
         <translation>Mit {letter} auf {first} und {other} auf {second} zeigt das Werkzeug auf das Kreuz: seine Spitze ist {distance} davon entfernt, entlang des Werkzeugs gemessen.</translation>
     </message>

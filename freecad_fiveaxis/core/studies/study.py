@@ -15,6 +15,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NoReturn
 
 from freecad_fiveaxis.core.base.codes import Code, Severity
 from freecad_fiveaxis.core.base.errors import FiveAxisError, ReachError, SettingsError
@@ -70,7 +71,7 @@ from .setup_map import (
     setup_map,
     setup_text,
 )
-from .setup_map.room import with_room
+from .setup_map.room import with_longer_tool, with_room
 from .setup_map.standing import Standing
 
 GRIDS = ((7, 7, 3), (5, 5, 3), (3, 3, 3))
@@ -187,9 +188,12 @@ def try_setups(
     chart = setup_map(
         program.path, machine, base, region, posting, enough, progress, table, executor, collide
     )
+    thick = settings.setup.jaw_thickness
     if chart.best is None:
-        _refuse(chart)
-    chart = with_room(chart, _standing(chart, program, machine), settings.setup.jaw_thickness, progress)
+        longer = with_longer_tool(chart, lambda one: _standing(one, program, machine), thick, progress)
+        chart = longer or _refuse(chart)
+    else:
+        chart = with_room(chart, _standing(chart, program, machine), thick, progress)
     return SetupTrial(settings, program, chart, chart.findings)
 
 
@@ -352,7 +356,7 @@ def _places(half: Vector, count: tuple[int, int, int], turns: int) -> int:
     return turns * math.prod(one for one, way in zip(count, half, strict=True) if way)
 
 
-def _refuse(chart: SetupMap) -> None:
+def _refuse(chart: SetupMap) -> NoReturn:
     low, high = chart.region.low, chart.region.high
     sides = zip("XYZ", low, high, strict=True)
     box = joined((say("{letter} {low} to {high}", letter=letter, low=Length(a, bare=True),

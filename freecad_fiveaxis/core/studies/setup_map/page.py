@@ -48,6 +48,16 @@ def verdict(chart: SetupMap) -> Sentence:
         return say("No setup of the region keeps all axes within their limits and the part on the table.")
     best, now = float(chart.max_deviation[chart.best]), float(chart.max_deviation[0])
     place, on_table = _place(chart, chart.best), _on_table(chart, chart.best)
+    if chart.hits[chart.best] > 0.0 and chart.stick_out is not None and chart.stick_out.enough is not None:
+        longer = say(
+            "With the tool as it is tool or spindle hit the machine in every setup that was tried. With one "
+            "that sticks out {enough} instead of {present}:",
+            enough=Length(chart.stick_out.enough, ".6g"), present=Length(chart.stick_out.present, ".6g"),
+        )  # fmt: skip
+        stand = say(
+            "Stand {place}: largest deviation {deviation}.", place=place, deviation=Length(best, ".4g")
+        )
+        return joined((longer, stand, on_table))
     if not math.isfinite(now) or not chart.able[0]:
         leaves = say("In the present setup the axes leave their limits.")
         below = say("In the present setup the part reaches below the table.")
